@@ -1,0 +1,98 @@
+"""Processes that benchmarks start beside themselves: router and executive, an echo, and burners."""
+
+from __future__ import annotations
+
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import closing, contextmanager
+from typing import Final
+
+from executive.settings import Role, WorkerSettings
+from skills.wire.zenoh_bus import BusError, ZenohBus
+
+PREFIX: Final = "bench/mock"
+THERE_WITHIN: Final = 20.0
+_BURN: Final = "import time\nend = time.monotonic() + {seconds}\nwhile time.monotonic() < end: pass"
+
+
+def free_endpoint() -> str:
+    """Return an endpoint on a loopback port that nobody uses."""
+    with closing(socket.socket()) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return f"tcp/127.0.0.1:{probe.getsockname()[1]}"
+
+
+@contextmanager
+def running(roles: Sequence[Role]) -> Iterator[tuple[str, dict[str, int]]]:
+    """Start a router and these roles; yields the router's endpoint, and the process ids by role."""
+    endpoint = free_endpoint()
+    started: dict[str, subprocess.Popen[bytes]] = {}
+    try:
+        for role in ("router", *roles):
+            settings = WorkerSettings(role=role, endpoint=endpoint, prefix=PREFIX, site="lab")
+            started[role] = _start("executive.worker", settings.model_dump_json())
+            await_there(endpoint, "" if role == "router" else f"process/{role}")
+        yield endpoint, {role: process.pid for role, process in started.items()}
+    finally:
+        _end(reversed(started.values()))
+
+
+@contextmanager
+def echo(endpoint: str) -> Iterator[None]:
+    """Have a process that answers each query at once."""
+    process = _start("benchmarks.echo", endpoint)
+    try:
+        await_there(endpoint, "echo")
+        yield
+    finally:
+        _end([process])
+
+
+@contextmanager
+def burners(count: int, *, most: float) -> Iterator[None]:
+    """Keep so many cores busy, for ``most`` seconds at the most."""
+    argv = [sys.executable, "-c", _BURN.format(seconds=most)]
+    burning = [subprocess.Popen(argv) for _ in range(count)]  # noqa: S603 - our own code
+    try:
+        yield
+    finally:
+        _end(burning)
+
+
+def await_there(endpoint: str, name: str) -> None:
+    """Wait until the router answers and ``name`` is announced.
+
+    Raises:
+        TimeoutError: when it is not.
+    """
+    deadline = time.monotonic() + THERE_WITHIN
+    while time.monotonic() < deadline:
+        try:
+            bus = ZenohBus(endpoint, PREFIX, patience=0.5)
+        except BusError:
+            time.sleep(0.1)
+            continue
+        there = not name or bus.present(name)
+        bus.close()
+        if there:
+            return
+        time.sleep(0.1)
+    raise TimeoutError(f"{name or 'the router'} did not come within {THERE_WITHIN:.0f} s")
+
+
+def _start(module: str, argument: str) -> subprocess.Popen[bytes]:
+    argv = [sys.executable, "-m", module, argument]
+    return subprocess.Popen(argv, stderr=subprocess.DEVNULL)  # noqa: S603 - our own code
+
+
+def _end(processes: Iterator[subprocess.Popen[bytes]] | Sequence[subprocess.Popen[bytes]]) -> None:
+    for process in processes:
+        process.terminate()
+        try:
+            process.wait(5.0)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()

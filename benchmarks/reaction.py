@@ -1,0 +1,219 @@
+"""How fast the executive reacts, over zenoh: to a request with a first tick, to an event with the next goal.
+
+Router and executive are processes of their own; the skills are mocked in this one, so that both ends of each
+reaction are read off one clock: the end of a skill's goal is put on the bus, and the next skill's goal comes.
+Beside them, as baseline, a query that is answered at once.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections import deque
+from collections.abc import Iterator
+from typing import Final
+
+from benchmarks.echo import KEY
+from benchmarks.machine import frozen, memory
+from benchmarks.processes import PREFIX, burners, echo, running
+from benchmarks.rows import Row, quantile, spread
+from benchmarks.ticks import FETCH, ITEMS, forget
+from skills.ports.bus import Bus, Desk, Inbox, Pending
+from skills.ports.hardware import Clock
+from skills.ports.keys import CLOCK, Latest
+from skills.ports.message import RobotTime
+from skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, TREE, CancelTask
+from skills.site import load
+from skills.testing.mock_robot import MockRobot
+from skills.wire.clocks import ProcessClocks
+from skills.wire.zenoh_bus import ZenohBus, ZenohDesk, ZenohRequest
+
+FETCHES: Final = 24
+REQUESTS: Final = 100
+PINGS: Final = 400
+SKILL_SECONDS: Final = 0.03
+LOADED_FOR: Final = 120.0
+"""Seconds after which the burners end by themselves."""
+
+
+def rows(*, quick: bool = False) -> Iterator[Row]:
+    """Measure."""
+    share = 12 if quick else 1
+    cores = os.cpu_count() or 1
+    with running(["executive"]) as (endpoint, pids), echo(endpoint):
+        yield from _once(endpoint, share, "", aim=2.0)
+        with burners(cores, most=LOADED_FOR):
+            yield from _once(endpoint, share * 2, f" ({cores} burners on {cores} cores)", aim=None)
+        yield Row("memory of the executive alone", memory(pids["executive"]), "MB")
+
+
+def _once(endpoint: str, share: int, under: str, *, aim: float | None) -> Iterator[Row]:
+    pings = ping_times(endpoint, PINGS // share)
+    yield Row(
+        f"query and answer{under}, median",
+        1e3 * quantile(pings, 0.5),
+        "ms",
+        note=f"baseline: the bus alone; p99 {1e3 * quantile(pings, 0.99):.2g} ms",
+    )
+    reactions = reaction_times(endpoint, max(1, FETCHES // share))
+    yield from spread(f"from a skill's end to the next goal{under}", reactions, aim=aim)
+    firsts = request_times(endpoint, REQUESTS // share)
+    note = "until a client has the tree"
+    yield from spread(f"from a request's put to the first tick{under}", firsts, aim=aim, note=note)
+
+
+def ping_times(endpoint: str, count: int) -> list[float]:
+    """Return the seconds of so many queries."""
+    bus = ZenohBus(endpoint, PREFIX)
+    found: list[float] = []
+    try:
+        for _ in range(count):
+            began = time.perf_counter()
+            pending = bus.query(KEY, FETCH)
+            while pending.poll() is None and not pending.done():
+                bus.waker.wait(0.5)
+            found.append(time.perf_counter() - began)
+            time.sleep(0.001)
+    finally:
+        bus.close()
+    return found
+
+
+def reaction_times(endpoint: str, fetches: int) -> list[float]:
+    """Return the seconds from each end of a skill's goal to the next goal, over some fetches."""
+    bus = ZenohBus(endpoint, PREFIX)
+    spy, clocks = Spy(bus), ProcessClocks(bus)
+    robot = MockRobot(spy, clocks, load("lab"), items=ITEMS, duration=SKILL_SECONDS, localised=True)
+    try:
+        with frozen():  # this process's collector is none of the executive's time
+            _fetch(spy, bus, robot, clocks, fetches)
+    finally:
+        bus.close()
+    return spy.reactions
+
+
+def request_times(endpoint: str, count: int) -> list[float]:
+    """Return the seconds from a request's put to its first tick's tree, each task being cancelled then."""
+    bus = ZenohBus(endpoint, PREFIX)
+    trees, statuses = Latest(bus, TREE), Latest(bus, TASK_STATUS)
+    found: list[float] = []
+    time.sleep(0.5)
+    try:
+        for _ in range(count):
+            trees.take()
+            began = time.perf_counter()
+            bus.publish(REQUEST, FETCH)
+            tree = None
+            while tree is None and time.perf_counter() - began < 2.0:
+                bus.waker.wait(0.5)
+                arrived = time.perf_counter()
+                tree = next((each for each in trees.take() if each.tick == 1), None)
+            if tree is None:
+                continue
+            found.append(arrived - began)
+            TASK_CANCEL.query(bus, CancelTask(task=tree.task))
+            over = False
+            while not over and time.perf_counter() - began < 2.0:
+                bus.waker.wait(0.01)
+                over = any(status.state.terminal for status in statuses.take())
+    finally:
+        bus.close()
+    return found
+
+
+class Arrivals(deque[ZenohRequest]):
+    """What waits at a desk; tells a spy the moment that something comes."""
+
+    def __init__(self, spy: Spy) -> None:
+        """Start empty."""
+        super().__init__()
+        self._spy = spy
+
+    def append(self, request: ZenohRequest) -> None:
+        """Take a query in."""
+        now, began = time.perf_counter(), self._spy.ended_at
+        if began is not None:
+            self._spy.reactions.append(now - began)
+            self._spy.ended_at = None
+        super().append(request)
+
+
+class Spy:
+    """A bus that notes when a goal has ended, and when the next one comes."""
+
+    def __init__(self, bus: Bus) -> None:
+        """Stand before ``bus``."""
+        self.bus = bus
+        self.reactions: list[float] = []
+        self.ended_at: float | None = None
+
+    def publish(self, key: str, payload: bytes) -> None:
+        """Send; an end of a goal starts the stop-watch."""
+        if key.startswith("skill/") and key.endswith("/status") and b'"SUCCEEDED"' in payload:
+            self.ended_at = time.perf_counter()
+        self.bus.publish(key, payload)
+
+    def serve(self, key: str) -> Desk:
+        """Answer queries; a goal stops the stop-watch."""
+        desk = self.bus.serve(key)
+        if key.endswith("/goal") and isinstance(desk, ZenohDesk):
+            desk.waiting = Arrivals(self)
+        return desk
+
+    def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
+        """As the bus."""
+        return self.bus.subscribe(key, depth=depth)
+
+    def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
+        """As the bus."""
+        return self.bus.query(key, payload, timeout=timeout)
+
+    def listened(self, key: str) -> bool:
+        """As the bus."""
+        return self.bus.listened(key)
+
+    def announce(self, name: str) -> None:
+        """As the bus."""
+        self.bus.announce(name)
+
+    def alive(self) -> frozenset[str]:
+        """As the bus."""
+        return self.bus.alive()
+
+
+def _fetch(spy: Spy, bus: ZenohBus, robot: MockRobot, clocks: ProcessClocks, fetches: int) -> None:
+    statuses = Latest(bus, TASK_STATUS)
+    began, ended, tick = time.monotonic(), 0, 0
+    _settle(bus, robot, clocks, began)
+    bus.publish(REQUEST, FETCH)
+    while ended < fetches and time.monotonic() - began < LOADED_FOR:
+        tick = _beat(bus, robot, clocks, began, tick)
+        over = [status for status in statuses.take() if status.state.terminal]
+        ended += len(over)
+        if over and ended < fetches:
+            spy.ended_at = None
+            forget(robot)
+            bus.publish(REQUEST, FETCH)
+        bus.waker.wait(0.002)
+
+
+def _settle(bus: ZenohBus, robot: MockRobot, clocks: ProcessClocks, began: float) -> None:
+    """Let subscriptions find each other, and the executive learn what is believed."""
+    tick = 0
+    while time.monotonic() - began < 2.0:
+        tick = _beat(bus, robot, clocks, began, tick)
+        if tick % 50 == 0:
+            robot.tell()
+        bus.waker.wait(0.01)
+
+
+def _beat(bus: ZenohBus, robot: MockRobot, clocks: ProcessClocks, began: float, tick: int) -> int:
+    """Let the mocked robot live for a moment; its clock ticks a hundred times a second."""
+    seconds = time.monotonic() - began
+    now = int(seconds * 100.0)
+    if now > tick:
+        stamp = RobotTime(boot="bench", seconds=seconds)
+        CLOCK.publish(bus, Clock(stamp=stamp, tick=now))
+    clocks.refresh()
+    robot.step()
+    return max(now, tick)

@@ -1,0 +1,1 @@
+"""The service: requests in, trees ticked, everyone told."""

@@ -1,0 +1,1 @@
+"""Series of seeded runs, each with its aim."""

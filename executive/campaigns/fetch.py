@@ -1,0 +1,123 @@
+"""Fetches from anywhere of anything: start, item and its place drawn, in lockstep with all physics."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+import numpy as np
+
+from executive.demo import Caller
+from executive.phases import Phases
+from executive.systems import LockstepSystem, SystemFailure
+from sim.draw import draw_fetch
+from sim.scenario import Scenario
+from sim.truth import lies_on
+from skills.ports.actions.base import ARM_MARGIN
+from skills.ports.clocks import robot_seconds
+from skills.ports.failure import Failure
+from skills.ports.geometry import FloorPose
+from skills.ports.message import Message
+from skills.ports.tasks import TaskState
+from skills.site import load
+
+DEPOT: Final = "depot"
+TASK_WITHIN: Final = 600.0
+"""Robot seconds for one fetch."""
+WARM_UP: Final = 0.3
+"""Robot seconds before the request."""
+
+
+class FetchRun(Message):
+    """One fetch of a campaign. ``right``: in truth, the item lies in the depot and the task says so."""
+
+    run: int
+    item: int
+    start: FloorPose
+    place: FloorPose
+    """Where the item stood, and its heading."""
+    rejected: tuple[str, ...]
+    """Draws that were thrown away, with the reason."""
+    state: str
+    in_depot: bool
+    right: bool
+    failure: Failure | None
+    robot_seconds: float
+    phases: dict[str, float]
+    """Robot seconds by phase."""
+    digest: str
+    """Of all messages on the bus."""
+
+
+class FetchCampaign(Message):
+    """A whole campaign. ``right``: how many runs were."""
+
+    scenario: str
+    seed: int
+    right: int
+    runs: tuple[FetchRun, ...]
+
+
+def run_number(work: Callable[[int], FetchRun], first: int, run: int) -> FetchRun:
+    """Do the work for run ``first + run``."""
+    return work(first + run)
+
+
+def run_fetch(scenario: Scenario, seed: int, run: int) -> FetchRun:
+    """Draw and run fetch number ``run`` of the campaign ``seed``; the same numbers give the same run."""
+    site = load(scenario.site)
+    radius = _radius()
+    draw = draw_fetch(site, scenario, np.random.default_rng((seed, run)), radius)
+    rejected = tuple(
+        f"{each.what} at ({each.x:.2f}, {each.y:.2f}, {each.yaw:.2f}): {each.reason}"
+        for each in draw.rejected
+    )
+    system = LockstepSystem(draw.scenario, seed * 1000 + run, digest=True)
+    try:
+        return _fetch(system, draw.scenario, run, draw.item, rejected)
+    finally:
+        system.close()
+
+
+def _radius() -> float:
+    from sim.robot import compose_robot  # noqa: PLC0415 - only here, and it is made anew for each run
+
+    return compose_robot().description.footprint_radius + ARM_MARGIN
+
+
+def _fetch(
+    system: LockstepSystem, scenario: Scenario, run: int, item: int, rejected: tuple[str, ...]
+) -> FetchRun:
+    phases = Phases(system)
+    caller = Caller(system, _quiet, also=phases)
+    while robot_seconds(system.clocks) < WARM_UP:
+        system.advance()
+    began = robot_seconds(system.clocks)
+    answer = caller.request({"task": "fetch", "item": item, "to": DEPOT})
+    failure: Failure | None = None
+    try:
+        status = caller.follow(answer.task, within=TASK_WITHIN)
+        state, failure = status.state.value, status.failure
+    except SystemFailure as error:
+        state = f"STUCK: {error}"
+    ended = robot_seconds(system.clocks)
+    there = lies_on(caller.truth(), load(scenario.site), item, DEPOT)
+    place = scenario.item(item)
+    return FetchRun(
+        run=run,
+        item=item,
+        start=scenario.start,
+        place=FloorPose(x=place.x, y=place.y, yaw=place.yaw),
+        rejected=rejected,
+        state=state,
+        in_depot=there,
+        right=there and state == TaskState.SUCCEEDED.value,
+        failure=failure,
+        robot_seconds=round(ended - began, 2),
+        phases=phases.seconds(),
+        digest=system.digest(),
+    )
+
+
+def _quiet(_: str) -> None:
+    """Tell nobody."""

@@ -1,0 +1,119 @@
+"""A command's end of the bus: asks, waits a little, and says who is not there and what to do."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from types import TracebackType
+from typing import Final, Self, TypeVar
+
+from pydantic import ValidationError
+
+from executive.cli.errors import CommandError
+from executive.cli.exit_codes import ExitCode
+from executive.options import BusOptions
+from skills.ports.bus import Pending
+from skills.ports.keys import DESCRIPTION, Nothing, Service
+from skills.ports.message import Message
+from skills.wire.zenoh_bus import BusError, ZenohBus
+
+Sent = TypeVar("Sent", bound=Message)
+Answered = TypeVar("Answered", bound=Message)
+
+ANSWER_WITHIN: Final = 2.5
+"""Seconds of the host in which somebody must answer; with the connection's own, below three."""
+ROUTER_WITHIN: Final = 1.0
+"""Seconds of the host in which the router must answer."""
+AGAIN_AFTER: Final = 0.2
+
+
+class Connection:
+    """An open bus. Use as a context.
+
+    Args:
+        options: where the bus is, and whose keys are meant.
+    """
+
+    def __init__(self, options: BusOptions) -> None:
+        self.options = options
+        self._deadline = time.monotonic() + ANSWER_WITHIN
+        try:
+            self.bus = ZenohBus(options.endpoint, options.prefix, patience=ROUTER_WITHIN)
+        except BusError as error:
+            raise _no_router(options) from error
+
+    def __enter__(self) -> Self:
+        """Stay open until the context is left."""
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Close the session; a process that does not would hang at its end."""
+        self.bus.close()
+
+    def ask(self, service: Service[Sent, Answered], message: Sent) -> Answered:
+        """Return the executive's answer.
+
+        Raises:
+            CommandError: NOBODY_THERE when there is none in time.
+        """
+        return self.answer(service.key, message.model_dump_json().encode(), service.answered)
+
+    def answer(self, key: str, payload: bytes, model: type[Answered]) -> Answered:
+        """Return the executive's answer to a document; asks again while nothing comes."""
+        document = self._first(lambda: self.bus.query(key, payload, timeout=ANSWER_WITHIN))
+        if document is None:
+            raise CommandError(self._nobody(), ExitCode.NOBODY_THERE)
+        try:
+            return model.model_validate_json(document)
+        except ValidationError as error:
+            raise CommandError(
+                f"{key} was answered by a program of another version: {error.error_count()} fields differ",
+                ExitCode.NOBODY_THERE,
+            ) from error
+
+    def robot_name(self) -> str | None:
+        """Return the name that the robot's hardware tells, or None when no hardware answers."""
+        document = self._first(lambda: DESCRIPTION.query(self.bus, Nothing(), timeout=ANSWER_WITHIN))
+        return None if document is None else DESCRIPTION.decode_answer(document).name
+
+    def require_robot(self) -> None:
+        """Raise NOBODY_THERE, with what to do, when no hardware answers."""
+        if self.robot_name() is None:
+            raise CommandError(
+                f"no robot on {self.options.prefix}: nothing answers on hw/description; start the simulated "
+                "one with `tandem up`, or name another robot with --site-key and --robot",
+                ExitCode.NOBODY_THERE,
+            )
+
+    def _first(self, ask: Callable[[], Pending]) -> bytes | None:
+        deadline = max(self._deadline, time.monotonic() + AGAIN_AFTER)
+        while True:
+            pending, asked_at = ask(), time.monotonic()
+            while not pending.done() and pending.poll() is None and time.monotonic() < deadline:
+                self.bus.waker.wait(min(0.05, max(0.0, deadline - time.monotonic())))
+            answer = pending.poll()
+            if answer is not None or time.monotonic() >= deadline:
+                return answer
+            # An empty answer means "not known": zenoh may say so just after somebody has come.
+            time.sleep(
+                max(0.0, min(AGAIN_AFTER - (time.monotonic() - asked_at), deadline - time.monotonic()))
+            )
+
+    def _nobody(self) -> str:
+        options = self.options
+        there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))
+        seen = f"there are only {there}" if there else "nobody is there"
+        return (
+            f"no executive on {options.prefix} at {options.endpoint}: {seen}; "
+            "start the system with `tandem up`, or name another robot with --site-key and --robot"
+        )
+
+
+def _no_router(options: BusOptions) -> CommandError:
+    return CommandError(
+        f"no router answers at {options.endpoint}: start the system with `tandem up`, "
+        "or name its router with --connect",
+        ExitCode.NOBODY_THERE,
+    )

@@ -1,0 +1,42 @@
+"""Where a developer finds what happened: a file, or standard error."""
+
+from __future__ import annotations
+
+import logging
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from executive.cli.errors import CommandError
+
+
+@dataclass(frozen=True)
+class LogOptions:
+    """What was said about logs before the command's name."""
+
+    file: Path | None = None
+    verbose: bool = False
+
+    def apply(self) -> None:
+        """Send the logs there; nowhere, when nothing was said.
+
+        Raises:
+            CommandError: when the file can't be written.
+        """
+        handlers: list[logging.Handler] = []
+        if self.file is not None:
+            try:
+                self.file.parent.mkdir(parents=True, exist_ok=True)
+                handlers.append(logging.FileHandler(self.file, encoding="utf-8"))
+            except OSError as error:
+                raise CommandError(
+                    f"--log {self.file}: a writable file was expected: {error.strerror}"
+                ) from error
+        if self.verbose:
+            handlers.append(logging.StreamHandler(sys.stderr))
+        logging.basicConfig(
+            level=logging.DEBUG if self.verbose else logging.INFO,
+            format="%(asctime)s %(levelname)s %(name)s: %(message)s",
+            handlers=handlers or [logging.NullHandler()],
+            force=True,
+        )

@@ -1,0 +1,120 @@
+"""``tandem``: the command's parts are put together here. Each command imports what it needs when it runs.
+
+A new command is a module of this folder with an ``add_to(app)`` and its line in ``_parts``.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Annotated, Final
+
+import typer
+
+from executive.cli import (
+    bench_command,
+    campaign_command,
+    doctor,
+    request_command,
+    run_commands,
+    scenario_commands,
+    schema_command,
+    task_commands,
+    tree_commands,
+    watch_command,
+)
+from executive.cli.errors import CommandError
+from executive.cli.exit_codes import MEANINGS, ExitCode
+from executive.cli.logs import LogOptions
+
+_LOG = logging.getLogger(__name__)
+
+_parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
+    run_commands.add_to,
+    task_commands.add_to,
+    watch_command.add_to,
+    tree_commands.add_to,
+    scenario_commands.add_to,
+    schema_command.add_to,
+    campaign_command.add_to,
+    bench_command.add_to,
+    doctor.add_to,
+)
+
+
+def build(argv: Sequence[str]) -> typer.Typer:
+    """Return the command. The kinds of request are looked up only when ``argv`` asks for one."""
+    codes = "  ".join(f"{code.value}: {MEANINGS[code]}." for code in ExitCode)
+    app = typer.Typer(
+        name="tandem",
+        help="A task executive for mobile, two-armed robots.",
+        epilog=f"Exit codes: {codes}",
+        no_args_is_help=True,
+        pretty_exceptions_enable=False,
+        context_settings={"help_option_names": ["-h", "--help"]},
+    )
+    app.callback()(_common)
+    for add_to in _parts:
+        add_to(app)
+    request_command.add_to(app, with_kinds="request" in argv or "_TANDEM_COMPLETE" in os.environ)
+    return app
+
+
+def main(argv: Sequence[str]) -> int:
+    """Carry the command out and return its exit code. The user sees words, and no trace."""
+    try:
+        build(argv)(args=list(argv), prog_name="tandem")
+    except CommandError as error:
+        _say(f"error: {error}")
+        return int(error.code)
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else int(end.code is not None)
+    except KeyboardInterrupt:
+        return int(ExitCode.INTERRUPTED)
+    except BrokenPipeError:
+        # Whoever read our output (head, less) has seen enough.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return int(ExitCode.OK)
+    except Exception as error:  # noqa: BLE001 - the last one who can say it in words
+        _LOG.exception("the command ended by an error")
+        _say(f"error: {type(error).__name__}: {error}\nThis is a mistake in tandem; see the trace with "
+             "`tandem -v ...` or `tandem --log FILE ...`.")  # fmt: skip
+        return int(ExitCode.BUG)
+    return int(ExitCode.OK)
+
+
+def run() -> None:
+    """The entry point."""
+    sys.exit(main(sys.argv[1:]))
+
+
+def _print_version(wanted: bool) -> None:  # noqa: FBT001 - as typer calls it
+    if wanted:
+        from importlib.metadata import version  # noqa: PLC0415
+
+        typer.echo(f"tandem {version('tandem-executive')}")
+        raise typer.Exit
+
+
+def _common(
+    context: typer.Context,
+    *,
+    log: Annotated[Path | None, typer.Option("--log", help="Write what happens to this file.")] = None,
+    verbose: Annotated[
+        bool, typer.Option("--verbose", "-v", help="Write what happens to standard error.")
+    ] = False,
+    version: Annotated[  # noqa: ARG001 - its callback does the work
+        bool,
+        typer.Option("--version", help="Print the version.", is_eager=True, callback=_print_version),
+    ] = False,
+) -> None:
+    context.obj = LogOptions(log, verbose)
+    context.obj.apply()
+
+
+def _say(text: str) -> None:
+    sys.stdout.flush()
+    typer.secho(text, err=True, fg=typer.colors.RED if sys.stderr.isatty() else None)

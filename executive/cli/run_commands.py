@@ -1,0 +1,126 @@
+"""``tandem demo`` and ``tandem up``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
+from executive.cli.logs import LogOptions
+from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions
+
+Scenario = Annotated[
+    str,
+    typer.Option("--scenario", metavar="NAME|FILE", help="One of `tandem scenario list`, or a YAML file."),
+]
+Seed = Annotated[int, typer.Option("--seed", min=0, help="Of all that is random.")]
+Speed = Annotated[
+    str,
+    typer.Option("--speed", metavar="X|max", help="Simulated seconds in a second, or as fast as it goes."),
+]
+Window = Annotated[bool, typer.Option("--gui/--headless", help="Show the simulation's window.")]
+Lockstep = Annotated[
+    bool, typer.Option("--lockstep", help="All in one thread: the same seed gives the same run.")
+]
+ReportFile = Annotated[Path | None, typer.Option("--report", metavar="FILE", help="Write the report here.")]
+Picture = Annotated[
+    Path | None, typer.Option("--picture", metavar="FILE", help="Save the last scene's picture here.")
+]
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands."""
+    app.command("demo")(demo)
+    app.command("up")(up)
+
+
+def demo(
+    context: typer.Context,
+    *,
+    scenario: Scenario = "Demo",
+    seed: Seed = 1,
+    speed: Speed = "1",
+    gui: Window = False,
+    lockstep: Lockstep = False,
+    report: ReportFile = None,
+    picture: Picture = None,
+    connect: Connect = DEFAULT_ENDPOINT,
+    site_key: SiteKey = DEFAULT_SITE,
+    robot: Robot = DEFAULT_ROBOT,
+) -> None:
+    """Start all, fetch an item, stop all. Ends with 0 only when the item truly lies in the depot."""
+    logs = _logs(context)
+    options = RunOptions(
+        bus=bus_options(connect, site_key, robot),
+        scenario=_scenario(scenario),
+        seed=seed,
+        speed=_speed(speed),
+        gui=gui,
+        lockstep=lockstep,
+        report=report,
+        picture=picture,
+        log=logs.file,
+        verbose=logs.verbose,
+    )
+    from executive.compose import run_demo  # noqa: PLC0415 - loads the whole system
+
+    raise typer.Exit(run_demo(options))
+
+
+def up(
+    context: typer.Context,
+    *,
+    scenario: Scenario = "Demo",
+    seed: Seed = 1,
+    speed: Speed = "1",
+    gui: Window = False,
+    lockstep: Lockstep = False,
+    report: ReportFile = None,
+    connect: Connect = DEFAULT_ENDPOINT,
+    site_key: SiteKey = DEFAULT_SITE,
+    robot: Robot = DEFAULT_ROBOT,
+) -> None:
+    """Start router, simulated robot, skills and executive, and watch them until Ctrl-C."""
+    logs = _logs(context)
+    options = RunOptions(
+        bus=bus_options(connect, site_key, robot),
+        scenario=_scenario(scenario),
+        seed=seed,
+        speed=_speed(speed),
+        gui=gui,
+        lockstep=lockstep,
+        report=report,
+        log=logs.file,
+        verbose=logs.verbose,
+    )
+    from executive.compose import run_up  # noqa: PLC0415 - loads the whole system
+
+    raise typer.Exit(run_up(options))
+
+
+def _speed(text: str) -> float | None:
+    if text == "max":
+        return None
+    try:
+        speed = float(text)
+    except ValueError:
+        speed = 0.0
+    if not 0.01 <= speed <= 100.0:  # noqa: PLR2004 - beyond, nothing useful happens
+        raise typer.BadParameter(f"a number from 0.01 to 100, or max, was expected; found {text!r}",
+                                 param_hint="--speed")  # fmt: skip
+    return speed
+
+
+def _scenario(name_or_path: str) -> str:
+    """Return it when it is right; CommandError names the file, the path in it and what was expected."""
+    from executive.cli.scenario_commands import checked  # noqa: PLC0415
+
+    checked(name_or_path)
+    return name_or_path
+
+
+def _logs(context: typer.Context) -> LogOptions:
+    found = context.find_object(LogOptions)
+    return found or LogOptions()

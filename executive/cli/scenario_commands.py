@@ -1,0 +1,63 @@
+"""``tandem scenario``: the scenarios there are, and what is wrong with one's own."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from executive.cli.errors import CommandError
+
+if TYPE_CHECKING:
+    from sim.scenario import Scenario
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands."""
+    group = typer.Typer(help="Scenarios of the simulation.", no_args_is_help=True)
+    group.command("list")(list_all)
+    group.command("check")(check)
+    app.add_typer(group, name="scenario")
+
+
+def list_all() -> None:
+    """List the scenarios that come with Tandem."""
+    from rich.console import Console  # noqa: PLC0415
+    from rich.table import Table  # noqa: PLC0415
+
+    from sim.scenario import load_scenario, scenario_names  # noqa: PLC0415
+
+    table = Table("name", "site", "items", "obstacles", "robot starts at", box=None)
+    for name in scenario_names():
+        scenario = load_scenario(name)
+        start = f"({scenario.start.x:g}, {scenario.start.y:g}), {scenario.start.yaw:.2f} rad"
+        tags = " ".join(str(item.tag) for item in scenario.items)
+        table.add_row(name, scenario.site, tags, str(len(scenario.obstacles)), start)
+    Console().print(table)
+
+
+def check(file: Annotated[str, typer.Argument(metavar="FILE|NAME", help="A YAML file, or a name.")]) -> None:
+    """Check a scenario against its model and its site. Ends with 2 when there is a mistake."""
+    scenario = checked(file)
+    typer.echo(
+        f"{file}: a right scenario: {scenario.name}, {len(scenario.items)} items, "
+        f"{len(scenario.obstacles)} obstacles, site {scenario.site}"
+    )
+
+
+def checked(name_or_path: str) -> Scenario:
+    """Return the scenario.
+
+    Raises:
+        CommandError: naming the file, the path in it, and what was expected.
+    """
+    from sim.scenario import ScenarioError, load_scenario  # noqa: PLC0415
+    from sim.scene import build_scene  # noqa: PLC0415
+    from skills.site import DocumentError, load  # noqa: PLC0415
+
+    try:
+        scenario = load_scenario(name_or_path)
+        build_scene(load(scenario.site), scenario, source=name_or_path)
+    except (ScenarioError, DocumentError) as error:
+        raise CommandError(str(error)) from error
+    return scenario

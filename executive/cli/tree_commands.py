@@ -1,0 +1,126 @@
+"""``tandem tree``: the trees there are, and pictures of them; no robot and no sim is needed."""
+
+from __future__ import annotations
+
+import sys
+from enum import StrEnum
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from executive.cli.arguments import Connect, Output, Robot, SiteFile, SiteKey, bus_options
+from executive.cli.errors import CommandError
+from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
+
+if TYPE_CHECKING:
+    from skills.ports.tasks import TreeNode
+
+
+class Format(StrEnum):
+    """How a tree can be drawn; the names of ``executive.render.formats``, which a test compares."""
+
+    UNICODE = "unicode"
+    ASCII = "ascii"
+    DOT = "dot"
+    SVG = "svg"
+    PNG = "png"
+    JSON = "json"
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands."""
+    group = typer.Typer(help="The trees of the tasks.", no_args_is_help=True)
+    group.command("list")(list_all)
+    group.command("render")(render)
+    app.add_typer(group, name="tree")
+
+
+def list_all() -> None:
+    """List the kinds of task."""
+    from rich.console import Console  # noqa: PLC0415
+    from rich.table import Table  # noqa: PLC0415
+
+    from trees.registry import discover  # noqa: PLC0415
+
+    table = Table("task", "what it does", "fields of the request", box=None)
+    for kind in discover().values():
+        fields = [
+            name if info.is_required() else f"[{name}]"
+            for name, info in kind.request.model_fields.items()
+            if name != "task"
+        ]
+        table.add_row(kind.name, kind.summary, " ".join(fields).replace("[", r"\["))
+    Console().print(table)
+
+
+def render(
+    task: Annotated[str, typer.Argument(metavar="[TASK]", help="As `tandem tree list` tells it.")] = "",
+    *,
+    form: Annotated[Format, typer.Option("--format", "-f")] = Format.UNICODE,
+    output: Output = None,
+    live: Annotated[bool, typer.Option("--live", help="The tree that runs now.")] = False,
+    request: Annotated[str, typer.Option("--request", metavar="JSON", help="Draw it for this request.")] = "",
+    site: SiteFile = DEFAULT_SITE,
+    connect: Connect = DEFAULT_ENDPOINT,
+    site_key: SiteKey = DEFAULT_SITE,
+    robot: Robot = DEFAULT_ROBOT,
+) -> None:
+    """Draw a task's tree, or, with --live, the one that runs now with its statuses."""
+    from executive.render.formats import BINARY, FORMATS  # noqa: PLC0415
+
+    if live:
+        root = _running(bus_options(connect, site_key, robot))
+    elif task:
+        root = _built(task, request, site)
+    else:
+        raise CommandError("a TASK or --live was expected; see `tandem tree list`")
+    content = FORMATS[form.value](root)
+    if output is not None:
+        try:
+            output.write_bytes(content)
+        except OSError as error:
+            raise CommandError(
+                f"--output {output}: a writable file was expected: {error.strerror}"
+            ) from error
+        typer.echo(f"{output}: {len(content)} bytes")
+    elif form.value in BINARY and sys.stdout.isatty():
+        raise CommandError(f"{form.value} is no text: name a file with --output")
+    else:
+        sys.stdout.buffer.write(content)
+        sys.stdout.flush()
+
+
+def _running(options: BusOptions) -> TreeNode:
+    from executive.cli.connection import Connection  # noqa: PLC0415
+    from skills.ports.keys import Nothing  # noqa: PLC0415
+    from skills.ports.tasks import TREE_NOW  # noqa: PLC0415
+
+    with Connection(options) as connection:
+        return connection.ask(TREE_NOW, Nothing()).root
+
+
+def _built(task: str, request: str, site_name: str) -> TreeNode:
+    from executive.documents import parse  # noqa: PLC0415
+    from executive.render.example import example_request, tree_of  # noqa: PLC0415
+    from executive.requests import Refused, read_request  # noqa: PLC0415
+    from skills.site import DocumentError, load  # noqa: PLC0415
+    from trees.registry import discover  # noqa: PLC0415
+
+    kinds = discover()
+    if task not in kinds:
+        raise CommandError(f"no task {task!r}; there are {', '.join(kinds)}")
+    try:
+        site = load(site_name)
+    except DocumentError as error:
+        raise CommandError(str(error)) from error
+    if not request:
+        return tree_of(kinds[task], site, example_request(kinds[task], site))
+    asked = read_request(request.encode(), kinds, site)
+    document = parse(request.encode())
+    if isinstance(asked, Refused) or isinstance(document, tuple):
+        problems = asked.problems if isinstance(asked, Refused) else ()
+        lines = [
+            f"  {each.path}: expected {each.expected}, found {each.found or 'nothing'}" for each in problems
+        ]
+        raise CommandError("\n".join(("--request is wrong:", *lines)))
+    return tree_of(kinds[task], site, document)

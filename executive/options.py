@@ -1,0 +1,55 @@
+"""How a demo or a whole system is to be run: typed, frozen, read in one place (``executive/cli``)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
+DEFAULT_SITE: Final = "lab"
+DEFAULT_ROBOT: Final = "tiago"
+
+
+@dataclass(frozen=True)
+class BusOptions:
+    """Where the bus is, and whose keys are meant."""
+
+    endpoint: str = DEFAULT_ENDPOINT
+    site: str = DEFAULT_SITE
+    """First part of every key."""
+    robot: str = DEFAULT_ROBOT
+    """Second part of every key."""
+
+    @property
+    def prefix(self) -> str:
+        """What stands before every key: ``<site>/<robot>``."""
+        return f"{self.site}/{self.robot}"
+
+
+@dataclass(frozen=True)
+class RunOptions:
+    """What ``tandem demo`` and ``tandem up`` were asked for.
+
+    ``executive.compose`` does the work: ``run_demo(options)`` and ``run_up(options)`` return an ``ExitCode``.
+    """
+
+    bus: BusOptions = BusOptions()
+    scenario: str = "Demo"
+    """Name of a scenario that comes with the sim, or the path of a YAML file."""
+    seed: int = 1
+    speed: float | None = 1.0
+    """Simulated seconds in a second; None: as fast as it goes."""
+    gui: bool = False
+    """Show pybullet's window."""
+    lockstep: bool = False
+    """All in one thread over the bus in memory, instead of processes over zenoh."""
+    report: Path | None = None
+    """Where the run's report goes (JSON)."""
+    picture: Path | None = None
+    """Where the demo's picture of the last scene goes; None: a file of the demo's choice."""
+    log: Path | None = None
+    """Where logs of all processes go; None: standard error when ``verbose``."""
+    verbose: bool = False
+    request: str = ""
+    """The demo's request as a JSON document; empty: the demo's own choice."""

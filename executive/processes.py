@@ -1,0 +1,164 @@
+"""Starts the processes of the system, watches them, and ends them: nothing is left behind."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import IO, Final, Self
+
+from executive.settings import ROLES, WorkerSettings
+
+ENDS_WITHIN: Final = 5.0
+"""Seconds that a process has for its own end; then it is killed."""
+FOLLOWERS_END_WITHIN: Final = 1.5
+"""Seconds in which what a process had started ends by itself, once the process has."""
+LAST_WORDS: Final = 12
+"""Lines of a dead process's log that are shown."""
+SKILL_ROLES: Final = tuple(role for role in ROLES if role not in {"router", "hardware", "executive"})
+
+
+@dataclass(frozen=True)
+class Death:
+    """A process that ended although nobody told it to."""
+
+    role: str
+    code: int
+    last_words: str
+
+    def describe(self) -> str:
+        """Return it in words for people."""
+        how = f"signal {-self.code}" if self.code < 0 else f"exit code {self.code}"
+        said = f"; its last words:\n{self.last_words}" if self.last_words else "; it said nothing"
+        return f"the {self.role} process ended ({how}){said}"
+
+
+@dataclass(eq=False)
+class Child:
+    """One process and its log."""
+
+    settings: WorkerSettings
+    log: Path
+    process: subprocess.Popen[bytes]
+    stream: IO[bytes]
+
+    @property
+    def role(self) -> str:
+        """What it plays."""
+        return self.settings.role
+
+    def last_words(self) -> str:
+        """Return the end of its log."""
+        lines = self.log.read_text("utf-8", "replace").splitlines()
+        return "\n".join(lines[-LAST_WORDS:])
+
+
+@dataclass(eq=False)
+class Supervisor:
+    """The parent of all processes. Use as a context: leaving it ends them all.
+
+    Args:
+        folder: where the logs go, one file a role.
+    """
+
+    folder: Path
+    children: list[Child] = field(default_factory=list)
+
+    def __enter__(self) -> Self:
+        """Start with no process."""
+        self.folder.mkdir(parents=True, exist_ok=True)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """End all."""
+        self.end()
+
+    def start(self, settings: WorkerSettings) -> Child:
+        """Start one process, in a session of its own: a Ctrl-C reaches the parent alone."""
+        log = self.folder / f"{settings.role}.log"
+        stream = log.open("ab")
+        process = subprocess.Popen(  # noqa: S603 - our own interpreter and our own module
+            [sys.executable, "-m", "executive.worker", settings.model_dump_json()],
+            stdin=subprocess.DEVNULL,
+            stdout=stream,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
+        child = Child(settings, log, process, stream)
+        self.children.append(child)
+        return child
+
+    def child(self, role: str) -> Child:
+        """Return the newest process of a role; KeyError names those that there are."""
+        for child in reversed(self.children):
+            if child.role == role:
+                return child
+        raise KeyError(f"no process {role!r}; there are {', '.join(c.role for c in self.children)}")
+
+    def deaths(self) -> tuple[Death, ...]:
+        """Return the processes that have ended by themselves."""
+        return tuple(
+            Death(child.role, child.process.returncode, child.last_words())
+            for child in self.children
+            if child.process.poll() is not None
+        )
+
+    def collect_logs(self, into: Path) -> None:
+        """Write the logs of all roles into one file, one role after the other."""
+        into.parent.mkdir(parents=True, exist_ok=True)
+        with into.open("a", encoding="utf-8") as all_logs:
+            for log in sorted(self.folder.glob("*.log")):
+                all_logs.write(log.read_text("utf-8", "replace"))
+
+    def end(self) -> None:
+        """Tell all to end and kill those that don't: the executive first, so that its goals come to rest.
+
+        Its leaves cancel their goals while the skills still live; the hardware outlives the skills, and the
+        router everybody.
+        """
+        for roles in (("executive",), SKILL_ROLES, ("hardware",), ("router",)):
+            going = [child for child in self.children if child.role in roles]
+            for child in going:
+                if child.process.poll() is None:
+                    child.process.terminate()
+            deadline = time.monotonic() + ENDS_WITHIN
+            for child in going:
+                _end(child, deadline)
+        self.children.clear()
+
+
+def _end(child: Child, deadline: float) -> None:
+    try:
+        child.process.wait(max(0.0, deadline - time.monotonic()))
+    except subprocess.TimeoutExpired:
+        child.process.kill()
+        child.process.wait()
+    _end_group(child.process.pid)
+    child.stream.close()
+
+
+def _end_group(group: int) -> None:
+    """End what a process had started and left behind, such as its worker when it was killed itself.
+
+    Each process leads a group of its own. Its followers first get the time to tidy up after themselves.
+    """
+    for number in (0, signal.SIGTERM, signal.SIGKILL):
+        if _is_empty_after(group, number):
+            return
+
+
+def _is_empty_after(group: int, number: int) -> bool:
+    deadline, pause = time.monotonic() + FOLLOWERS_END_WITHIN, threading.Event()
+    try:
+        os.killpg(group, number)
+        while time.monotonic() < deadline:
+            os.killpg(group, 0)
+            pause.wait(0.01)  # nobody tells when the last of a group has ended
+    except ProcessLookupError:
+        return True
+    return False

@@ -1,0 +1,1 @@
+"""Pictures of trees: text, DOT, SVG, PNG, JSON. Nothing here needs Graphviz."""

@@ -1,0 +1,54 @@
+"""A task's tree without a robot: built for an example of a request, over a bus that nobody else is on."""
+
+from __future__ import annotations
+
+from pydantic import JsonValue
+from pydantic.fields import FieldInfo
+
+from skills.ports.message import Message
+from skills.ports.site import Site
+from skills.ports.tasks import TreeNode
+from skills.wire.clocks import SteppedClocks
+from skills.wire.memory import MemoryBus
+from trees.clients import Clients
+from trees.context import TreeContext
+from trees.knowledge import Knowledge
+from trees.snapshot import snapshot
+from trees.task import TaskType
+
+
+def example_request(kind: TaskType[Message], site: Site) -> dict[str, JsonValue]:
+    """Return a request's document: its required fields, with the first item of the site where one is meant.
+
+    Raises:
+        ValueError: naming a required field that has no example.
+    """
+    document: dict[str, JsonValue] = {"task": kind.name}
+    for name, info in kind.request.model_fields.items():
+        if info.is_required() and name not in document:
+            document[name] = _example(name, info, site)
+    return document
+
+
+def tree_of(kind: TaskType[Message], site: Site, document: dict[str, JsonValue]) -> TreeNode:
+    """Return the tree that the request would be carried out with.
+
+    Raises:
+        pydantic.ValidationError: when the document is no request of this kind.
+    """
+    body = dict(document) if "task" in kind.request.model_fields else {
+        name: value for name, value in document.items() if name != "task"
+    }  # fmt: skip
+    request = kind.request.model_validate(body)
+    bus, clocks = MemoryBus(), SteppedClocks()
+    context = TreeContext(kind.name, Clients(bus, clocks, "render"), Knowledge(bus, clocks, site), clocks)
+    return snapshot(kind.build(request, context))
+
+
+def _example(name: str, info: FieldInfo, site: Site) -> JsonValue:
+    if name == "item" or name.endswith("_item"):
+        return site.items[0].item
+    examples: list[JsonValue] = info.examples or []
+    if not examples:
+        raise ValueError(f"field {name!r} is required and has no example; give the request with --request")
+    return examples[0]

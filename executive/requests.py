@@ -1,0 +1,98 @@
+"""From a client's document to a request that a task can be built from, or to what is wrong with it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from pydantic import JsonValue, ValidationError
+
+from executive.documents import WHOLE, parse, path_of, show
+from skills.ports.message import Message
+from skills.ports.site import Site
+from skills.ports.tasks import Problem
+from trees.task import TaskType
+
+KIND_FIELD: Final = "task"
+"""Names the kind of task."""
+ID_FIELD: Final = "id"
+"""The client's own name for its request: repeated in the answer."""
+MAX_ID: Final = 64
+
+_EXPECTED: Final[Mapping[str, str]] = {
+    "missing": "a value",
+    "extra_forbidden": "no such field",
+    "int_type": "a whole number",
+    "float_type": "a number",
+    "string_type": "text",
+    "bool_type": "true or false",
+    "finite_number": "a finite number",
+    "tuple_type": "an array",
+    "list_type": "an array",
+    "dict_type": "an object",
+    "model_type": "an object",
+    "none_required": "null",
+}
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A request that may be queued."""
+
+    kind: TaskType[Message]
+    request: Message
+    document: dict[str, JsonValue]
+    """As the client sent it."""
+    client_id: str = ""
+
+
+@dataclass(frozen=True)
+class Refused:
+    """A request that may not, and why."""
+
+    problems: tuple[Problem, ...]
+    client_id: str = ""
+
+
+def read_request(payload: bytes, kinds: Mapping[str, TaskType[Message]], site: Site) -> Asked | Refused:
+    """Check a document against the kinds of task, their models, and what is known beforehand."""
+    document = parse(payload)
+    if isinstance(document, tuple):
+        return Refused(document)
+    client_id = document.get(ID_FIELD, "")
+    if not isinstance(client_id, str) or len(client_id) > MAX_ID:
+        expected = f"text of at most {MAX_ID} characters"
+        return Refused((Problem(path=ID_FIELD, expected=expected, found=show(client_id)),))
+    name = document.get(KIND_FIELD)
+    kind = kinds.get(name) if isinstance(name, str) else None
+    if kind is None:
+        known = " or ".join(show(each) for each in kinds) or "a task (none is installed)"
+        found = show(name) if KIND_FIELD in document else ""
+        return Refused((Problem(path=KIND_FIELD, expected=known, found=found),), client_id)
+    try:
+        request = kind.request.model_validate_json(json.dumps(body_of(document, kind.request)), strict=True)
+    except ValidationError as error:
+        return Refused(problems_of(error), client_id)
+    problems = kind.problems(request, site)
+    if problems:
+        return Refused(problems, client_id)
+    return Asked(kind, request, document, client_id)
+
+
+def body_of(document: Mapping[str, JsonValue], model: type[Message]) -> dict[str, JsonValue]:
+    """Return what the model itself asks for: without the envelope's fields that it does not have."""
+    envelope = {KIND_FIELD, ID_FIELD} - model.model_fields.keys()
+    return {name: value for name, value in document.items() if name not in envelope}
+
+
+def problems_of(error: ValidationError) -> tuple[Problem, ...]:
+    """Return pydantic's findings as problems."""
+    found = []
+    for finding in error.errors(include_url=False):
+        kind, message = finding["type"], finding["msg"]
+        expected = _EXPECTED.get(kind, message.removeprefix("Input should be ").removeprefix("Value error, "))
+        shown = "" if kind == "missing" else show(finding["input"])
+        found.append(Problem(path=path_of(finding["loc"]), expected=expected, found=shown))
+    return tuple(found) or (Problem(path=WHOLE, expected="a request"),)

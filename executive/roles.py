@@ -1,0 +1,218 @@
+"""What each role is made of, and how a process plays it.
+
+Each role imports its own libraries when it is played: the executive's process loads no numpy, the base's no
+camera library. So the imports stand in the functions.
+"""
+
+from __future__ import annotations
+
+import logging
+import time
+import uuid
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from executive.settings import RefusalError, Role, WorkerSettings
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks
+from skills.ports.compute import Compute
+from skills.ports.hardware import RobotDescription
+from skills.ports.keys import DESCRIPTION, Nothing
+from skills.ports.node import Node
+from skills.ports.site import Site
+from skills.site import load
+
+if TYPE_CHECKING:
+    from skills.wire.zenoh_bus import ZenohBus
+
+SKILL_ROLES: Final[tuple[Role, ...]] = ("keeper", "perception", "base", "arm_left", "arm_right")
+"""In the order in which lockstep steps them: who tells first, who listens next."""
+DESCRIPTION_WITHIN: Final = 30.0
+"""Seconds in which the hardware must have told who it is."""
+
+_LOG = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """What the nodes of a role are made with."""
+
+    bus: Bus
+    clocks: Clocks
+    description: RobotDescription
+    site: Site
+    compute: Compute
+    seed: int
+    charge: bool = False
+    """Whether computations cost their declared robot time (lockstep)."""
+    journal: Path | None = None
+
+
+def skill_nodes(role: Role, at: Surroundings) -> Sequence[Node]:
+    """Return the nodes of a skill's role, in the order in which they are stepped."""
+    return _BUILDERS[role](at)
+
+
+def _keeper(at: Surroundings) -> Sequence[Node]:
+    from skills.world.process import nodes  # noqa: PLC0415
+
+    return nodes(at.bus, at.clocks, at.site, at.journal, charge=at.charge)
+
+
+def _perception(at: Surroundings) -> Sequence[Node]:
+    from skills.perception.process import nodes  # noqa: PLC0415
+
+    return nodes(at.bus, at.clocks, at.description, at.site, at.compute, charge=at.charge)
+
+
+def _base(at: Surroundings) -> Sequence[Node]:
+    from skills.base.process import build  # noqa: PLC0415
+
+    return build(at.bus, at.clocks, at.description, at.site, charge=at.charge)
+
+
+def _arm(side: str) -> Callable[[Surroundings], Sequence[Node]]:
+    def build(at: Surroundings) -> Sequence[Node]:
+        from skills.arm.process import nodes as arm_nodes  # noqa: PLC0415
+        from skills.gripper.process import nodes as gripper_nodes  # noqa: PLC0415
+
+        group = at.description.end_effector(side).group
+        return [
+            *arm_nodes(
+                at.bus,
+                at.clocks,
+                at.description,
+                [group],
+                seed=at.seed,
+                charge=at.charge,
+                compute=at.compute,
+            ),
+            *gripper_nodes(at.bus, at.clocks, at.description, side, charge=at.charge),
+        ]
+
+    return build
+
+
+_BUILDERS: Final = {
+    "keeper": _keeper,
+    "perception": _perception,
+    "base": _base,
+    "arm_left": _arm("left"),
+    "arm_right": _arm("right"),
+}
+
+
+def executive_node(bus: Bus, clocks: Clocks, site: Site, *, start: str) -> Node:
+    """Return the executive, with all tasks there are; ``start`` becomes a part of the tasks' ids."""
+    from importlib.metadata import version  # noqa: PLC0415
+
+    from executive.service import Executive  # noqa: PLC0415
+    from trees.registry import discover  # noqa: PLC0415
+
+    return Executive(bus, clocks, site, discover(), start=start, version=version("tandem-executive"))
+
+
+def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
+    """Play a role until ``stopped`` says so.
+
+    Raises:
+        RefusalError: when somebody else plays the role already, or the hardware does not tell who it is.
+    """
+    if settings.role == "router":
+        _play_router(settings, stopped)
+        return
+    from skills.wire.zenoh_bus import ZenohBus  # noqa: PLC0415
+
+    bus = ZenohBus(settings.endpoint, settings.prefix)
+    try:
+        # Announced at once, long before ``process/...`` says that the role is ready to be played.
+        claim = f"role/{settings.role}"
+        if bus.present(claim):
+            raise RefusalError(
+                f"{settings.role}: there is such a process for {settings.prefix} at {settings.endpoint} "
+                f"already; end it first, or give this robot keys of its own with --robot"
+            )
+        bus.announce(claim)
+        if settings.role == "hardware":
+            _play_hardware(settings, bus, stopped)
+        else:
+            _play_node(settings, bus, stopped)
+    finally:
+        bus.close()
+
+
+def _play_router(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
+    from skills.wire.zenoh_bus import BusError, Waker, open_session, router_config  # noqa: PLC0415
+
+    try:
+        session = open_session(router_config(settings.endpoint), settings.endpoint)
+    except BusError as error:
+        raise RefusalError(f"nothing can listen at {settings.endpoint}: is another router there?") from error
+    waker = Waker()
+    while not stopped():
+        waker.wait(0.1)
+    session.close()  # type: ignore[no-untyped-call]
+
+
+def _play_hardware(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
+    from sim.pace import await_renderer, run_paced  # noqa: PLC0415
+    from sim.scenario import load_scenario  # noqa: PLC0415
+    from sim.station import Station, StationSettings  # noqa: PLC0415
+
+    how = StationSettings(
+        boot=uuid.uuid4().hex[:8],
+        seed=settings.seed,
+        beside=True,
+        waits=settings.speed is None,
+        gui=settings.gui,
+    )
+    station = Station(bus, load(settings.site), load_scenario(settings.scenario), how)
+    try:
+        await_renderer(station, bus, stopped)
+        bus.announce("process/hardware")
+        run_paced(station, bus, settings.speed, stopped)
+    finally:
+        station.close()
+
+
+def _play_node(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
+    from skills.wire.clocks import ProcessClocks  # noqa: PLC0415
+    from skills.wire.loop import run  # noqa: PLC0415
+    from skills.wire.workers import ProcessCompute  # noqa: PLC0415
+
+    clocks = ProcessClocks(bus)
+    site = load(settings.site)
+    if settings.role == "executive":
+        from executive.task_queue import start_id  # noqa: PLC0415
+
+        node = executive_node(bus, clocks, site, start=start_id(time.time()))
+        run("executive", bus, clocks, [node], stopped)
+        return
+    compute = ProcessCompute(bus.waker.wake)
+    try:
+        at = Surroundings(
+            bus=bus,
+            clocks=clocks,
+            description=_ask_description(bus, stopped),
+            site=site,
+            compute=compute,
+            seed=settings.seed,
+            journal=None if settings.journal is None else Path(settings.journal),
+        )
+        run(settings.role, bus, clocks, skill_nodes(settings.role, at), stopped)
+    finally:
+        compute.close()
+
+
+def _ask_description(bus: ZenohBus, stopped: Callable[[], bool]) -> RobotDescription:
+    from skills.wire.zenoh_bus import wait_until  # noqa: PLC0415
+
+    deadline = time.monotonic() + DESCRIPTION_WITHIN
+    while not stopped() and time.monotonic() < deadline:
+        answer = wait_until(bus, DESCRIPTION.query(bus, Nothing()), 2.0)
+        if answer is not None:
+            return DESCRIPTION.decode_answer(answer)
+        bus.waker.wait(0.05)
+    raise RefusalError(f"no robot told its description on hw/description within {DESCRIPTION_WITHIN:.0f} s")

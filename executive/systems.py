@@ -1,0 +1,244 @@
+"""A whole system at work, in one of its two forms, seen from whoever runs it: a demo, a campaign, a test."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Final, Protocol, Self
+
+from executive.options import RunOptions
+from executive.processes import Supervisor
+from executive.settings import ROLES, Role, WorkerSettings
+from sim.chatter import unheard
+from sim.scenario import Scenario, load_scenario
+from skills.ports.bus import Bus, Pending
+from skills.ports.clocks import Clocks
+from skills.ports.keys import Nothing
+from skills.ports.site import Site
+from skills.ports.tasks import TASK_INFO
+from skills.wire.clocks import ProcessClocks
+from skills.wire.zenoh_bus import BusError, ZenohBus
+
+READY_WITHIN: Final = 60.0
+"""Host seconds that processes have for their start."""
+
+
+class SystemFailure(RuntimeError):  # noqa: N818 - what happened to a system, not a mistake in a call
+    """The system can't go on; the message says which process ended, with its last words."""
+
+
+class RefusedError(RuntimeError):
+    """The system must not start here; the message says why."""
+
+
+class System(Protocol):
+    """What both forms offer."""
+
+    @property
+    def bus(self) -> Bus:
+        """An end of the bus."""
+        ...
+
+    @property
+    def clocks(self) -> Clocks:
+        """Robot time as heard."""
+        ...
+
+    def advance(self) -> None:
+        """Let the system go on a little.
+
+        Raises:
+            SystemFailure: when a part of it has ended.
+        """
+        ...
+
+    def close(self) -> None:
+        """End it."""
+        ...
+
+
+class LockstepSystem:
+    """All in one thread.
+
+    Args:
+        scenario: where all starts.
+        seed: of all that is random.
+        digest: take every message into a hash.
+        site: what is known beforehand, when it is not the scenario's own site file.
+    """
+
+    def __init__(
+        self, scenario: Scenario, seed: int, *, digest: bool = False, site: Site | None = None
+    ) -> None:
+        with unheard():
+            # pybullet prints when it was built. A process that only watches others never loads it.
+            from executive.lockstep import Digest, Lockstep  # noqa: PLC0415
+
+            self.lockstep = Lockstep(scenario, seed, site=site)
+        self._digest = Digest()
+        if digest:
+            self.lockstep.hub.watch(self._digest)
+        self.bus: Bus = self.lockstep.bus
+        self.clocks: Clocks = self.lockstep.clocks
+
+    def advance(self) -> None:
+        """Let one period pass."""
+        self.lockstep.step()
+
+    def digest(self) -> str:
+        """Return the hash over all messages so far."""
+        return self._digest.hexdigest()
+
+    def close(self) -> None:
+        """End all nodes."""
+        self.lockstep.close()
+
+
+class ProcessSystem:
+    """Processes over zenoh, started here and watched. Use as a context.
+
+    Args:
+        options: scenario, seed, speed, endpoint.
+        roles: which processes to start.
+
+    Raises:
+        ScenarioError: when the scenario is wrong.
+    """
+
+    def __init__(self, options: RunOptions, *, roles: tuple[Role, ...] = ROLES) -> None:
+        self._options, self._roles = options, roles
+        self._site = load_scenario(options.scenario).site
+        self._folder = tempfile.TemporaryDirectory(prefix="tandem-")
+        self.supervisor = Supervisor(Path(self._folder.name) / "logs")
+        self._bus: ZenohBus | None = None
+        self._clocks: ProcessClocks | None = None
+
+    @property
+    def bus(self) -> ZenohBus:
+        """An end of the bus, once started."""
+        assert self._bus is not None, "start it first"
+        return self._bus
+
+    @property
+    def clocks(self) -> ProcessClocks:
+        """Robot time as heard, once started."""
+        assert self._clocks is not None, "start it first"
+        return self._clocks
+
+    def __enter__(self) -> Self:
+        """Start all processes, and wait until the executive answers.
+
+        Raises:
+            SystemFailure: when a process ends or is not ready in time.
+            RefusedError: when there is such a system already.
+        """
+        try:
+            self._start()
+        except BaseException:
+            self.close()
+            raise
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """End all."""
+        self.close()
+
+    def advance(self) -> None:
+        """Wait for a message, at most 50 ms, and look after the processes."""
+        self.bus.waker.wait(0.05)
+        self.clocks.refresh()
+        self._look_after()
+
+    def pids(self) -> dict[str, int]:
+        """Return the processes' ids by role."""
+        return {child.role: child.process.pid for child in self.supervisor.children}
+
+    def close(self) -> None:
+        """End all processes and remove what they left on disk."""
+        if self._bus is not None:
+            self._bus.close()
+            self._bus = None
+        self.supervisor.end()
+        if self._options.log is not None:
+            self.supervisor.collect_logs(self._options.log)
+        self._folder.cleanup()
+
+    def _start(self) -> None:
+        bus = self._options.bus
+        self.supervisor.folder.mkdir(parents=True, exist_ok=True)
+        if "router" in self._roles:
+            self._refuse_second_router()
+            self.supervisor.start(self._settings("router"))
+        self._connect()
+        for role in self._roles:
+            if role != "router":
+                self.supervisor.start(self._settings(role))
+        self._await(lambda: not self._not_started(), f"not all processes of {bus.prefix} started")
+        if "executive" in self._roles:
+            self._await(self._executive_answers, f"the executive of {bus.prefix} did not answer")
+
+    def _not_started(self) -> tuple[str, ...]:
+        alive = self.bus.alive()
+        return tuple(r for r in self._roles if r != "router" and f"process/{r}" not in alive)
+
+    def _refuse_second_router(self) -> None:
+        endpoint = self._options.bus.endpoint
+        try:
+            ZenohBus(endpoint, self._options.bus.prefix, patience=0.3).close()
+        except BusError:
+            return
+        raise RefusedError(
+            f"a router answers at {endpoint} already: another system runs there; "
+            f"end it, or take another endpoint with --connect tcp/127.0.0.1:7448"
+        )
+
+    def _connect(self) -> None:
+        deadline = time.monotonic() + READY_WITHIN
+        while self._bus is None:
+            try:
+                self._bus = ZenohBus(self._options.bus.endpoint, self._options.bus.prefix, patience=0.5)
+            except BusError:
+                self._look_after()
+                if time.monotonic() > deadline:
+                    raise SystemFailure(f"no router at {self._options.bus.endpoint}") from None
+        self._clocks = ProcessClocks(self._bus)
+
+    def _executive_answers(self) -> bool:
+        return wait_for(self, TASK_INFO.query(self.bus, Nothing(), timeout=0.3), 0.5) is not None
+
+    def _await(self, holds: Callable[[], bool], otherwise: str) -> None:
+        deadline = time.monotonic() + READY_WITHIN
+        while not holds():
+            self.advance()
+            if time.monotonic() > deadline:
+                raise SystemFailure(f"{otherwise} within {READY_WITHIN:.0f} s")
+
+    def _settings(self, role: Role) -> WorkerSettings:
+        options = self._options
+        return WorkerSettings(
+            role=role,
+            endpoint=options.bus.endpoint,
+            prefix=options.bus.prefix,
+            site=self._site,
+            scenario=options.scenario,
+            seed=options.seed,
+            speed=options.speed,
+            gui=options.gui,
+            journal=str(Path(self._folder.name) / "held.jsonl") if role == "keeper" else None,
+            verbose=options.verbose,
+        )
+
+    def _look_after(self) -> None:
+        deaths = self.supervisor.deaths()
+        if deaths:
+            raise SystemFailure("\n".join(death.describe() for death in deaths))
+
+
+def wait_for(system: System, pending: Pending, within: float) -> bytes | None:
+    """Let the system go on until a query has ended, at most ``within`` host (lockstep: robot) seconds."""
+    deadline = system.clocks.monotonic() + within
+    while pending.poll() is None and not pending.done() and system.clocks.monotonic() < deadline:
+        system.advance()
+    return pending.poll()

@@ -1,0 +1,118 @@
+"""Run a task's tree against mocked skills: a whole fetch in milliseconds, each branch at will.
+
+bench = TreeBench(load_site("lab"), items={29: tag_in_map})
+bench.robot.faults("base/drive")[1] = Fault(failure=...)
+status = bench.run("fetch", {"item": 29})
+"""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from skills.ports.failure import Failure
+from skills.ports.geometry import Pose
+from skills.ports.site import Site
+from skills.testing.mock_robot import MockRobot
+from skills.wire.clocks import SteppedClocks
+from skills.wire.memory import MemoryBus, MemoryHub
+from trees.clients import Clients
+from trees.context import TreeContext
+from trees.knowledge import Knowledge
+from trees.registry import discover
+
+STEP = 0.01
+OWNER = "executive"
+
+
+class TreeBench:
+    """A tree, mocked skills, a bus in memory and a clock that only ``step`` moves."""
+
+    def __init__(
+        self,
+        site: Site,
+        *,
+        items: dict[int, Pose],
+        seen_at_look: int = 1,
+        duration: float = 0.0,
+        localised: bool = False,
+    ) -> None:
+        """See ``MockRobot`` for the arguments."""
+        self.clocks = SteppedClocks("bench")
+        self.hub = MemoryHub()
+        bus = MemoryBus(self.hub)
+        bus.announce(OWNER)
+        self.robot = MockRobot(
+            MemoryBus(self.hub),
+            self.clocks,
+            site,
+            items=items,
+            seen_at_look=seen_at_look,
+            duration=duration,
+            localised=localised,
+        )
+        self._knowledge = Knowledge(bus, self.clocks, site)
+        self._clients = Clients(bus, self.clocks, OWNER)
+        self._runs = 0
+        self.context = self._new_context()
+        self.root: Behaviour | None = None
+        self.visited: list[tuple[str, Status]] = []
+        """Each change of a node's status: its name and the new status, in order."""
+
+    def start(self, task: str, request: dict[str, object]) -> Behaviour:
+        """Build the task's tree for a request document and return its root."""
+        kind = discover()[task]
+        self.context = self._new_context()
+        self.visited = []
+        self.root = kind.build(kind.request.model_validate({"task": task, **request}), self.context)
+        return self.root
+
+    def step(self) -> Status:
+        """Let one period pass: skills, then one tick of the tree; return the root's status."""
+        assert self.root is not None, "start a task first"
+        self.clocks.advance(STEP)
+        self.robot.step()
+        self.context.poll()
+        before = {node.name: node.status for node in self.root.iterate()}
+        self.root.tick_once()
+        self.visited.extend(
+            (node.name, node.status) for node in self.root.iterate() if node.status is not before[node.name]
+        )
+        return self.root.status
+
+    def run(self, task: str, request: dict[str, object], *, steps: int = 5000) -> Status:
+        """Start the task and step until it ends, at most ``steps`` times."""
+        self.start(task, request)
+        status = Status.RUNNING
+        for _ in range(steps):
+            status = self.step()
+            if status is not Status.RUNNING:
+                break
+        return status
+
+    def interrupt(self, *, steps: int = 1000) -> bool:
+        """Stop the tree as a cancel does; return whether all skills came to rest within ``steps``."""
+        assert self.root is not None, "start a task first"
+        self.root.stop(Status.INVALID)
+        for _ in range(steps):
+            if self.context.quiet:
+                return True
+            self.clocks.advance(STEP)
+            self.robot.step()
+            self.context.poll()
+        return False
+
+    def failure(self) -> Failure | None:
+        """Return why the task failed."""
+        return self.context.failure()
+
+    def path(self) -> tuple[str, ...]:
+        """Return the leaves' names in the order in which they first succeeded or failed."""
+        assert self.root is not None, "start a task first"
+        leaves = {node.name for node in self.root.iterate() if not node.children}
+        ended = (name for name, status in self.visited if status in {Status.SUCCESS, Status.FAILURE})
+        return tuple(name for name in ended if name in leaves)
+
+    def _new_context(self) -> TreeContext:
+        self._runs += 1
+        return TreeContext(f"bench-{self._runs:04d}", self._clients, self._knowledge, self.clocks)

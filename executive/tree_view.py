@@ -1,0 +1,56 @@
+"""A running tree as data, made anew only where it has changed: most ticks change one branch of many."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from skills.ports.tasks import NodeStatus, TreeNode
+from trees.snapshot import kind_of
+
+
+class TreeView:
+    """Looks at the tree below a behaviour, again and again.
+
+    ``look`` returns what ``trees.snapshot.snapshot`` would, and the very same object as long as nothing has
+    changed. Names and types of nodes don't change; children may be added and removed.
+    """
+
+    def __init__(self, behaviour: Behaviour, above: str = "") -> None:
+        """``above``: the path of its parent."""
+        self._behaviour = behaviour
+        self._path = f"{above}/{behaviour.name}" if above else behaviour.name
+        self._behaviours: list[Behaviour] = []
+        self._children: list[TreeView] = []
+        self._status: Status | None = None
+        self._message = ""
+        self._node: TreeNode | None = None
+
+    def look(self) -> TreeNode:
+        """Return the tree as it is now."""
+        seen = self._behaviour
+        if seen.children != self._behaviours:
+            self._behaviours = list(seen.children)
+            self._children = [TreeView(child, self._path) for child in self._behaviours]
+            self._node = None
+        node = self._node
+        changed = node is None or seen.status is not self._status or seen.feedback_message != self._message
+        children: list[TreeNode] = []
+        for child in self._children:
+            before = child._node  # noqa: SLF001 - one of us
+            now = child.look()
+            changed = changed or now is not before
+            children.append(now)
+        if node is not None and not changed:
+            return node
+        self._status, self._message = seen.status, seen.feedback_message
+        self._node = TreeNode(
+            path=self._path,
+            name=seen.name,
+            kind=kind_of(seen) if node is None else node.kind,
+            type=type(seen).__name__,
+            status=NodeStatus(self._status.name),
+            message=self._message,
+            children=tuple(children),
+        )
+        return self._node

@@ -1,0 +1,64 @@
+"""One process of the system: ``python -m executive.worker`` with its settings as one JSON document.
+
+``executive.processes`` starts these; each plays one role until it is told to end or its parent is gone.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import signal
+import sys
+from dataclasses import dataclass, field
+from types import FrameType
+from typing import Final
+
+from executive import roles
+from executive.settings import RefusalError, WorkerSettings
+
+REFUSED: Final = 4
+
+
+@dataclass(eq=False)
+class Ending:
+    """Whether the process should end: it was told to, or its parent is gone."""
+
+    told: bool = False
+    parent: int = field(default_factory=os.getppid)
+
+    def __call__(self) -> bool:
+        """Say so."""
+        return self.told or os.getppid() != self.parent
+
+    def listen(self) -> None:
+        """End on SIGTERM and SIGINT."""
+        signal.signal(signal.SIGTERM, self._tell)
+        signal.signal(signal.SIGINT, self._tell)
+
+    def _tell(self, number: int, frame: FrameType | None) -> None:  # noqa: ARG002 - as signal calls it
+        self.told = True
+
+
+def main(argv: list[str]) -> int:
+    """Play the role; return the process's exit code."""
+    settings = WorkerSettings.model_validate_json(argv[0])
+    logging.basicConfig(
+        level=logging.DEBUG if settings.verbose else logging.INFO,
+        format=f"%(asctime)s {settings.role} %(levelname)s %(name)s: %(message)s",
+        stream=sys.stderr,
+    )
+    ending = Ending()
+    ending.listen()
+    try:
+        roles.play(settings, ending)
+    except RefusalError as refusal:
+        logging.getLogger(__name__).error("%s", refusal)  # noqa: TRY400 - no fault of the program
+        return REFUSED
+    except Exception:
+        logging.getLogger(__name__).exception("%s ended by an error", settings.role)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

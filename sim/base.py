@@ -1,0 +1,126 @@
+"""The base's controller: from velocity commands to wheel speeds, and from wheel encoders to odometry."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from skills.ports.geometry import FloorPose, wrap
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from sim.model import Wheels
+    from sim.scenario import Noise
+    from skills.ports.hardware import BaseVelocity, Drive
+
+WHEEL_GAIN = 8.0
+"""1/s: how fast a wheel makes up for a lag behind its reference; keeps the base from creeping, too."""
+MAX_LAG = 0.3
+"""rad that a wheel's reference may run ahead: a blocked base does not wind up."""
+
+
+class BaseController:
+    """Obeys velocity commands within the drive's limits; without a fresh one it brakes and stands.
+
+    Args:
+        drive: limits.
+        wheels: geometry.
+        angles: where the left and the right wheel are, rad.
+    """
+
+    def __init__(self, drive: Drive, wheels: Wheels, angles: tuple[float, float]) -> None:
+        self._drive = drive
+        self._wheels = wheels
+        self._reference = list(angles)
+        self._wish = (0.0, 0.0)
+        self._age = math.inf
+        self.linear = 0.0
+        self.angular = 0.0
+
+    def command(self, velocity: BaseVelocity) -> None:
+        """Take a command: m/s ahead and rad/s to the left, cut to the drive's limits."""
+        linear = min(max(velocity.linear, -self._drive.backward), self._drive.forward)
+        angular = min(max(velocity.angular, -self._drive.turn), self._drive.turn)
+        self._wish = (linear, angular)
+        self._age = 0.0
+
+    def stop(self) -> None:
+        """Forget the command: brake and stand."""
+        self._age = math.inf
+
+    def advance(self, period: float, angles: tuple[float, float]) -> tuple[float, float]:
+        """Return the left and right wheel's speeds (rad/s) for the next period."""
+        linear, angular = self._wish if self._age <= self._drive.dead_man + 1e-9 else (0.0, 0.0)
+        self._age += period
+        self.linear = _towards(self.linear, linear, self._drive.acceleration * period)
+        self.angular = _towards(self.angular, angular, self._drive.turn_acceleration * period)
+        sideways = self.angular * self._wheels.track / 2.0
+        speeds = [
+            (self.linear - sideways) / self._wheels.radius,
+            (self.linear + sideways) / self._wheels.radius,
+        ]
+        left, right = (self._wheel(i, speeds[i], period, angles[i]) for i in range(2))
+        return left, right
+
+    def _wheel(self, index: int, speed: float, period: float, angle: float) -> float:
+        lag = min(max(self._reference[index] - angle, -MAX_LAG), MAX_LAG)
+        self._reference[index] = angle + lag + speed * period
+        return speed + WHEEL_GAIN * lag
+
+
+def _towards(value: float, target: float, step: float) -> float:
+    return min(max(target, value - step), value + step)
+
+
+@dataclass
+class _Encoders:
+    left: float
+    right: float
+
+
+class Odometer:
+    """Dead reckoning from wheel encoders, with the errors of wheels that are not what they are taken for.
+
+    The way is wrong by ``odometry_scale``, each turn by ``odometry_turn_scale``, and the heading walks by
+    ``odometry_drift`` rad per square root of a metre that the wheels roll.
+
+    Args:
+        wheels: geometry.
+        angles: where the left and the right wheel are, rad.
+        noise: how large the errors are.
+        rng: their source.
+    """
+
+    def __init__(
+        self, wheels: Wheels, angles: tuple[float, float], noise: Noise, rng: np.random.Generator
+    ) -> None:
+        self._wheels = wheels
+        self._noise = noise
+        self._rng = rng
+        self._last = _Encoders(*angles)
+        self.pose = FloorPose(x=0.0, y=0.0, yaw=0.0)
+        self.linear = 0.0
+        self.angular = 0.0
+
+    def update(self, period: float, angles: tuple[float, float]) -> None:
+        """Take the wheels' angles (rad) of a period later: moves ``pose``, sets ``linear`` and ``angular``.
+
+        Integrates at the midpoint heading (second order Runge-Kutta).
+        """
+        left = (angles[0] - self._last.left) * self._wheels.radius
+        right = (angles[1] - self._last.right) * self._wheels.radius
+        self._last = _Encoders(*angles)
+        rolled = (abs(left) + abs(right)) / 2.0
+        way = (left + right) / 2.0 * (1.0 + self._noise.odometry_scale)
+        turn = (right - left) / self._wheels.track * (1.0 + self._noise.odometry_turn_scale)
+        turn += float(self._rng.normal(0.0, 1.0)) * self._noise.odometry_drift * math.sqrt(rolled)
+        middle = self.pose.yaw + turn / 2.0
+        self.pose = FloorPose(
+            x=self.pose.x + way * math.cos(middle),
+            y=self.pose.y + way * math.sin(middle),
+            yaw=wrap(self.pose.yaw + turn),
+        )
+        self.linear = way / period
+        self.angular = turn / period

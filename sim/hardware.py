@@ -1,0 +1,184 @@
+"""The hardware node: one period of physics and control a step, and all of the hardware's messages."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final, Protocol
+
+from pydantic import ValidationError
+
+from sim.parts import BasePart, GroupPart, HandPart, Part
+from skills.ports import keys
+from skills.ports.hardware import Clock, JointStates, Stop, StopState
+from skills.ports.message import RobotTime
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import numpy as np
+
+    from sim.body import RobotBody
+    from sim.scenario import Noise
+    from skills.ports.bus import Bus
+
+STOP_EVERY: Final = 100
+"""Periods between two messages of the stop's state when nothing changes."""
+
+
+class Sensor(Protocol):
+    """A camera, a laser, ...: publishes by itself when its time has come."""
+
+    def step(self, now: RobotTime) -> None:
+        """Do what is due; called once a period, after the physics."""
+        ...
+
+
+class Hardware:
+    """A robot's hardware over a physics world. Each ``step`` is one period of ``description.period`` seconds.
+
+    In lockstep the runner steps it once a period; in a process the runner paces it. The order within a step
+    is: hear, control, physics, tell; the clock is told last, so that what belongs to a tick has come before.
+
+    Args:
+        bus: the hardware's keys.
+        body: the robot, in its physics.
+        boot: names this start of the hardware.
+        noise: the sensors' errors.
+        rng: source of the odometry's errors.
+        sensors: what else publishes; each is stepped once a period.
+        waits: say in the clock that the hardware waits for its followers.
+    """
+
+    name = "hardware"
+
+    def __init__(
+        self,
+        bus: Bus,
+        body: RobotBody,
+        *,
+        boot: str,
+        noise: Noise,
+        rng: np.random.Generator,
+        sensors: Sequence[Sensor] = (),
+        waits: bool = False,
+    ) -> None:
+        self._bus = bus
+        self._waits = waits
+        self._stop = bus.serve(keys.STOP.key)
+        self._release = bus.serve(keys.STOP_RELEASE.key)
+        self._describe = bus.serve(keys.DESCRIPTION.key)
+        self.stop_state = StopState(stopped=False)
+        self._parts: list[Part] = []
+        self.restart(body, boot=boot, noise=noise, rng=rng, sensors=sensors)
+
+    def restart(
+        self,
+        body: RobotBody,
+        *,
+        boot: str,
+        noise: Noise,
+        rng: np.random.Generator,
+        sensors: Sequence[Sensor] = (),
+    ) -> None:
+        """Begin anew with another body: the clock at zero, under another boot id, no stop set."""
+        for part in self._parts:
+            part.close()
+        description = body.model.description
+        self._body = body
+        self._boot = boot
+        self._tick = 0
+        self._period = description.period
+        self._physics_steps = round(description.period / body.physics.time_step)
+        self._description = description.model_dump_json().encode()
+        self._sensors = tuple(sensors)
+        self.base = BasePart(self._bus, body, noise=noise, rng=rng)
+        self._parts = [
+            *(GroupPart(self._bus, body, group) for group in description.groups),
+            *(
+                HandPart(self._bus, body, hand, description.end_effector(hand.side))
+                for hand in body.model.hands
+            ),
+            self.base,
+        ]
+        self._joints = tuple(
+            [joint for group in description.groups for joint in group.joints]
+            + [joint for effector in description.end_effectors for joint in effector.gripper.joints]
+        )
+        self._set_stop(StopState(stopped=False))
+
+    @property
+    def now(self) -> RobotTime:
+        """The hardware's clock."""
+        return RobotTime(boot=self._boot, seconds=round(self._tick * self._period, 6))
+
+    @property
+    def tick(self) -> int:
+        """Periods since the boot."""
+        return self._tick
+
+    def step(self) -> bool:
+        """Hear what was asked, control and simulate one period, and tell what happened."""
+        self._hear()
+        for part in self._parts:
+            part.act(self._period)
+        self._body.physics.step(self._physics_steps)
+        self._tick += 1
+        self._tell()
+        return False
+
+    def hear(self) -> None:
+        """Answer what was asked without letting time pass: for a runner that waits."""
+        self._hear()
+
+    def _hear(self) -> None:
+        for request in self._stop.drain():
+            try:
+                stop = Stop.model_validate_json(request.payload)
+            except ValidationError:
+                # Better a stop without a name than none.
+                stop = Stop(by="unknown", reason="a stop that could not be read")
+            self._set_stop(StopState(stopped=True, by=stop.by, reason=stop.reason))
+            request.reply(self.stop_state.model_dump_json().encode())
+        for request in self._release.drain():
+            self._set_stop(StopState(stopped=False))
+            request.reply(self.stop_state.model_dump_json().encode())
+        for request in self._describe.drain():
+            request.reply(self._description)
+        for part in self._parts:
+            part.listen(stopped=self.stop_state.stopped)
+
+    def _set_stop(self, state: StopState) -> None:
+        changed = state != self.stop_state
+        self.stop_state = state
+        if state.stopped:
+            for part in self._parts:
+                part.halt()
+        if changed:
+            keys.STOP_STATE.publish(self._bus, state)
+
+    def _tell(self) -> None:
+        now = self.now
+        readings = self._body.read(self._joints)
+        states = JointStates(
+            stamp=now,
+            names=self._joints,
+            positions=tuple(reading.position for reading in readings),
+            velocities=tuple(reading.velocity for reading in readings),
+            efforts=tuple(reading.effort for reading in readings),
+        )
+        keys.JOINT_STATES.publish(self._bus, states)
+        for part in self._parts:
+            part.tell(now, self._tick)
+        for sensor in self._sensors:
+            sensor.step(now)
+        if self._tick % STOP_EVERY == 0:
+            keys.STOP_STATE.publish(self._bus, self.stop_state)
+        keys.CLOCK.publish(self._bus, Clock(stamp=now, tick=self._tick, waits=self._waits))
+
+    def close(self) -> None:
+        """Bring the robot to rest, as far as one period goes, and stop serving. Closing twice is allowed."""
+        for part in self._parts:
+            part.halt()
+            part.close()
+        self._parts = []
+        for desk in (self._stop, self._release, self._describe):
+            desk.close()

@@ -1,0 +1,69 @@
+"""What the sim knows of a robot: the hardware's description, and what only a stand-in needs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from sim.urdf import Array
+from skills.ports.hardware import RobotDescription
+
+ROOT: Final = "base_footprint"
+"""The robot's root frame: on the floor between the wheels."""
+
+
+@dataclass(frozen=True)
+class Hand:
+    """A parallel gripper on its mount: ``inner`` and ``outer`` finger joints open with positive values."""
+
+    side: str
+    mount_link: str
+    wrench_joint: str
+    """The joint in front of the mount, whose reaction the wrist's sensor measures."""
+    inner: str
+    outer: str
+    finger_links: tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Wheels:
+    """A differential drive's wheels: metres, N m."""
+
+    left: str
+    right: str
+    radius: float
+    track: float
+    """Between the wheels' contacts with the floor."""
+    effort: float
+
+
+@dataclass(frozen=True)
+class RobotModel:
+    """A robot to load into the physics.
+
+    ``physics_urdf`` is the description's URDF without the massless frames, which only cost time; ``frames``
+    says where each frame is: its link, and its 4x4 pose in it. ``touching_links`` are pairs that no motion
+    brings together, whose contacts are not worth computing. Links on the floor have a friction each.
+    """
+
+    description: RobotDescription
+    physics_urdf: str
+    frames: Mapping[str, tuple[str, Array]]
+    hands: tuple[Hand, ...]
+    wheels: Wheels
+    floor_frictions: Mapping[str, float]
+    bumper_links: tuple[str, ...]
+    touching_links: tuple[tuple[str, str], ...]
+    root: str = ROOT
+
+    def hand(self, side: str) -> Hand:
+        """Return the hand of a side.
+
+        Raises:
+            KeyError: naming the sides there are.
+        """
+        for hand in self.hands:
+            if hand.side == side:
+                return hand
+        raise KeyError(f"no hand {side!r}; there are {', '.join(h.side for h in self.hands)}")

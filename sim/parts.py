@@ -1,0 +1,281 @@
+"""The hardware's parts: each joins a controller to the physics on one side and to its keys on the other."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final, Protocol, TypeVar
+
+from pydantic import ValidationError
+
+from sim.base import BaseController, Odometer
+from sim.gripper import GripperController
+from sim.joints import Report
+from sim.motors import GroupServos
+from sim.wrench import WristSensor, pressed_bumpers
+from skills.ports import keys
+from skills.ports.hardware import (
+    Answer,
+    Bumpers,
+    CancelMotion,
+    GripperCommand,
+    GripperState,
+    GroupStatus,
+    LaserScan,
+    Odometry,
+    TrajectoryGoal,
+    Wrench,
+)
+from skills.ports.message import Message, RobotTime
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import numpy as np
+
+    from sim.body import RobotBody
+    from sim.model import Hand
+    from sim.scenario import Noise
+    from skills.ports.bus import Bus, Desk
+    from skills.ports.hardware import BaseVelocity, EndEffector, JointGroup, LaserSensor
+
+M = TypeVar("M", bound=Message)
+
+STATE_EVERY: Final = 2
+"""Periods between two odometry, gripper and wrench messages (50 Hz)."""
+BUMPERS_EVERY: Final = 20
+"""Periods between two bumper messages when nothing changes."""
+STATUS_EVERY: Final = 100
+"""Periods between two status messages when nothing changes."""
+STOPPED: Final = Answer(accepted=False, reason="the stop is set; an operator releases it")
+
+
+class Part(Protocol):
+    """What the hardware node is made of."""
+
+    def listen(self, *, stopped: bool) -> None:
+        """Read what was asked and answer it; while stopped, refuse all motion."""
+        ...
+
+    def halt(self) -> None:
+        """Come to rest within the limits."""
+        ...
+
+    def act(self, period: float) -> None:
+        """Set the motors for the coming period."""
+        ...
+
+    def tell(self, now: RobotTime, tick: int) -> None:
+        """Publish what is due after the period that ended ``now``."""
+        ...
+
+    def close(self) -> None:
+        """Stop serving."""
+        ...
+
+
+def answer_all(desk: Desk, model: type[M], handle: Callable[[M], Answer]) -> None:
+    """Answer every query at a desk; one that does not decode is refused with what was expected."""
+    for request in desk.drain():
+        try:
+            answer = handle(model.model_validate_json(request.payload))
+        except ValidationError as error:
+            first = error.errors()[0]
+            where = ".".join(str(part) for part in first["loc"]) or "document"
+            answer = Answer(accepted=False, reason=f"{where}: {first['msg']}")
+        request.reply(answer.model_dump_json().encode())
+
+
+class GroupPart:
+    """A joint group: trajectory goals, cancels, set-points, status."""
+
+    def __init__(self, bus: Bus, body: RobotBody, group: JointGroup) -> None:
+        self._bus = bus
+        self._body = body
+        self._group = group
+        self.servos = GroupServos(body, group)
+        self._goals = bus.serve(keys.group_goal(group.name).key)
+        self._cancels = bus.serve(keys.group_cancel(group.name).key)
+        self._setpoints = keys.Latest(bus, keys.group_setpoint(group.name))
+        self._status = keys.group_status(group.name)
+        self._told: Report | None = None
+
+    def listen(self, *, stopped: bool) -> None:
+        """Take goals, cancels and set-points."""
+        controller = self.servos.controller
+        answer_all(self._goals, TrajectoryGoal, lambda goal: STOPPED if stopped else controller.accept(goal))
+        answer_all(self._cancels, CancelMotion, lambda cancel: controller.cancel(cancel.id))
+        for setpoint in self._setpoints.take():
+            if not stopped:
+                controller.stream(setpoint)
+
+    def halt(self) -> None:
+        """Brake; a goal ends ABORTED."""
+        self.servos.controller.stop()
+
+    def act(self, period: float) -> None:
+        """Follow the goal, the stream, or hold."""
+        self.servos.advance(period, self._body.read(self._group.joints))
+
+    def tell(self, now: RobotTime, tick: int) -> None:
+        """Publish the status on each change and once a second."""
+        report = self.servos.controller.report
+        if report == self._told and tick % STATUS_EVERY:
+            return
+        self._told = report
+        status = GroupStatus(
+            stamp=now,
+            group=self._group.name,
+            goal_id=report.goal_id,
+            state=report.state,
+            joint=report.joint,
+            error=report.error,
+            at_rest=report.at_rest,
+        )
+        self._status.publish(self._bus, status)
+
+    def close(self) -> None:
+        """Stop serving."""
+        self._goals.close()
+        self._cancels.close()
+        self._setpoints.close()
+
+
+class HandPart:
+    """A gripper and the wrist's force/torque sensor behind it."""
+
+    def __init__(self, bus: Bus, body: RobotBody, hand: Hand, effector: EndEffector) -> None:
+        self._bus = bus
+        self._body = body
+        self._side = effector.side
+        self._hand, self._anchored = hand, False
+        self._joints = (hand.inner, hand.outer)
+        inner, outer = body.read(self._joints)
+        self.controller = GripperController(effector.gripper, (inner.position, outer.position))
+        self._sensor = WristSensor(body, hand.wrench_joint)
+        self._commands = bus.serve(keys.gripper_command(effector.side).key)
+        self._state = keys.gripper_state(effector.side)
+        self._wrench = keys.wrench(effector.side)
+        self._told = (self.controller.command_id, self.controller.motion)
+
+    def listen(self, *, stopped: bool) -> None:
+        """Take commands."""
+        answer_all(
+            self._commands, GripperCommand, lambda c: STOPPED if stopped else self.controller.accept(c)
+        )
+
+    def halt(self) -> None:
+        """Stand still, and hold on to what is held."""
+        self.controller.stop()
+
+    def act(self, period: float) -> None:
+        """Drive both fingers."""
+        inner, outer = self._body.read(self._joints)
+        drive = self.controller.advance(
+            period, (inner.position, outer.position), (inner.effort, outer.effort)
+        )
+        self._body.drive_velocities(self._joints, drive.speeds, drive.forces)
+        if self.controller.squeezing is not self._anchored:
+            self._anchored = self.controller.squeezing
+            self._body.anchor_pads(self._hand, anchored=self._anchored)
+
+    def tell(self, now: RobotTime, tick: int) -> None:
+        """Publish the gripper's state (also on each change) and the wrench."""
+        self._sensor.update()
+        controller = self.controller
+        news = (controller.command_id, controller.motion)
+        due = tick % STATE_EVERY == 0
+        if due or news != self._told:
+            state = GripperState(
+                stamp=now,
+                side=self._side,
+                command_id=controller.command_id,
+                motion=controller.motion,
+                width=controller.width,
+                force=controller.force,
+            )
+            self._state.publish(self._bus, state)
+            self._told = news
+        if due:
+            reading = Wrench(stamp=now, side=self._side, force=self._sensor.force, torque=self._sensor.torque)
+            self._wrench.publish(self._bus, reading)
+
+    def close(self) -> None:
+        """Stop serving."""
+        self._commands.close()
+
+
+class BasePart:
+    """The wheels, odometry and bumpers."""
+
+    def __init__(self, bus: Bus, body: RobotBody, *, noise: Noise, rng: np.random.Generator) -> None:
+        self._bus = bus
+        self._body = body
+        wheels = body.model.wheels
+        self._joints = (wheels.left, wheels.right)
+        self._efforts = (wheels.effort, wheels.effort)
+        self.controller = BaseController(body.model.description.drive, wheels, self._angles())
+        self.odometer = Odometer(wheels, self._angles(), noise, rng)
+        self._velocity: keys.Latest[BaseVelocity] = keys.Latest(bus, keys.BASE_VELOCITY)
+        self._pressed: tuple[str, ...] = ()
+        self._period = body.model.description.period
+
+    def _angles(self) -> tuple[float, float]:
+        left, right = self._body.read(self._joints)
+        return left.position, right.position
+
+    def listen(self, *, stopped: bool) -> None:
+        """Take the newest velocity command."""
+        commands = self._velocity.take()
+        if commands and not stopped:
+            self.controller.command(commands[-1])
+
+    def halt(self) -> None:
+        """Brake and stand."""
+        self.controller.stop()
+
+    def act(self, period: float) -> None:
+        """Turn the wheels."""
+        speeds = self.controller.advance(period, self._angles())
+        self._body.drive_velocities(self._joints, speeds, self._efforts)
+
+    def tell(self, now: RobotTime, tick: int) -> None:
+        """Publish odometry, and the bumpers on each change and five times a second."""
+        self.odometer.update(self._period, self._angles())
+        if tick % STATE_EVERY == 0:
+            odometry = Odometry(
+                stamp=now,
+                base_in_odom=self.odometer.pose,
+                linear=self.odometer.linear,
+                angular=self.odometer.angular,
+            )
+            keys.ODOMETRY.publish(self._bus, odometry)
+        pressed = pressed_bumpers(self._body, self._body.model.bumper_links)
+        if pressed != self._pressed or tick % BUMPERS_EVERY == 0:
+            keys.BUMPERS.publish(self._bus, Bumpers(stamp=now, pressed=pressed))
+            self._pressed = pressed
+
+    def close(self) -> None:
+        """Stop listening."""
+        self._velocity.close()
+
+
+class LaserSensorNode:
+    """Publishes a scan each of the laser's periods; a sensor of the hardware node.
+
+    Args:
+        bus: where scans go.
+        sensor: of the robot's description.
+        scan: takes one.
+    """
+
+    def __init__(self, bus: Bus, sensor: LaserSensor, scan: Callable[[], tuple[float, ...]]) -> None:
+        self._bus = bus
+        self._period = sensor.period
+        self._scan = scan
+        self._next = 0.0
+
+    def step(self, now: RobotTime) -> None:
+        """Publish when it is time."""
+        if now.seconds < self._next - 1e-9:
+            return
+        self._next = now.seconds + self._period
+        keys.LASER.publish(self._bus, LaserScan(stamp=now, ranges=self._scan()))

@@ -1,0 +1,192 @@
+"""One pybullet world behind typed calls; every call names its client, so several live side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from enum import IntFlag
+from typing import Final
+
+import pybullet
+
+from skills.ports.message import Quaternion, Vector3
+
+TIME_STEP: Final = 0.01 / 3.0
+"""Seconds a physics step (300 Hz): three a hardware period."""
+
+Rays = Sequence[Sequence[float]]
+
+GRAVITY: Final = 9.81
+"""m/s2, along -z."""
+
+SOLVER_ITERATIONS: Final = 50
+"""Sweeps of the contact solver a step; see docs/decisions/001-grasp-by-friction.md."""
+
+
+class Group(IntFlag):
+    """What a body is, for those who look for some bodies only; all collide with all."""
+
+    THING = 1
+    FIXED = 2
+    ROBOT = 64
+
+
+@dataclass(frozen=True)
+class Contact:
+    """One point where two bodies touch: the links (-1 is a body's root) and the normal force in N."""
+
+    body_a: int
+    link_a: int
+    body_b: int
+    link_b: int
+    position: Vector3
+    normal_on_b: Vector3
+    force: float
+
+
+class Physics:
+    """A pybullet client with gravity and a fixed step.
+
+    The client's number (``client``) is for whoever needs a call that is not wrapped here: pass it as
+    ``physicsClientId``.
+
+    Raises:
+        RuntimeError: from the constructor, when pybullet can't start a client (a window without a display).
+    """
+
+    def __init__(self, *, gui: bool = False, time_step: float = TIME_STEP) -> None:
+        self.time_step = time_step
+        self.client: int = pybullet.connect(pybullet.GUI if gui else pybullet.DIRECT)
+        if self.client < 0:
+            raise RuntimeError("pybullet could not start; without a display use it headless")
+        self._steps = 0
+        self._configure()
+
+    def _configure(self) -> None:
+        pybullet.setPhysicsEngineParameter(
+            fixedTimeStep=self.time_step,
+            numSubSteps=0,
+            numSolverIterations=SOLVER_ITERATIONS,
+            deterministicOverlappingPairs=1,
+            physicsClientId=self.client,
+        )
+        pybullet.setGravity(0.0, 0.0, -GRAVITY, physicsClientId=self.client)
+
+    @property
+    def seconds(self) -> float:
+        """Simulated time since the client was made or cleared."""
+        return self._steps * self.time_step
+
+    def step(self, count: int = 1) -> None:
+        """Advance by ``count`` physics steps."""
+        for _ in range(count):
+            pybullet.stepSimulation(physicsClientId=self.client)
+        self._steps += count
+
+    def clear(self) -> None:
+        """Remove every body and start the time anew."""
+        pybullet.resetSimulation(physicsClientId=self.client)
+        self._steps = 0
+        self._configure()
+
+    def close(self) -> None:
+        """End the client. Closing twice is allowed."""
+        if self.client >= 0 and pybullet.isConnected(physicsClientId=self.client):
+            pybullet.disconnect(physicsClientId=self.client)
+        self.client = -1
+
+    def add_floor(self, *, friction: float = 1.0) -> int:
+        """Lay an endless floor at z = 0 and return its body."""
+        shape = pybullet.createCollisionShape(pybullet.GEOM_PLANE, physicsClientId=self.client)
+        body: int = pybullet.createMultiBody(0.0, shape, physicsClientId=self.client)
+        self.set_surface(body, -1, friction=friction)
+        return body
+
+    def add_box(
+        self,
+        size: Vector3,
+        mass: float,
+        position: Vector3,
+        orientation: Quaternion = (0.0, 0.0, 0.0, 1.0),
+        *,
+        friction: float = 0.8,
+        colour: tuple[float, float, float, float] = (0.8, 0.7, 0.5, 1.0),
+    ) -> int:
+        """Make a box of the full ``size`` in metres; mass 0.0 makes it immovable. Return its body."""
+        half = [edge / 2.0 for edge in size]
+        shape = pybullet.createCollisionShape(
+            pybullet.GEOM_BOX, halfExtents=half, physicsClientId=self.client
+        )
+        visual = pybullet.createVisualShape(
+            pybullet.GEOM_BOX, halfExtents=half, rgbaColor=colour, physicsClientId=self.client
+        )
+        body: int = pybullet.createMultiBody(
+            mass, shape, visual, position, orientation, physicsClientId=self.client
+        )
+        self.set_surface(body, -1, friction=friction)
+        return body
+
+    def remove(self, body: int) -> None:
+        """Take a body out of the world."""
+        pybullet.removeBody(body, physicsClientId=self.client)
+
+    def set_surface(self, body: int, link: int, *, friction: float, anchored: bool = False) -> None:
+        """Set the friction of a link's surface.
+
+        Bullet multiplies the coefficients of the two that touch, so each is at most 1. ``anchored`` lets
+        static friction correct the drift that the solver leaves, within Coulomb's cone: for pads, not for
+        what rolls. See docs/decisions/001-grasp-by-friction.md.
+
+        Raises:
+            ValueError: for a coefficient outside [0, 1].
+        """
+        if not 0.0 <= friction <= 1.0:
+            raise ValueError(f"a coefficient of friction lies between 0 and 1, not at {friction}")
+        pybullet.changeDynamics(
+            body,
+            link,
+            lateralFriction=friction,
+            spinningFriction=0.0,
+            rollingFriction=0.0,
+            frictionAnchor=int(anchored),
+            physicsClientId=self.client,
+        )
+
+    def set_group(self, body: int, links: Iterable[int], group: Group) -> None:
+        """Say what the links of a body are. They go on colliding with everything."""
+        for link in links:
+            pybullet.setCollisionFilterGroupMask(body, link, int(group), -1, physicsClientId=self.client)
+
+    def cast(self, starts: Rays, ends: Rays, groups: Group) -> list[float]:
+        """Return the part of each ray, from its start to its end in the world, that is free; 1 if all is.
+
+        Only bodies of the ``groups`` are hit.
+        """
+        hits = pybullet.rayTestBatch(
+            starts,
+            ends,
+            numThreads=1,
+            collisionFilterMask=int(groups),
+            physicsClientId=self.client,
+        )
+        return [hit[2] if hit[0] >= 0 else 1.0 for hit in hits]
+
+    def body_pose(self, body: int) -> tuple[Vector3, Quaternion]:
+        """Return the pose of a body's centre of mass in the world."""
+        position, orientation = pybullet.getBasePositionAndOrientation(body, physicsClientId=self.client)
+        return position, orientation
+
+    def body_velocity(self, body: int) -> tuple[Vector3, Vector3]:
+        """Return the linear and angular velocity of a body's centre of mass in the world."""
+        linear, angular = pybullet.getBaseVelocity(body, physicsClientId=self.client)
+        return linear, angular
+
+    def contacts(self, body: int, other: int = -1, links: Sequence[int] | None = None) -> list[Contact]:
+        """Return where ``body`` touches ``other`` (-1: anything), as found in the last step."""
+        more = {} if other < 0 else {"bodyB": other}
+        points = pybullet.getContactPoints(bodyA=body, physicsClientId=self.client, **more)
+        return [
+            Contact(p[1], p[3], p[2], p[4], p[5], p[7], p[9])
+            for p in points or ()
+            if links is None or p[3] in links
+        ]

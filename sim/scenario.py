@@ -1,0 +1,248 @@
+"""What a run starts from: where things truly are, how noisy the sensors are, where items may be put.
+
+Only the sim reads a scenario; skills know the site file. A scenario is typed, frozen data: an unknown key or
+a wrong value is an error that names the file, the path in it and what was expected. (A field can't be called
+``on``: YAML reads that as true.)
+"""
+
+from __future__ import annotations
+
+import math
+from importlib import resources
+from pathlib import Path
+from typing import Annotated, Final, Literal
+
+import yaml
+from pydantic import Field, ValidationError, model_validator
+
+from skills.ports.geometry import FloorPose
+from skills.ports.message import Message
+
+FLOOR: Final = "floor"
+"""The support of what stands on the ground; every other support is a piece of furniture of the site."""
+
+SUFFIXES: Final = (".yaml", ".yml")
+
+Name = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$", max_length=40)]
+Angle = Annotated[float, Field(ge=-2 * math.pi, le=2 * math.pi)]
+Coordinate = Annotated[float, Field(ge=-50.0, le=50.0)]
+Length = Annotated[float, Field(gt=0.0, le=20.0)]
+Friction = Annotated[float, Field(gt=0.0, le=1.0)]
+Colour = tuple[float, float, float]
+
+
+class ScenarioError(Exception):
+    """A scenario that can't be used. The text names the file, the path in it and what was expected."""
+
+
+class TrueItem(Message):
+    """Where a tagged item truly stands when the run starts; its size comes from the site by its tag."""
+
+    tag: int = Field(ge=0, le=586)
+    support: Name
+    """The furniture on whose top it stands, or ``floor``."""
+    x: Coordinate
+    y: Coordinate
+    yaw: Angle = 0.0
+    mass: float = Field(default=0.1, ge=0.05, le=0.2)
+    friction: Friction = 0.9
+
+
+class BoxShape(Message):
+    """A cuboid: edges in metres along its own x, y, z."""
+
+    kind: Literal["box"] = "box"
+    size: tuple[Length, Length, Length]
+
+
+class CylinderShape(Message):
+    """An upright cylinder, in metres."""
+
+    kind: Literal["cylinder"] = "cylinder"
+    radius: Length
+    height: Length
+
+
+Shape = Annotated[BoxShape | CylinderShape, Field(discriminator="kind")]
+
+
+class Obstacle(Message):
+    """A thing without a tag that no site file knows: clutter on a table, or something left on the floor."""
+
+    name: Name
+    shape: Shape
+    support: Name = FLOOR
+    x: Coordinate
+    y: Coordinate
+    yaw: Angle = 0.0
+    mass: float = Field(default=0.3, ge=0.0, le=50.0)
+    """In kg; 0 means that it can't be pushed."""
+    friction: Friction = 0.6
+    colour: Colour = (0.55, 0.47, 0.38)
+
+
+class Noise(Message):
+    """How the sensors err. All sigmas are of normal distributions; zeros make ideal sensors."""
+
+    odometry_scale: float = Field(default=0.0, ge=-0.2, le=0.2)
+    """The part of the way by which odometry is systematically wrong."""
+    odometry_turn_scale: float = Field(default=0.0, ge=-0.2, le=0.2)
+    """The part of each turn by which odometry is systematically wrong."""
+    odometry_drift: float = Field(default=0.0, ge=0.0, le=0.5)
+    """Radians of heading per square root of a metre driven."""
+    laser_sigma: float = Field(default=0.0, ge=0.0, le=0.2)
+    """Metres."""
+    depth_sigma: float = Field(default=0.0, ge=0.0, le=0.1)
+    """Metres at a range of 1 m; grows with the range squared, as in stereo and structured light."""
+    depth_quantum: float = Field(default=0.0, ge=0.0, le=0.1)
+    """Step of the disparity, as metres of depth at 1 m; grows with the range squared."""
+    image_sigma: float = Field(default=0.0, ge=0.0, le=50.0)
+    """Grey levels of 255."""
+
+
+class SpawnSurface(Message):
+    """A strip of a surface on which a campaign may put items.
+
+    ``lower`` and ``upper`` are opposite corners in map (the item's centre stays between them); ``facing`` is
+    the heading in map that points away from the furniture, towards where a robot would stand.
+    """
+
+    name: Name
+    support: Name
+    lower: tuple[Coordinate, Coordinate]
+    upper: tuple[Coordinate, Coordinate]
+    facing: Angle
+
+    @model_validator(mode="after")
+    def _ordered(self) -> SpawnSurface:
+        if self.lower[0] > self.upper[0] or self.lower[1] > self.upper[1]:
+            raise ValueError("each coordinate of lower must be at most that of upper")
+        return self
+
+
+class Fault(Message):
+    """A fault to be injected while running; none is known yet."""
+
+    kind: Name
+    at: float = Field(ge=0.0)
+
+
+class Scenario(Message):
+    """All that a run starts from, but the seed."""
+
+    name: Annotated[str, Field(min_length=1, max_length=60)]
+    site: Name = "lab"
+    start: FloorPose
+    items: tuple[TrueItem, ...] = ()
+    obstacles: tuple[Obstacle, ...] = ()
+    noise: Noise = Noise()
+    camera_rate: float = Field(default=5.0, gt=0.0, le=30.0)
+    """Pictures a second while somebody listens."""
+    surfaces: tuple[SpawnSurface, ...] = ()
+    faults: tuple[Fault, ...] = ()
+
+    @model_validator(mode="after")
+    def _unique(self) -> Scenario:
+        for what, names in (
+            ("tag", [str(item.tag) for item in self.items]),
+            ("obstacle", [obstacle.name for obstacle in self.obstacles]),
+            ("surface", [surface.name for surface in self.surfaces]),
+        ):
+            twice = sorted({name for name in names if names.count(name) > 1})
+            if twice:
+                raise ValueError(f"each {what} may stand here once; twice: {', '.join(twice)}")
+        return self
+
+    def item(self, tag: int) -> TrueItem:
+        """Return the item with a tag.
+
+        Raises:
+            KeyError: naming the tags there are.
+        """
+        for item in self.items:
+            if item.tag == tag:
+                return item
+        raise KeyError(f"no item {tag}; there are {', '.join(str(item.tag) for item in self.items)}")
+
+    def with_item(self, item: TrueItem) -> Scenario:
+        """Return the same scenario with this item put, or moved, where it says."""
+        others = tuple(other for other in self.items if other.tag != item.tag)
+        return self.model_copy(update={"items": (*others, item)})
+
+    def without_item(self, tag: int) -> Scenario:
+        """Return the same scenario without the item."""
+        return self.model_copy(update={"items": tuple(item for item in self.items if item.tag != tag)})
+
+    def starting_at(self, start: FloorPose) -> Scenario:
+        """Return the same scenario with the robot elsewhere."""
+        return self.model_copy(update={"start": start})
+
+
+def scenario_names() -> tuple[str, ...]:
+    """Return the names of the scenarios that come with the sim, sorted."""
+    folder = resources.files("sim").joinpath("scenarios")
+    files = [entry.name for entry in folder.iterdir() if entry.name.endswith(".yaml")]
+    return tuple(sorted(name.removesuffix(".yaml") for name in files))
+
+
+def load_scenario(name_or_path: str | Path) -> Scenario:
+    """Return a scenario by the name of one that comes with the sim, or by the path of a YAML file.
+
+    Raises:
+        ScenarioError: when there is none, or it has mistakes.
+    """
+    text, source = _read(name_or_path)
+    try:
+        document = yaml.safe_load(text)
+    except yaml.YAMLError as error:
+        raise ScenarioError(f"{source}: not YAML: {' '.join(str(error).split())}") from error
+    return parse_scenario(document, source)
+
+
+def parse_scenario(document: object, source: str) -> Scenario:
+    """Return the scenario in a document read from YAML or JSON.
+
+    Raises:
+        ScenarioError: with one line for each mistake.
+    """
+    if not isinstance(document, dict):
+        raise ScenarioError(f"{source}: a mapping with name, start, items, ... was expected")
+    try:
+        return Scenario.model_validate(document)
+    except ValidationError as error:
+        raise ScenarioError("\n".join(_lines(error, source))) from error
+
+
+def _lines(error: ValidationError, source: str) -> list[str]:
+    lines = []
+    for part in error.errors():
+        where = ".".join(str(step) for step in part["loc"]) or "(the whole document)"
+        given = repr(part["input"])
+        shown = "" if part["type"] == "missing" or len(given) > 80 else f", found {given}"
+        lines.append(f"{source}: {where}: {_expectation(part['type'], part['msg'])}{shown}")
+    return lines
+
+
+def _expectation(kind: str, message: str) -> str:
+    if kind == "extra_forbidden":
+        return "no such field was expected"
+    if kind == "missing":
+        return "this field was expected and is missing"
+    return message[:1].lower() + message[1:]
+
+
+def _read(name_or_path: str | Path) -> tuple[str, str]:
+    text = str(name_or_path)
+    is_path = isinstance(name_or_path, Path) or text.endswith(SUFFIXES) or "/" in text
+    if is_path:
+        path = Path(text)
+        try:
+            return path.read_text(encoding="utf-8"), text
+        except (OSError, UnicodeDecodeError) as error:
+            reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+            raise ScenarioError(f"{text}: can't be read: {reason}") from error
+    if text not in scenario_names():
+        known = ", ".join(scenario_names())
+        raise ScenarioError(f"no scenario '{text}'; there are {known}, or give the path of a .yaml file")
+    packaged = resources.files("sim").joinpath("scenarios", f"{text}.yaml")
+    return packaged.read_text(encoding="utf-8"), f"{text}.yaml"

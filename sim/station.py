@@ -1,0 +1,160 @@
+"""The whole stand-in for a robot in a room: physics, robot, world, sensors and the sim's own controls.
+
+One node. It is the only place that knows all parts of the sim; everything else knows its own.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim.body import RobotBody
+from sim.camera import HeadCamera, Studio
+from sim.controls import Controls
+from sim.hardware import Hardware, Sensor
+from sim.laser import Laser
+from sim.model import RobotModel
+from sim.parts import LaserSensorNode
+from sim.physics import Physics
+from sim.render import InlineRenderer, PainterSettings, Renderer, WorkerRenderer
+from sim.robot import compose_robot
+from sim.scenario import Scenario, ScenarioError
+from sim.scene import build_scene
+from sim.truth import Truth, read_truth
+from sim.world import World, spawn
+from skills.ports.bus import Bus
+from skills.ports.site import Site
+
+
+@dataclass(frozen=True)
+class StationSettings:
+    """How the stand-in runs.
+
+    ``boot`` names this start of the hardware; ``beside`` draws pictures in a process of their own;
+    ``waits`` has the hardware wait for its followers; ``gui`` shows pybullet's window.
+    """
+
+    boot: str
+    seed: int
+    beside: bool = False
+    waits: bool = False
+    gui: bool = False
+
+
+class Station:
+    """A ``Node``: one step is one period of the hardware.
+
+    Args:
+        bus: the hardware's keys, and the sim's own.
+        site: the furniture.
+        scenario: where things truly are.
+        settings: how it runs.
+
+    Raises:
+        ScenarioError: when the scenario does not fit the site.
+    """
+
+    name = "hardware"
+
+    def __init__(self, bus: Bus, site: Site, scenario: Scenario, settings: StationSettings) -> None:
+        self._bus, self._site, self._settings = bus, site, settings
+        self._boots = 0
+        self.physics = Physics(gui=settings.gui)
+        self.model: RobotModel = compose_robot()
+        self.scenario = scenario
+        self.world, self.body = self._fill(scenario)
+        painter = PainterSettings(urdf=self.model.physics_urdf)
+        renderer: Renderer = WorkerRenderer(painter) if settings.beside else InlineRenderer(painter)
+        self.studio = Studio(self.world, self.body, renderer, noise=scenario.noise, seed=settings.seed)
+        if settings.beside:
+            self.studio.warm_up()
+        self.hardware = Hardware(
+            bus,
+            self.body,
+            boot=settings.boot,
+            noise=scenario.noise,
+            rng=np.random.default_rng((settings.seed, 1)),
+            sensors=self._sensors(settings.seed),
+            waits=settings.waits,
+        )
+        self.controls = Controls(bus, site, self.world, self.body, self.studio, reset=self.reset)
+
+    @property
+    def camera(self) -> HeadCamera:
+        """The head's camera, as it is since the last reset."""
+        return self._camera
+
+    def step(self) -> bool:
+        """Let one period pass, then do what the sim was asked."""
+        self.hardware.step()
+        self.controls.step(self.hardware.now)
+        return False
+
+    def reset(self, seed: int, scenario: Scenario | None = None) -> None:
+        """Begin anew: everything where the scenario has it, under another boot.
+
+        Raises:
+            ScenarioError: when the scenario is for another site, or does not fit; then nothing has changed.
+        """
+        if scenario is not None:
+            self._check(scenario)
+            self.scenario = scenario
+        self._boots += 1
+        self.physics.clear()
+        self.world, self.body = self._fill(self.scenario)
+        self.studio.restart(self.world, self.body, noise=self.scenario.noise, seed=seed)
+        self.hardware.restart(
+            self.body,
+            boot=f"{self._settings.boot}.{self._boots}",
+            noise=self.scenario.noise,
+            rng=np.random.default_rng((seed, 1)),
+            sensors=self._sensors(seed),
+        )
+        self.controls.restart(self.world, self.body)
+
+    def truth(self) -> Truth:
+        """Return how things truly are: for tests and reports."""
+        return read_truth(self.world, self.body, self.hardware.now)
+
+    def close(self) -> None:
+        """End the controls, the hardware, the renderer and the physics."""
+        self.controls.close()
+        self.hardware.close()
+        self.studio.close()
+        self.physics.close()
+
+    def _check(self, scenario: Scenario) -> None:
+        if scenario.site != self._site.name:
+            expected = f"{self._site.name} was expected, found {scenario.site}"
+            raise ScenarioError(f"{scenario.name}: site: {expected}; another site needs another start")
+        build_scene(self._site, scenario, source=scenario.name)
+
+    def _fill(self, scenario: Scenario) -> tuple[World, RobotBody]:
+        world = spawn(self.physics, self._site, scenario)
+        world.settle()
+        start = scenario.start
+        body = RobotBody(
+            self.physics, self.model, x=start.x, y=start.y, yaw=start.yaw, positions=self._home()
+        )
+        return world, body
+
+    def _home(self) -> dict[str, float]:
+        description = self.model.description
+        return {
+            joint: position
+            for posture in description.postures
+            if posture.name == "home"
+            for joint, position in zip(
+                description.group(posture.group).joints, posture.positions, strict=True
+            )
+        }
+
+    def _sensors(self, seed: int) -> tuple[Sensor, ...]:
+        description, noise = self.model.description, self.scenario.noise
+        rng = np.random.default_rng((seed, 2))
+        laser = Laser(self.body, description.laser, sigma=noise.laser_sigma, rng=rng)
+        self._camera = HeadCamera(
+            self._bus, self.studio, self.body, description.camera, rate=self.scenario.camera_rate
+        )
+        return (LaserSensorNode(self._bus, description.laser, laser.scan), self._camera)

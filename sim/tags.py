@@ -1,0 +1,148 @@
+"""Tagged items as pictures: one AprilTag 36h11 on all four upright sides of a box, as shipping labels are.
+
+The tag's frame: origin in its centre, z out of the face, y up, x to the right as seen from outside. What the
+black square leaves of the face is white margin.
+
+A texture set by ``changeVisualShape`` comes out wrong in EGL, so each box is an OBJ file whose MTL names its
+own texture: an atlas with the sides that look along x, those that look along y, and the lid.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import cv2
+import numpy as np
+
+from skills.ports.geometry import Pose, from_axes
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from skills.ports.message import Vector3
+
+CELLS: Final = 8
+"""Cells along the black square of a 36h11 tag: six of data and a border of one."""
+PIXELS_PER_CELL: Final = 24
+MARGIN_GREY: Final = 245
+LID_RGB: Final = (196, 160, 112)
+"""The colour of cardboard."""
+
+
+@dataclass(frozen=True)
+class Face:
+    """An upright side of a box: its normal, and the direction to the right as seen from outside."""
+
+    normal: Vector3
+    right: Vector3
+
+
+FACES: Final = (
+    Face((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+    Face((0.0, 1.0, 0.0), (-1.0, 0.0, 0.0)),
+    Face((-1.0, 0.0, 0.0), (0.0, -1.0, 0.0)),
+    Face((0.0, -1.0, 0.0), (1.0, 0.0, 0.0)),
+)
+
+
+def tags_in_item(size: Vector3) -> tuple[Pose, ...]:
+    """Return the poses of the four tags in the item's frame (its centre, z up), in the order of FACES."""
+    up = (0.0, 0.0, 1.0)
+    poses = []
+    for face in FACES:
+        n = face.normal
+        centre = (n[0] * size[0] / 2, n[1] * size[1] / 2, n[2] * size[2] / 2)
+        poses.append(Pose(position=centre, orientation=from_axes(face.right, up, face.normal)))
+    return tuple(poses)
+
+
+def tag_image(tag: int, pixels_per_cell: int = PIXELS_PER_CELL) -> NDArray[np.uint8]:
+    """Return the black square of a 36h11 tag, (8 n, 8 n) uint8, row 0 at its top."""
+    dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_APRILTAG_36h11)
+    image = cv2.aruco.generateImageMarker(dictionary, tag, CELLS * pixels_per_cell, borderBits=1)
+    return np.asarray(image, dtype=np.uint8)
+
+
+def write_item(folder: Path, tag: int, size: Vector3, tag_size: float) -> Path:
+    """Write OBJ, MTL and PNG of a tagged box and return the OBJ's path; the folder must exist.
+
+    Args:
+        folder: where the files go; the same tag and size write the same files.
+        tag: 36h11 id, 0 to 586.
+        size: edges in metres along the item's x, y, z.
+        tag_size: edge in metres of the tag's black square.
+
+    Raises:
+        OSError: when the folder can't be written to.
+    """
+    stem = f"item_{tag}_{'x'.join(str(round(edge * 1e4)) for edge in (*size, tag_size))}"
+    atlas, regions = _atlas(tag, size, tag_size)
+    if not cv2.imwrite(str(folder / f"{stem}.png"), atlas[:, :, ::-1]):
+        raise OSError(f"{folder / stem}.png: can't be written")
+    (folder / f"{stem}.mtl").write_text(
+        f"newmtl label\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nNs 1\nmap_Kd {stem}.png\n", encoding="ascii"
+    )
+    path = folder / f"{stem}.obj"
+    path.write_text(_obj(stem, size, regions), encoding="ascii")
+    return path
+
+
+Region = tuple[float, float, float, float]
+"""u from, u to, v from, v to: of the atlas, v upwards."""
+
+
+def _atlas(
+    tag: int, size: Vector3, tag_size: float
+) -> tuple[NDArray[np.uint8], tuple[Region, Region, Region]]:
+    """Return the picture (rows, columns, 3) and the regions of x sides, y sides and lid in it."""
+    scale = CELLS * PIXELS_PER_CELL / tag_size
+    height = round(size[2] * scale)
+    widths = (round(size[1] * scale), round(size[0] * scale), PIXELS_PER_CELL * 4)
+    gap = PIXELS_PER_CELL
+    total = sum(widths) + gap * (len(widths) - 1)
+    atlas = np.full((height, total, 3), MARGIN_GREY, dtype=np.uint8)
+    marker = tag_image(tag)
+    regions: list[Region] = []
+    left = 0
+    for width in widths[:2]:
+        row, column = (height - marker.shape[0]) // 2, left + (width - marker.shape[1]) // 2
+        atlas[row : row + marker.shape[0], column : column + marker.shape[1]] = marker[:, :, np.newaxis]
+        regions.append((left / total, (left + width) / total, 0.0, 1.0))
+        left += width + gap
+    atlas[:, left - gap // 2 :] = LID_RGB
+    inset = PIXELS_PER_CELL
+    regions.append(((left + inset) / total, (left + widths[2] - inset) / total, 0.3, 0.7))
+    return atlas, (regions[0], regions[1], regions[2])
+
+
+def _obj(stem: str, size: Vector3, regions: tuple[Region, Region, Region]) -> str:
+    half = (size[0] / 2, size[1] / 2, size[2] / 2)
+    lines = [f"mtllib {stem}.mtl", "usemtl label"]
+    quads: list[tuple[Vector3, Vector3, Vector3, Region]] = [
+        (face.normal, face.right, (0.0, 0.0, 1.0), regions[0] if face.normal[0] else regions[1])
+        for face in FACES
+    ]
+    quads.append(((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), regions[2]))
+    quads.append(((0.0, 0.0, -1.0), (1.0, 0.0, 0.0), (0.0, -1.0, 0.0), regions[2]))
+    faces = []
+    for index, (normal, right, up, region) in enumerate(quads):
+        lines += _quad(normal, right, up, region, half)
+        a, b, c, d = (4 * index + corner for corner in (1, 2, 3, 4))
+        n = index + 1
+        faces.append(f"f {a}/{a}/{n} {b}/{b}/{n} {c}/{c}/{n}")
+        faces.append(f"f {a}/{a}/{n} {c}/{c}/{n} {d}/{d}/{n}")
+    return "\n".join([*lines, *faces]) + "\n"
+
+
+def _quad(normal: Vector3, right: Vector3, up: Vector3, region: Region, half: Vector3) -> list[str]:
+    """Return the lines of four corners, counter-clockwise as seen from outside, and the normal."""
+    u0, u1, v0, v1 = region
+    lines = []
+    for sr, su, u, v in ((-1, -1, u0, v0), (1, -1, u1, v0), (1, 1, u1, v1), (-1, 1, u0, v1)):
+        corner = [half[i] * (normal[i] + sr * right[i] + su * up[i]) for i in range(3)]
+        lines.append("v " + " ".join(f"{value:.6f}" for value in corner))
+        lines.append(f"vt {u:.6f} {v:.6f}")
+    lines.append("vn " + " ".join(f"{value:.1f}" for value in normal))
+    return lines

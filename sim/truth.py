@@ -1,0 +1,118 @@
+"""What is really so: for tests and reports only. No skill and no tree may read this."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from sim.scene import item_name, support_height
+from skills.ports.geometry import Pose
+from skills.ports.keys import Nothing, Service
+from skills.ports.message import Message, RobotTime
+from skills.ports.site import Site
+
+if TYPE_CHECKING:
+    from sim.body import RobotBody
+    from sim.world import World
+
+ROBOT: Final = "robot"
+LYING_TOLERANCE: Final = 0.01
+"""Metres by which an item's underside may be off its support's top."""
+
+
+class TrueBody(Message):
+    """Where a body's centre is in map; ``tag`` for items."""
+
+    name: str
+    pose: Pose
+    tag: int | None = None
+
+
+class TrueContact(Message):
+    """Two things that touch, as ``robot/<link>`` or a body's name, and the normal forces' sum in N."""
+
+    first: str
+    second: str
+    force: float
+
+
+class Truth(Message):
+    """The true state of the world at one moment; ``bodies`` are those that can move."""
+
+    stamp: RobotTime
+    base_in_map: Pose
+    bodies: tuple[TrueBody, ...]
+    contacts: tuple[TrueContact, ...]
+
+    def item(self, tag: int) -> TrueBody:
+        """Return an item; KeyError when there is none with that tag."""
+        for body in self.bodies:
+            if body.tag == tag:
+                return body
+        there = ", ".join(str(body.tag) for body in self.bodies if body.tag is not None)
+        raise KeyError(f"no item {tag}; there are {there}")
+
+    def touching(self, name: str) -> tuple[str, ...]:
+        """Return what a body touches, sorted."""
+        pairs = [(c.first, c.second) for c in self.contacts] + [(c.second, c.first) for c in self.contacts]
+        return tuple(sorted({other for one, other in pairs if one == name}))
+
+
+TRUTH: Final = Service("sim/truth", Nothing, Truth)
+
+
+def read_truth(world: World, robot: RobotBody, stamp: RobotTime) -> Truth:
+    """Return what is so now."""
+    position, orientation = robot.base_pose()
+    bodies = []
+    for name in world.movable():
+        label = world.bodies[name].label
+        bodies.append(TrueBody(name=name, pose=world.pose(name), tag=None if label is None else label.tag))
+    return Truth(
+        stamp=stamp,
+        base_in_map=Pose(position=position, orientation=orientation),
+        bodies=tuple(bodies),
+        contacts=_contacts(world, robot),
+    )
+
+
+def lies_on(truth: Truth, site: Site, tag: int, furniture: str) -> bool:
+    """Say whether an item stands on a piece of furniture, on one of its sides, free of the robot.
+
+    Raises:
+        KeyError: when there is no such item or furniture.
+    """
+    body, known = truth.item(tag), site.item(tag)
+    if known is None:
+        raise KeyError(f"site {site.name} knows no item {tag}")
+    if furniture not in [piece.name for piece in site.furniture]:
+        raise KeyError(f"no furniture '{furniture}' at site {site.name}")
+    x, y, z = body.pose.position
+    try:
+        top = support_height(site, furniture, x, y)
+    except KeyError:
+        return False
+    resting = any(abs(z - top - edge / 2) < LYING_TOLERANCE for edge in known.size)
+    held = any(other.startswith(f"{ROBOT}/") for other in truth.touching(item_name(tag)))
+    return resting and not held
+
+
+def _contacts(world: World, robot: RobotBody) -> tuple[TrueContact, ...]:
+    """Return the contacts of the robot and of all that can move, one for each pair, sorted."""
+    names = world.names_by_id()
+    links = {index: name for name, index in robot.link_index.items()}
+
+    def name_of(body: int, link: int) -> str:
+        return f"{ROBOT}/{links[link]}" if body == robot.body else names[body]
+
+    forces: dict[tuple[str, str], float] = {}
+    told: set[int] = set()
+    for body in (robot.body, *(world.id_of(name) for name in world.movable())):
+        for contact in world.physics.contacts(body):
+            if contact.body_b in told or contact.force <= 0.0:
+                continue
+            first = name_of(contact.body_a, contact.link_a)
+            second = name_of(contact.body_b, contact.link_b)
+            pair = (min(first, second), max(first, second))
+            forces[pair] = forces.get(pair, 0.0) + contact.force
+        told.add(body)
+    return tuple(TrueContact(first=a, second=b, force=round(f, 3)) for (a, b), f in sorted(forces.items()))

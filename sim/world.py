@@ -1,0 +1,122 @@
+"""The room in the physics: bodies by name, put there, taken away, and asked where they are."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import pybullet
+
+from sim.scenario import BoxShape
+from sim.scene import SceneBody, build_scene
+from skills.ports.geometry import Pose
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from sim.physics import Physics
+    from sim.scenario import Scenario
+    from skills.ports.site import Site
+
+RESTING_SPEED: Final = 0.002
+"""m/s below which a body counts as at rest."""
+
+
+class World:
+    """All bodies but the robot.
+
+    A body is moved by hand only as the sim's own controls do it: taken away and made anew elsewhere.
+    ``revision`` counts such changes, so that a drawing of the world knows when it is out of date.
+    """
+
+    def __init__(self, physics: Physics) -> None:
+        self.physics = physics
+        self.floor = physics.add_floor()
+        self.revision = 0
+        self._bodies: dict[str, SceneBody] = {}
+        self._ids: dict[str, int] = {}
+
+    @property
+    def bodies(self) -> Mapping[str, SceneBody]:
+        """What there is, as it was put there, in the order of putting."""
+        return self._bodies
+
+    def id_of(self, name: str) -> int:
+        """Return a body's number in the physics; KeyError when there is none of that name."""
+        return self._ids[name]
+
+    def names_by_id(self) -> dict[int, str]:
+        """Return the name of each body by its number, the floor's too."""
+        return {self.floor: "floor", **{body: name for name, body in self._ids.items()}}
+
+    def put(self, body: SceneBody) -> int:
+        """Make a body, in place of the one of that name if there is one; return its number."""
+        if body.name in self._ids:
+            self.remove(body.name)
+        made = _make(self.physics, body)
+        self._ids[body.name] = made
+        self._bodies[body.name] = body
+        self.revision += 1
+        return made
+
+    def remove(self, name: str) -> None:
+        """Take a body away; KeyError when there is none of that name. What stood on it falls."""
+        self.physics.remove(self._ids.pop(name))
+        del self._bodies[name]
+        self.revision += 1
+
+    def pose(self, name: str) -> Pose:
+        """Return where a body's centre truly is in map; KeyError when there is none of that name."""
+        position, orientation = self.physics.body_pose(self._ids[name])
+        return Pose(position=position, orientation=orientation)
+
+    def movable(self) -> tuple[str, ...]:
+        """Return the names of the bodies that can move."""
+        return tuple(name for name, body in self._bodies.items() if body.mass > 0.0)
+
+    def speed(self) -> float:
+        """Return the speed in m/s of the fastest body."""
+        fastest = 0.0
+        for name in self.movable():
+            (x, y, z), _ = self.physics.body_velocity(self._ids[name])
+            fastest = max(fastest, (x * x + y * y + z * z) ** 0.5)
+        return fastest
+
+    def settle(self, *, most: int = 500, least: int = 50) -> int:
+        """Step the physics until all is at rest; return the steps taken, ``most`` at the most."""
+        for done in range(1, most + 1):
+            self.physics.step()
+            if done >= least and self.speed() < RESTING_SPEED:
+                return done
+        return most
+
+
+def spawn(physics: Physics, site: Site, scenario: Scenario) -> World:
+    """Fill the physics with the room as the scenario has it; nothing is stepped yet.
+
+    Raises:
+        ScenarioError: when the scenario doesn't fit the site.
+    """
+    world = World(physics)
+    for body in build_scene(site, scenario, source=scenario.name):
+        world.put(body)
+    return world
+
+
+def _make(physics: Physics, body: SceneBody) -> int:
+    position, orientation = body.pose.position, body.pose.orientation
+    if isinstance(body.shape, BoxShape):
+        colour = (*body.colour, 1.0)
+        return physics.add_box(
+            body.shape.size, body.mass, position, orientation, friction=body.friction, colour=colour
+        )
+    shape = pybullet.createCollisionShape(
+        pybullet.GEOM_CYLINDER,
+        radius=body.shape.radius,
+        height=body.shape.height,
+        physicsClientId=physics.client,
+    )
+    made: int = pybullet.createMultiBody(
+        body.mass, shape, -1, position, orientation, physicsClientId=physics.client
+    )
+    physics.set_surface(made, -1, friction=body.friction)
+    return made

@@ -1,0 +1,1 @@
+"""How the robot does things: skills as generators, one folder a domain."""

@@ -1,0 +1,135 @@
+"""One trajectory goal on the hardware: sent, watched, stopped."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import dataclass
+from typing import Final
+
+from skills.arm.trajectory import Trajectory
+from skills.ports.bus import Bus, Pending
+from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.hardware import CancelMotion, GroupStatus, MotionState, TrajectoryGoal
+from skills.ports.keys import STOP_STATE, Latest, group_cancel, group_goal, group_status
+
+ANSWER_WITHIN: Final = 2.0
+"""Robot seconds for the hardware's answer to a goal or a cancel."""
+LATE: Final = 2.0
+"""Robot seconds beyond the motion's and its settling time after which the hardware is said to be lost."""
+ENDED: Final = frozenset({MotionState.SUCCEEDED, MotionState.ABORTED, MotionState.CANCELED})
+
+
+@dataclass(frozen=True)
+class Ended:
+    """How the hardware ended a motion; ``failure`` is None when it got there, or was told to stop."""
+
+    status: GroupStatus | None
+    failure: Failure | None
+
+
+class GroupDriver:
+    """Speaks to one group of the hardware.
+
+    Args:
+        bus: where the hardware is.
+        clocks: robot time.
+        group: the group's name.
+        where: the action's name, for failures.
+    """
+
+    def __init__(self, bus: Bus, clocks: Clocks, group: str, where: str) -> None:
+        self._bus, self._clocks, self._where = bus, clocks, where
+        self._goal, self._cancel = group_goal(group), group_cancel(group)
+        self._status = Latest(bus, group_status(group))
+        self._stop = Latest(bus, STOP_STATE)
+        self._group = group
+        self.moving = False
+        self._ends_at = 0.0
+        self._sent_at = 0.0
+        self._duration = 0.0
+        self._id = ""
+
+    def send(self, goal_id: str, trajectory: Trajectory) -> Generator[None, None, Failure | None]:
+        """Hand the motion over; yields while there is no answer. A failure means that nothing moves."""
+        goal = TrajectoryGoal(id=goal_id, points=trajectory.points())
+        self._id = goal_id
+        self.moving = True
+        pending = self._goal.query(self._bus, goal)
+        answer = yield from self._await(pending)
+        if answer is None:
+            self.stop()
+            return self._failure(FailureKind.HARDWARE_LOST, f"{self._group} did not answer to a goal")
+        accepted = self._goal.decode_answer(answer)
+        if not accepted.accepted:
+            self.moving = False
+            kind = FailureKind.HARDWARE_STOPPED if self.stopped else FailureKind.NOT_READY
+            return self._failure(kind, f"{self._group} refused the motion: {accepted.reason}")
+        self._sent_at, self._duration = robot_seconds(self._clocks), trajectory.duration
+        self._ends_at = self._sent_at + trajectory.duration + goal.goal_time + LATE
+        return None
+
+    @property
+    def stopped(self) -> bool:
+        """Whether the hardware's stop is set."""
+        state = self._stop.refresh()
+        return state is not None and state.stopped
+
+    @property
+    def elapsed(self) -> float:
+        """Seconds of the motion that have passed."""
+        return min(self._duration, max(0.0, robot_seconds(self._clocks) - self._sent_at))
+
+    @property
+    def progress(self) -> float:
+        """Share of the motion's time that has passed, 0 to 1."""
+        if self._duration <= 0.0:
+            return 1.0
+        return min(1.0, max(0.0, (robot_seconds(self._clocks) - self._sent_at) / self._duration))
+
+    def poll(self) -> Ended | None:
+        """Return how the motion ended, and None while it goes on."""
+        status = self._status.refresh()
+        if status is not None and status.goal_id == self._id and status.state in ENDED and status.at_rest:
+            self.moving = False
+            return Ended(status, self._explain(status))
+        if robot_seconds(self._clocks) > self._ends_at:
+            self.stop()
+            self.moving = False
+            return Ended(None, self._failure(FailureKind.HARDWARE_LOST, f"{self._group} tells of no end"))
+        return None
+
+    def stop(self) -> None:
+        """Tell the hardware to stop; ``poll`` then tells when it is at rest."""
+        self._cancel.query(self._bus, CancelMotion(id=self._id))
+        self._ends_at = robot_seconds(self._clocks) + ANSWER_WITHIN + LATE
+
+    def close(self) -> None:
+        """End the subscriptions."""
+        self._status.close()
+        self._stop.close()
+
+    def _await(self, pending: Pending) -> Generator[None, None, bytes | None]:
+        until = robot_seconds(self._clocks) + ANSWER_WITHIN
+        while (answer := pending.poll()) is None:
+            if pending.done() or robot_seconds(self._clocks) > until:
+                return pending.poll()
+            yield
+        return answer
+
+    def _explain(self, status: GroupStatus) -> Failure | None:
+        if status.state is MotionState.ABORTED:
+            kind = FailureKind.HARDWARE_STOPPED if self.stopped else FailureKind.ARM_STOPPED
+            return self._failure(
+                kind,
+                f"{status.joint or self._group} strayed by {status.error:.3f}",
+                joint=status.joint,
+                error_rad=status.error,
+                share=round(self.progress, 3),
+            )
+        if status.state is MotionState.CANCELED and self.stopped:
+            return self._failure(FailureKind.HARDWARE_STOPPED, f"{self._group} was stopped")
+        return None
+
+    def _failure(self, kind: FailureKind, message: str, **evidence: str | float | bool) -> Failure:
+        return Failure(kind=kind, message=message, where=self._where, evidence=evidence)

@@ -1,0 +1,320 @@
+"""MOVE: bring a group to joint positions, a named posture, or the hand to a pose, through free space only.
+
+Nothing moves before the whole motion was checked against the newest planning scene. A paused move stops, and
+plans anew from where it stands when it goes on.
+"""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Generator
+from typing import Final
+
+import numpy as np
+
+from skills.arm.motion import Ended, GroupDriver
+from skills.arm.plan_move import MovePlanner, Steps
+from skills.arm.planning.settings import PlannerSettings
+from skills.arm.problem import Arm, Moment, Plan
+from skills.arm.status import ArmStatusBoard
+from skills.arm.watch import MotionWatch
+from skills.ports.actions.arm import ArmState, MoveFeedback, MoveGoal, MovePhase, MoveResult, move
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.compute import Compute
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.geometry import distance
+from skills.ports.keys import JOINT_STATES, Latest
+from skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
+from skills.ports.world import ROBOT_POSE, SCENE
+
+UNIT_COST: Final = 25e-6
+"""Robot seconds that lockstep charges for one collision check or iteration."""
+SLICE_UNITS: Final = 80
+"""Units of work between two chances to be stopped: about 2 ms."""
+HEARD_WITHIN: Final = 2.0
+"""Robot seconds for which a move waits for joint states, the scene and the robot's pose."""
+POSE_TOLERANCE: Final = 0.015
+"""Metres between the pose asked for and reached, beyond which the move failed."""
+JOINT_TOLERANCE: Final = 0.05
+"""Radians (or metres), the same for joints."""
+
+Moves = Run[MoveFeedback, MoveResult]
+
+
+class Move:
+    """The skill of moving one group.
+
+    Args:
+        bus: the hardware, the world, the clients.
+        clocks: robot time.
+        arm: the group.
+        board: tells what the group does.
+        settings: the planner and its bounds.
+        seed: with a goal's id, seeds its plan.
+        compute: plans what can't be sliced; without one it is done in place.
+    """
+
+    def __init__(
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        arm: Arm,
+        board: ArmStatusBoard,
+        settings: PlannerSettings,
+        *,
+        seed: int = 0,
+        compute: Compute | None = None,
+    ) -> None:
+        self._clocks, self._arm, self._board, self._seed = clocks, arm, board, seed
+        self._action = move(arm.group.name)
+        self._planner = MovePlanner(arm, settings, self._action.name, compute)
+        self._driver = GroupDriver(bus, clocks, arm.group.name, self._action.name)
+        self._joints = Latest(bus, JOINT_STATES)
+        self._scene, self._pose = Latest(bus, SCENE), Latest(bus, ROBOT_POSE)
+
+    @property
+    def action(self) -> ActionType[MoveGoal, MoveFeedback, MoveResult]:
+        """The contract."""
+        return self._action
+
+    @property
+    def period(self) -> float:
+        """Robot seconds between two resumptions."""
+        return 0.02
+
+    def check(self, goal: MoveGoal) -> Failure | None:
+        """Say why the goal can't be taken: wrong number of joints, unknown posture, a pose without a hand."""
+        joints = self._arm.group.joints
+        if goal.joints is not None and len(goal.joints) != len(joints):
+            return self._failure(
+                FailureKind.INVALID_GOAL, f"{len(joints)} joints were expected, {len(goal.joints)} given"
+            )
+        outside = self._outside(goal.joints or ())
+        if outside:
+            return self._failure(FailureKind.INVALID_GOAL, outside)
+        if goal.posture is not None:
+            try:
+                self._arm.description.posture(self._arm.group.name, goal.posture)
+            except KeyError as error:
+                return self._failure(FailureKind.INVALID_GOAL, str(error.args[0]))
+        if goal.candidates and self._arm.hand is None:
+            return self._failure(FailureKind.INVALID_GOAL, f"{self._arm.group.name} has no hand: joints only")
+        if self._driver.stopped:
+            return self._failure(FailureKind.HARDWARE_STOPPED, "the hardware's stop is set")
+        return None
+
+    def _outside(self, positions: tuple[float, ...]) -> str:
+        """Return in words which position is outside its joint's limits, or nothing."""
+        for limit, value in zip(self._arm.group.limits, positions, strict=False):
+            if not limit.lower <= value <= limit.upper:
+                span = f"{limit.lower:.3f} to {limit.upper:.3f}"
+                return f"{limit.joint}: {span} was expected, {value:.3f} given"
+        return ""
+
+    def run(self, goal: MoveGoal, goal_id: str) -> Moves:
+        """Plan, check, move, verify."""
+        self._board.show(ArmState.ARM_RUNNING)
+        state = ArmState.ARM_FAIL
+        try:
+            outcome = yield from self._attempts(goal, goal_id)
+            if outcome.canceled:
+                state = ArmState.ARM_IDLE
+            elif outcome.result is not None:
+                state = ArmState.ARM_SUCCESS
+            return outcome
+        finally:
+            if self._driver.moving:
+                self._driver.stop()
+                self._driver.moving = False
+            self._board.show(state)
+
+    def _attempts(self, goal: MoveGoal, goal_id: str) -> Moves:
+        steps, number = 0, 0
+        while True:
+            moment = yield from self._listen(goal)
+            if moment is None or isinstance(moment, Failure):
+                return canceled() if moment is None else failed(moment)
+            rng = np.random.default_rng([self._seed, zlib.crc32(goal_id.encode()), number])
+            planned, slices, command = yield from self._sliced(self._planner.plan(goal, moment, rng))
+            steps += slices
+            if command is Command.CANCEL:
+                return canceled()
+            if isinstance(planned, Failure):
+                return failed(planned)
+            if isinstance(planned, Plan):
+                outcome = yield from self._execute(goal, f"{goal_id}#{number}", moment, planned, steps)
+                if outcome is not None:
+                    return outcome
+            number += 1
+            if (yield from self._paused()):
+                return canceled()
+
+    def _listen(self, goal: MoveGoal) -> Generator[MoveFeedback | Slice, Command, Moment | Failure | None]:
+        """Return what is believed now, None when cancelled."""
+        until = robot_seconds(self._clocks) + HEARD_WITHIN
+        while True:
+            joints, scene, pose = self._joints.refresh(), self._scene.refresh(), self._pose.refresh()
+            missing = [
+                name
+                for name, value in (("joint states", joints), ("planning scene", scene), ("robot pose", pose))
+                if value is None
+            ]
+            if joints is not None and scene is not None and pose is not None:
+                if goal.candidates and goal.frame == "map" and not pose.localised:
+                    return self._failure(FailureKind.NOT_LOCALISED, "a pose in the map needs the robot's own")
+                return Moment(joints, scene, pose.base_in_map)
+            if robot_seconds(self._clocks) > until:
+                return self._failure(FailureKind.NOT_READY, f"not heard: {', '.join(missing)}")
+            if (yield self._feedback(MovePhase.PLANNING)) is Command.CANCEL:
+                return None
+
+    def _sliced(
+        self, steps: Steps
+    ) -> Generator[MoveFeedback | Slice, Command, tuple[Plan | Failure | None, int, Command]]:
+        """Run a computation in slices; ends early with the command that stops it."""
+        units, slices = 0, 0
+        while True:
+            before = units
+            try:
+                units += next(steps)
+            except StopIteration as stop:
+                return stop.value, slices, Command.GO_ON
+            if units == before:  # a worker is waited for
+                command = yield self._feedback(MovePhase.PLANNING)
+                if command in {Command.CANCEL, Command.PAUSE}:
+                    return None, slices, command
+            if units >= SLICE_UNITS:
+                command = yield Slice(units * UNIT_COST)
+                units, slices = 0, slices + 1
+                if command in {Command.CANCEL, Command.PAUSE}:
+                    return None, slices, command
+
+    def _execute(  # noqa: PLR0911 - one way out for each way a motion can end
+        self, goal: MoveGoal, motion_id: str, moment: Moment, plan: Plan, steps: int
+    ) -> Generator[MoveFeedback | Slice, Command, Outcome[MoveResult] | None]:
+        """Move along the plan; None when it was paused and has to be planned again."""
+        changed, command = yield from self._against_newest(goal, moment, plan)
+        if command is Command.CANCEL:
+            return canceled()
+        if command is Command.PAUSE:
+            return None
+        if changed is not None:
+            return failed(changed)
+        if len(plan.trajectory.times) == 1:
+            return self._verify(plan, steps, 0.0)
+        watch = MotionWatch(self._planner, self._scene, goal, moment, plan)
+        began = robot_seconds(self._clocks)
+        refused, command = yield from self._send(motion_id, plan)
+        if refused is not None:
+            return canceled() if command is Command.CANCEL else failed(refused)
+        ended, command = yield from self._watch(command, watch)
+        if command is Command.CANCEL:
+            return canceled()
+        if ended.failure is not None:
+            return failed(ended.failure)
+        if command is Command.PAUSE:
+            return None
+        return self._verify(plan, steps, robot_seconds(self._clocks) - began)
+
+    def _send(
+        self, motion_id: str, plan: Plan
+    ) -> Generator[MoveFeedback | Slice, Command, tuple[Failure | None, Command]]:
+        """Hand the motion over; commands that come meanwhile are kept."""
+        command = Command.GO_ON
+        sending = self._driver.send(motion_id, plan.trajectory)
+        while True:
+            try:
+                next(sending)
+            except StopIteration as stop:
+                refused: Failure | None = stop.value
+                return refused, command
+            command = _graver(command, (yield self._feedback(MovePhase.MOVING)))
+
+    def _against_newest(
+        self, goal: MoveGoal, moment: Moment, plan: Plan
+    ) -> Generator[MoveFeedback | Slice, Command, tuple[Failure | None, Command]]:
+        """Check the motion again if the scene has changed meanwhile; ends early with a command."""
+        scene = self._scene.refresh()
+        if scene is None or scene.version == moment.scene.version:
+            return None, Command.GO_ON
+        newest = Moment(moment.joints, scene, moment.base_in_map)
+        recheck = self._planner.recheck(plan.trajectory, goal, newest)
+        while True:
+            try:
+                units = next(recheck)
+            except StopIteration as stop:
+                found: Failure | None = stop.value
+                return found, Command.GO_ON
+            command = yield Slice(units * UNIT_COST)
+            if command in {Command.CANCEL, Command.PAUSE}:
+                return None, command
+
+    def _watch(
+        self, command: Command, watch: MotionWatch
+    ) -> Generator[MoveFeedback | Slice, Command, tuple[Ended, Command]]:
+        """Wait for the end; a cancel, a pause or an obstacle stops the hardware, then its rest is awaited."""
+        stopping = False
+        while True:
+            wrong = watch.found
+            if (command in {Command.CANCEL, Command.PAUSE} or wrong is not None) and not stopping:
+                self._driver.stop()
+                stopping = True
+            ended = self._driver.poll()
+            if ended is not None:
+                return Ended(ended.status, wrong or ended.failure), command
+            units = 0 if stopping else watch.look(self._driver.elapsed)
+            if units:
+                command = _graver(command, (yield Slice(units * UNIT_COST)))
+                continue
+            phase = MovePhase.STOPPING if stopping else MovePhase.MOVING
+            command = _graver(command, (yield self._feedback(phase)))
+
+    def _paused(self) -> Generator[MoveFeedback | Slice, Command, bool]:
+        """Wait for RESUME; True when it was cancelled instead."""
+        while True:
+            command = yield self._feedback(MovePhase.STOPPING)
+            if command in {Command.RESUME, Command.CANCEL}:
+                return command is Command.CANCEL
+
+    def _verify(self, plan: Plan, steps: int, duration: float) -> Outcome[MoveResult]:
+        joints = self._joints.refresh()
+        assert joints is not None  # heard before planning
+        reached = joints.position_of(self._arm.group.joints)
+        target, hand = plan.target_in_base, self._arm.hand
+        if target is not None and hand is not None:
+            positions = dict(zip(joints.names, joints.positions, strict=True))
+            error = distance(self._arm.hulls.robot.pose(hand.frame, positions), target)
+            allowed, unit = POSE_TOLERANCE, "error_m"
+        else:
+            error = float(np.max(np.abs(np.array(reached) - plan.trajectory.positions[-1])))
+            allowed, unit = JOINT_TOLERANCE, "error_rad"
+        if error > allowed:
+            return failed(
+                self._failure(
+                    FailureKind.ARM_OFF_GOAL, f"{error:.3f} off, {allowed} are allowed", **{unit: error}
+                )
+            )
+        return succeeded(
+            MoveResult(
+                candidate=plan.candidate,
+                positions=reached,
+                error=error,
+                planning_steps=steps,
+                duration=duration,
+            )
+        )
+
+    def _feedback(self, phase: MovePhase) -> MoveFeedback:
+        progress = 0.0 if phase is MovePhase.PLANNING else self._driver.progress
+        return MoveFeedback(phase=phase, progress=progress)
+
+    def _failure(self, kind: FailureKind, message: str, **evidence: str | float | bool) -> Failure:
+        return Failure(kind=kind, message=message, where=self._action.name, evidence=evidence)
+
+
+def _graver(before: Command, now: Command) -> Command:
+    """Return which command holds: a cancel stands; a pause stands until it is resumed or cancelled."""
+    if before is Command.CANCEL or now is Command.GO_ON:
+        return before
+    return now

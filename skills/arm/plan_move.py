@@ -1,0 +1,358 @@
+"""From a goal to a checked motion, or to what stands in the way."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import dataclass
+
+import numpy as np
+
+from skills.arm.curve import through
+from skills.arm.far_path import FarJob, FarProblem, elsewhere
+from skills.arm.planning.motions import Motions, Space, halving
+from skills.arm.planning.path import find_path
+from skills.arm.planning.settings import PlannerName, PlannerSettings
+from skills.arm.planning.straight import Broken, Hand, Line, follow, foresee, line_ends
+from skills.arm.problem import Arm, Moment, Plan, words
+from skills.arm.scene import to_base
+from skills.arm.timing import time_curve, time_path
+from skills.arm.trajectory import Trajectory
+from skills.kinematics.collision import CollisionChecker
+from skills.kinematics.ik import IkAnswer
+from skills.kinematics.transforms import Array, to_se3
+from skills.ports.actions.arm import Candidate, MoveGoal
+from skills.ports.compute import Compute
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.geometry import Pose
+
+Steps = Generator[int, None, Plan | Failure]
+"""Yields units of work (a collision check each, about), 0 while a worker is waited for."""
+
+LOOKS = (6, 40)
+"""Starts of inverse kinematics: first few at every candidate, then, if none will do, many."""
+FINER = (1.0, 0.5, 0.25)
+"""Shares of the step; the next is taken when the motion that was found turns out to graze something."""
+ENOUGH = 1
+"""Solutions of a candidate that are carried on to the planner."""
+BLENDS = (1.0, 0.6, 0.3, 0.0)
+"""How much of the corners is cut, most first; at 0 the motion stops in each waypoint, as it was planned."""
+FINE_STEP = 0.012
+"""Metres (weighed) between two states of the last check of a whole motion."""
+CHECKS_AT_ONCE = 60
+
+
+class MovePlanner:
+    """Plans the moves of one group.
+
+    Args:
+        arm: the group.
+        settings: the planner and its bounds.
+        where: the action's name, for failures.
+        compute: where planning is done that can't be sliced; without one, in place.
+    """
+
+    def __init__(
+        self, arm: Arm, settings: PlannerSettings, where: str, compute: Compute | None = None
+    ) -> None:
+        self._arm, self._settings, self._where, self._compute = arm, settings, where, compute
+
+    def plan(self, goal: MoveGoal, moment: Moment, rng: np.random.Generator) -> Steps:
+        """Plan the goal from where the group stands at that moment."""
+        checker = self._arm.checker(moment, goal)
+        yield CHECKS_AT_ONCE  # making the checker took about as long
+        start = self._arm.start(moment)
+        # Only a straight approach may touch the item; on the way to where it begins, nothing may.
+        checker.touch(allowed=goal.straight)
+        stuck = checker.let_rest(start)
+        yield CHECKS_AT_ONCE
+        if stuck:
+            deepest = stuck[0]
+            return self._failure(
+                FailureKind.NO_PATH,
+                f"the group stands in collision: {words(deepest)}",
+                contact=words(deepest),
+                depth_m=deepest.depth,
+                at_start=True,
+            )
+        motions = self._motions(checker)
+        if goal.candidates and goal.straight:
+            return (yield from self._straight(goal, moment, motions, start))
+        if goal.candidates:
+            return (yield from self._candidates(goal, moment, motions, start, rng))
+        return (yield from self._joints(goal, moment, motions, start, rng))
+
+    def reaches(
+        self,
+        goal: MoveGoal,
+        moment: Moment,
+        rng: np.random.Generator,  # noqa: ARG002 - nothing is drawn any more
+    ) -> Generator[int, None, bool]:
+        """Say whether one of the goal's candidates has joint positions, with all that follows it."""
+        checker = self._arm.checker(moment, goal)
+        yield CHECKS_AT_ONCE
+        start, motions, hand = self._arm.start(moment), self._motions(checker), self._hand(checker)
+        poses = [to_base(each.pose, goal.frame, moment.base_in_map) for each in goal.candidates]
+        answers = yield from hand.solver.solve(hand.chain, [to_se3(each) for each in poses], start, LOOKS[0])
+        for candidate, answer in zip(goal.candidates, answers, strict=True):
+            ends = yield from self._ends(goal, moment, motions, candidate, answer)
+            if not isinstance(ends, _Refusal):
+                return True
+        return False
+
+    def recheck(
+        self,
+        trajectory: Trajectory,
+        goal: MoveGoal,
+        moment: Moment,
+        *,
+        after: float = 0.0,
+        padded: bool = True,
+    ) -> Generator[int, None, Failure | None]:
+        """Check a motion, from ``after`` seconds on, against another moment's world."""
+        checker = self._arm.checker(moment, goal, padded=padded)
+        yield CHECKS_AT_ONCE
+        checker.touch(allowed=goal.straight)
+        checker.let_rest(trajectory.positions[0])
+        if goal.touch_support:
+            checker.let_rest(trajectory.positions[-1], carried_only=True)
+        yield CHECKS_AT_ONCE
+        graze = yield from self._check(self._motions(checker), trajectory, after)
+        return None if graze is None else self._grazed(graze, checker)
+
+    def _motions(self, checker: CollisionChecker) -> Motions:
+        return Motions(checker, Space(self._arm.limits, self._arm.weights))
+
+    def _joints(
+        self, goal: MoveGoal, moment: Moment, motions: Motions, start: Array, rng: np.random.Generator
+    ) -> Steps:
+        named = goal.joints
+        if named is None:
+            named = self._arm.description.posture(self._arm.group.name, goal.posture or "").positions
+        end = np.clip(np.array(named), self._arm.limits.lower, self._arm.limits.upper)
+        if not motions.checker.free(end):
+            contact = next(iter(motions.checker.contacts(end)), None)
+            return self._failure(
+                FailureKind.NO_IK, f"in collision there: {words(contact)}", contact=words(contact)
+            )
+        return (yield from self._way(goal, moment, motions, start, [end], rng, 0, None))
+
+    def _candidates(
+        self, goal: MoveGoal, moment: Moment, motions: Motions, start: Array, rng: np.random.Generator
+    ) -> Steps:
+        hand = self._hand(motions.checker)
+        poses = [to_base(each.pose, goal.frame, moment.base_in_map) for each in goal.candidates]
+        refused: list[_Refusal | Failure] = []
+        for starts in LOOKS:
+            refused = []
+            # The first is often the one: the others are solved together, and only if it was not.
+            for numbers in (range(1), range(1, len(poses))):
+                targets = [to_se3(poses[number]) for number in numbers]
+                if not targets:
+                    continue
+                answers = yield from hand.solver.solve(hand.chain, targets, start, starts)
+                for number, answer in zip(numbers, answers, strict=True):
+                    ends = yield from self._ends(goal, moment, motions, goal.candidates[number], answer)
+                    if isinstance(ends, _Refusal):
+                        refused.append(ends)
+                        continue
+                    plan = yield from self._way(
+                        goal, moment, motions, start, ends, rng, number, poses[number]
+                    )
+                    if isinstance(plan, Plan):
+                        return plan
+                    refused.append(plan)
+        failures: list[Failure] = []
+        for each in refused:
+            failures.append(each if isinstance(each, Failure) else self._explain(each, motions.checker))
+            yield CHECKS_AT_ONCE
+        planned = next((each for each in failures if each.kind is not FailureKind.NO_IK), failures[0])
+        return planned.model_copy(update={"causes": tuple(failures)})
+
+    def _ends(
+        self, goal: MoveGoal, moment: Moment, motions: Motions, candidate: Candidate, answer: IkAnswer
+    ) -> Generator[int, None, list[Array] | _Refusal]:
+        """Return joint positions for the candidate from which all that follows can be reached."""
+        checker, hand = motions.checker, self._hand(motions.checker)
+        free = [q for q in answer.solutions if checker.free(q)]
+        yield len(answer.solutions)
+        if not free:
+            return _Refusal(answer.distance, answer.solutions, None)
+        if not candidate.followed_by:
+            return free[:ENOUGH]
+        then = [to_base(pose, goal.frame, moment.base_in_map) for pose in candidate.followed_by]
+        lines, good = yield from line_ends(hand, np.array(free), then)
+        found: list[Array] = []
+        broken: Line | None = None
+        checker.touch(allowed=True)
+        for k in np.flatnonzero(good):
+            if goal.touch_support:
+                checker.let_rest(lines[k, -1], carried_only=True)
+            line = yield from foresee(hand, checker, lines[k], then)
+            if line.broken is None:
+                found.append(free[k])
+            else:
+                broken = line
+            if len(found) >= ENOUGH:
+                break
+        checker.touch(allowed=False)
+        return found or _Refusal(0.0, (), broken or Line(np.array(free[:1]), 0.0, Broken.OUT_OF_REACH))
+
+    def _way(  # noqa: PLR0917 - the problem's parts, in one order everywhere
+        self,
+        goal: MoveGoal,
+        moment: Moment,
+        motions: Motions,
+        start: Array,
+        ends: list[Array],
+        rng: np.random.Generator,
+        candidate: int,
+        target: Pose | None,
+    ) -> Steps:
+        """Find a path, time it, check it; where the check finds that it grazes, look again in finer steps."""
+        for end in ends:  # the straight motion needs no planner
+            direct = yield from self._timed(goal, motions, np.array([start, end]), candidate, target)
+            if isinstance(direct, Plan):
+                return direct
+        wrong: _Graze | None = None
+        for share in FINER:
+            finer = Motions(motions.checker, motions.space, motions.step * share)
+            if self._compute is not None and self._settings.planner is PlannerName.AORRTC:
+                far = FarProblem(self._arm.description, self._arm.group.name, moment, goal, share)
+                job = FarJob(far, start, tuple(ends), self._settings, int(rng.integers(2**31)))
+                path = yield from elsewhere(self._compute, job)
+            else:
+                path = yield from find_path(finer, start, ends, rng, self._settings)
+            if path is None:
+                break
+            plan = yield from self._timed(goal, finer, path, candidate, target)
+            if isinstance(plan, Plan):
+                return plan
+            wrong = plan
+        return self._no_path(len(ends)) if wrong is None else self._grazed(wrong, motions.checker)
+
+    def _straight(self, goal: MoveGoal, moment: Moment, motions: Motions, start: Array) -> Steps:
+        failures: list[Failure] = []
+        for number, candidate in enumerate(goal.candidates):
+            target = to_base(candidate.pose, goal.frame, moment.base_in_map)
+            if goal.touch_support:
+                yield from self._permit_support(motions.checker, start, target)
+            line = yield from follow(self._hand(motions.checker), motions.checker, start, target)
+            if line.broken is not None:
+                failures.append(self._broken(line, FailureKind.NO_PATH, motions.checker))
+                continue
+            trajectory = time_curve(through(line.path), self._arm.motion_limits.scaled(goal.speed))
+            wrong = yield from self._check(motions, trajectory)
+            if wrong is None:
+                return Plan(trajectory, number, target)
+            failures.append(self._grazed(wrong, motions.checker))
+        return failures[0].model_copy(update={"causes": tuple(failures[1:])})
+
+    def _permit_support(
+        self, checker: CollisionChecker, start: Array, target: Pose
+    ) -> Generator[int, None, None]:
+        """Let what is carried rest at the target as it would there, if not too deep."""
+        line = yield from follow(self._hand(checker), None, start, target)
+        if line.broken is None:
+            checker.let_rest(line.path[-1], carried_only=True)
+
+    def _timed(
+        self, goal: MoveGoal, motions: Motions, path: Array, candidate: int, target: Pose | None
+    ) -> Generator[int, None, Plan | _Graze]:
+        wrong: _Graze | None = None
+        for blend in BLENDS if len(path) > 2 else BLENDS[-1:]:  # noqa: PLR2004
+            trajectory = time_path(path, self._arm.motion_limits.scaled(goal.speed), blend)
+            yield 20
+            wrong = yield from self._check(motions, trajectory)
+            if wrong is None:
+                return Plan(trajectory, candidate, target)
+        assert wrong is not None
+        return wrong
+
+    def _check(
+        self, motions: Motions, trajectory: Trajectory, after: float = 0.0
+    ) -> Generator[int, None, _Graze | None]:
+        """Check the motion as the hardware will interpolate it, in fine steps."""
+        states = _fine(motions, trajectory, after)
+        checker = motions.checker
+        order = [len(states) - 1, *halving(len(states) - 1)]  # what is blocked is found early
+        for first in range(0, len(order), CHECKS_AT_ONCE):
+            numbers = order[first : first + CHECKS_AT_ONCE]
+            at = next((k for k in numbers if not checker.free(states[k])), None)
+            yield len(numbers)
+            if at is not None:
+                return _Graze(states[at], round(at / len(states), 3))
+        return None
+
+    def _hand(self, checker: CollisionChecker) -> Hand:
+        hand, solver = self._arm.hand, self._arm.solver
+        # ``check`` of the skill refuses poses for a group without a hand.
+        assert hand is not None
+        assert solver is not None
+        return Hand(solver, hand.frame, checker.chain)
+
+    def _grazed(self, graze: _Graze, checker: CollisionChecker) -> Failure:
+        contact = self._contact(checker, graze.q)
+        return self._failure(
+            FailureKind.PATH_IN_COLLISION, f"{contact} would touch", contact=contact, share=graze.share
+        )
+
+    def _no_path(self, goals: int) -> Failure:
+        return self._failure(
+            FailureKind.NO_PATH, "the planner found no way", goals=goals, planner=self._settings.planner.value
+        )
+
+    def _explain(self, refusal: _Refusal, checker: CollisionChecker) -> Failure:
+        if refusal.broken is not None:
+            return self._broken(refusal.broken, FailureKind.NO_IK, checker)
+        contact = self._contact(checker, refusal.blocked[0] if refusal.blocked else None)
+        return self._failure(
+            FailureKind.NO_IK,
+            "all joint positions for it collide" if refusal.blocked else "out of reach",
+            contact=contact,
+            blocked=len(refusal.blocked),
+            distance_m=round(refusal.distance, 4),
+        )
+
+    def _broken(self, line: Line, kind: FailureKind, checker: CollisionChecker) -> Failure:
+        return self._failure(
+            kind,
+            f"the straight line ends early: {line.broken}",
+            broken=str(line.broken),
+            contact=self._contact(checker, line.hit),
+            travelled=round(line.travelled, 3),
+        )
+
+    @staticmethod
+    def _contact(checker: CollisionChecker, q: Array | None) -> str:
+        return "" if q is None else words(next(iter(checker.contacts(q)), None))
+
+    def _failure(self, kind: FailureKind, message: str, **evidence: str | float | bool) -> Failure:
+        return Failure(kind=kind, message=message, where=self._where, evidence=evidence)
+
+
+@dataclass(frozen=True)
+class _Refusal:
+    """Why a candidate is none; put into words only when no other one is found."""
+
+    distance: float
+    blocked: tuple[Array, ...]
+    broken: Line | None
+
+
+@dataclass(frozen=True)
+class _Graze:
+    """Joint positions (n,) of a motion that are in collision, and at what share of it they come."""
+
+    q: Array
+    share: float
+
+
+def _fine(motions: Motions, trajectory: Trajectory, after: float) -> Array:
+    """Return states (m, n) of the motion from ``after`` seconds on, no farther apart than FINE_STEP."""
+    weights = motions.space.weights
+    seconds = trajectory.duration - after
+    dense = trajectory.sample(np.linspace(after, trajectory.duration, max(2, int(seconds / 0.004))))
+    ways = np.concatenate(([0.0], np.cumsum(np.linalg.norm(np.diff(dense, axis=0) * weights, axis=1))))
+    count = max(2, int(np.ceil(ways[-1] / FINE_STEP)) + 1)
+    marks = np.searchsorted(ways, np.linspace(0.0, ways[-1], count))
+    return dense[np.minimum(marks, len(dense) - 1)]

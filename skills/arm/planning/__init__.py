@@ -1,0 +1,1 @@
+"""Paths without collision: the only home of OMPL."""

@@ -1,0 +1,153 @@
+"""OMPL's planners over a group's motions, in slices.
+
+OMPL draws its seeds from one process-wide generator when a sampler is made. It is seeded anew before each
+slice, from the plan's own generator, so that a plan is the same whatever was planned before or between.
+A planner that does not ask often whether to stop is brought to it: beyond its checks every motion counts
+as blocked, which is safe, and it comes back at once. AORRTC can't be taken up again: all its checks are one
+slice.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+
+import numpy as np
+from ompl import base as ob
+from ompl import geometric as og
+from ompl import util as ou
+
+from skills.arm.planning.motions import Motions
+from skills.arm.planning.settings import PlannerName, PlannerSettings
+from skills.kinematics.transforms import Array
+
+_MAKERS = {
+    PlannerName.RRT_CONNECT: og.RRTConnect,
+    PlannerName.RRT_STAR: og.RRTstar,
+    PlannerName.BIT_STAR: og.BITstar,
+    PlannerName.AORRTC: og.AORRTC,
+}
+OVERDRAFT = 2
+"""Slices' worth of checks after which motions are called blocked until the slice ends."""
+
+
+class _Validator(ob.MotionValidator):  # type: ignore[misc]
+    """Checks motions in the weighed space; counts, and refuses once the account is empty."""
+
+    def __init__(self, information: ob.SpaceInformation, motions: Motions, account: _Account) -> None:
+        super().__init__(information)
+        self._motions, self._account = motions, account
+        self._n, self._weights = len(motions.space.weights), motions.space.weights
+
+    def checkMotion(self, a: ob.State, b: ob.State) -> bool:  # noqa: N802
+        if self._account.overdrawn():
+            return False
+        n = self._n
+        start, end = np.array(a[0:n]) / self._weights, np.array(b[0:n]) / self._weights
+        return self._motions.free(start, end)
+
+
+class _Account:
+    """The checks of one slice."""
+
+    def __init__(self, motions: Motions, each: int) -> None:
+        self._checker, self._each = motions.checker, each
+        self._start = 0
+
+    def open(self) -> None:
+        self._start = self._checker.checks
+
+    def spent(self) -> bool:
+        return self._checker.checks - self._start >= self._each
+
+    def overdrawn(self) -> bool:
+        return self._checker.checks - self._start >= OVERDRAFT * self._each
+
+
+def search(
+    motions: Motions,
+    start: Array,
+    goals: Sequence[Array],
+    rng: np.random.Generator,
+    settings: PlannerSettings,
+) -> Generator[int, None, Array | None]:
+    """Look for a free path from the start to any of the goals.
+
+    Args:
+        motions: what is free; also the space.
+        start: free joint positions (n,).
+        goals: free joint positions, each (n,).
+        rng: its draws seed OMPL.
+        settings: which planner, and its bounds.
+
+    Yields:
+        The checks of each slice.
+
+    Returns:
+        Waypoints (m, n) from the start to a goal, or None.
+    """
+    ou.setLogLevel(ou.LOG_NONE)
+    budget = settings.improving_checks if settings.planner.improves else settings.checks
+    whole = settings.planner is PlannerName.AORRTC  # solving a second time crashes OMPL 2.0.1
+    account = _Account(motions, budget if whole else settings.slice_checks)
+    information = _information(motions, account)
+    problem = _problem(information, motions.space.weights, start, goals)
+    ou.RNG.setSeed(_seed(rng))
+    planner = _MAKERS[settings.planner](information)
+    if settings.planner in {PlannerName.RRT_CONNECT, PlannerName.RRT_STAR, PlannerName.AORRTC}:
+        planner.setRange(settings.longest_edge)
+    planner.setProblemDefinition(problem)
+    planner.setup()
+    first, idle = motions.checker.checks, 0
+    while motions.checker.checks - first < budget and idle < settings.slice_checks:
+        ou.RNG.setSeed(_seed(rng))
+        account.open()
+        before = motions.checker.checks
+        planner.solve(ob.PlannerTerminationCondition(account.spent))
+        yield motions.checker.checks - before
+        idle = idle + 1 if motions.checker.checks == before else 0
+        if whole or (problem.hasExactSolution() and not settings.planner.improves):
+            break
+    if not problem.hasExactSolution():
+        return None
+    n, weights = len(start), motions.space.weights
+    return np.array([state[0:n] for state in problem.getSolutionPath().getStates()]) / weights
+
+
+def _seed(rng: np.random.Generator) -> int:
+    return int(rng.integers(1, 2**31))
+
+
+def _information(motions: Motions, account: _Account) -> ob.SpaceInformation:
+    limits, weights = motions.space.limits, motions.space.weights
+    n = len(weights)
+    space = ob.RealVectorStateSpace(n)
+    bounds = ob.RealVectorBounds(n)
+    for i in range(n):
+        bounds.setLow(i, float(limits.lower[i] * weights[i]))
+        bounds.setHigh(i, float(limits.upper[i] * weights[i]))
+    space.setBounds(bounds)
+    information = ob.SpaceInformation(space)
+    free = motions.checker.free
+    information.setStateValidityChecker(lambda state: free(np.array(state[0:n]) / weights))
+    information.setMotionValidator(_Validator(information, motions, account))
+    information.setup()
+    return information
+
+
+def _problem(
+    information: ob.SpaceInformation, weights: Array, start: Array, goals: Sequence[Array]
+) -> ob.ProblemDefinition:
+    problem = ob.ProblemDefinition(information)
+    problem.addStartState(_state(information, start * weights))
+    targets = ob.GoalStates(information)
+    for goal in goals:
+        targets.addState(_state(information, goal * weights))
+    problem.setGoal(targets)
+    return problem
+
+
+def _state(information: ob.SpaceInformation, x: Array) -> ob.State:
+    state = information.allocState()
+    for i, value in enumerate(x):
+        state[i] = float(value)
+    return state

@@ -1,0 +1,148 @@
+"""What a plan is made from, and what it is: the world as it was believed, and a motion through it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from skills.arm.planning.motions import weigh
+from skills.arm.scene import allowed, by_name, carried, obstacles
+from skills.arm.trajectory import MotionLimits, Trajectory
+from skills.kinematics.batch import BatchChain
+from skills.kinematics.collision import CollisionChecker, Contact
+from skills.kinematics.extent import Extent
+from skills.kinematics.hulls import RobotHulls
+from skills.kinematics.ik import SeedTable, Solver
+from skills.kinematics.model import Limits
+from skills.kinematics.transforms import Array
+from skills.ports.actions.arm import MoveGoal
+from skills.ports.geometry import FloorPose, Pose
+from skills.ports.hardware import EndEffector, JointStates, RobotDescription
+from skills.ports.world import PlanningScene
+
+LIMIT_MARGIN = 0.01
+"""Radians (or metres) that plans stay inside the joints' limits: smoothed motions overshoot a little."""
+HOME = "home"
+"""The postures of this name are known to be free of collisions."""
+SPREAD = 200
+"""Configurations over which the reach is taken."""
+BEYOND = 0.35
+"""Metres by which things may be farther than that: what is carried, and what the spread missed."""
+
+
+@dataclass(frozen=True)
+class Moment:
+    """What was believed when planning began."""
+
+    joints: JointStates
+    scene: PlanningScene
+    base_in_map: FloorPose | None
+
+    @property
+    def positions(self) -> Mapping[str, float]:
+        """Joint positions by name."""
+        return by_name(self.joints.names, self.joints.positions)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A checked motion.
+
+    ``target_in_base``: where the tool frame shall end, for goals that are poses.
+    """
+
+    trajectory: Trajectory
+    candidate: int
+    target_in_base: Pose | None
+
+
+class Arm:
+    """What is known of one group for good: its kinematics, limits, and its hand, if it has one.
+
+    Args:
+        hulls: the robot's bodies.
+        description: the robot.
+        group: the group's name.
+        seed: draws the starts of inverse kinematics; takes some 50 ms.
+    """
+
+    def __init__(
+        self, hulls: RobotHulls, description: RobotDescription, group: str, *, seed: int = 0
+    ) -> None:
+        self.hulls, self.description = hulls, description
+        self.group = description.group(group)
+        limits = self.group.limits
+        self.limits = Limits(
+            np.array([each.lower for each in limits]) + LIMIT_MARGIN,
+            np.array([each.upper for each in limits]) - LIMIT_MARGIN,
+            np.array([each.velocity for each in limits]),
+        )
+        self.motion_limits = MotionLimits(
+            self.limits.velocity,
+            np.array([each.acceleration for each in limits]),
+            np.array([each.jerk for each in limits]),
+        )
+        self.hand: EndEffector | None = next(
+            (each for each in description.end_effectors if each.group == group), None
+        )
+
+        self._reach = self._farthest() + BEYOND
+        home = {
+            joint: value
+            for posture in description.postures
+            if posture.name == HOME
+            for joint, value in zip(description.group(posture.group).joints, posture.positions, strict=True)
+        }
+        alone = CollisionChecker(hulls, self.group.joints, home)
+        tip = self.group.joints[-1] if self.hand is None else self.hand.frame
+        self.weights = weigh(alone.chain, self.limits, tip)
+        """Of the joints, for the distances of planning, (n,)."""
+        self.solver = None if self.hand is None else self._make_solver(alone, self.hand.frame, seed)
+        """Inverse kinematics of the hand."""
+
+    def _make_solver(self, alone: CollisionChecker, frame: str, seed: int) -> Solver:
+        batch = BatchChain(alone.chain, frame)
+        table = SeedTable(batch, self.limits, np.random.default_rng(seed), alone.free)
+        return Solver(batch, self.limits, table)
+
+    def _farthest(self) -> float:
+        """Return the group's reach in plan (m), over configurations spread evenly over its limits."""
+        extent, joints = Extent(self.hulls, self.group.joints), self.group.joints
+        low, span = self.limits.lower, self.limits.upper - self.limits.lower
+        spread = [
+            (np.arange(len(joints)) * 0.618 + np.arange(len(joints)) ** 2 * k / SPREAD) % 1.0
+            for k in range(SPREAD)
+        ]
+        return max(extent.metres(dict(zip(joints, map(float, low + f * span), strict=True))) for f in spread)
+
+    def checker(self, moment: Moment, goal: MoveGoal, *, padded: bool = True) -> CollisionChecker:
+        """Return the collisions of this group at that moment, with what the goal permits."""
+        base = moment.base_in_map
+        touch = () if self.hand is None else self.hand.touch_links
+        return CollisionChecker(
+            self.hulls,
+            self.group.joints,
+            self._with_hand(moment, goal.hand_width),
+            () if base is None else obstacles(moment.scene, base, self._reach, padded=padded),
+            carried(moment.scene, self.description),
+            touchable=allowed(moment.scene, goal.touch_item, touch),
+        )
+
+    def _with_hand(self, moment: Moment, width: float | None) -> Mapping[str, float]:
+        """Return the positions with the hand as wide as it will be when it reaches for something."""
+        if self.hand is None or width is None:
+            return moment.positions
+        gripper = self.hand.gripper
+        wide = min(width, gripper.max_width) / len(gripper.joints)
+        return {**moment.positions, **dict.fromkeys(gripper.joints, wide)}
+
+    def start(self, moment: Moment) -> Array:
+        """Return where the group stands (n,), be it a hair beyond a limit."""
+        return np.array(moment.joints.position_of(self.group.joints))
+
+
+def words(contact: Contact | None) -> str:
+    """Return the two bodies of a contact in words."""
+    return "" if contact is None else f"{contact.first} and {contact.second}"

@@ -1,0 +1,60 @@
+"""The nodes of an arm's process: moves of its groups, and its gripper."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from skills.arm.bodies import load_hulls
+from skills.arm.move import Move
+from skills.arm.planning.settings import PlannerSettings
+from skills.arm.problem import Arm
+from skills.arm.status import ArmStatusBoard
+from skills.arm.survey import Survey
+from skills.kinematics.hulls import RobotHulls
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks
+from skills.ports.compute import Compute
+from skills.ports.hardware import RobotDescription
+from skills.ports.node import Node
+from skills.server import ActionServer
+
+
+def nodes(
+    bus: Bus,
+    clocks: Clocks,
+    description: RobotDescription,
+    groups: Sequence[str],
+    *,
+    hulls: RobotHulls | None = None,
+    settings: PlannerSettings | None = None,
+    seed: int = 0,
+    charge: bool = False,
+    compute: Compute | None = None,
+) -> tuple[Node, ...]:
+    """Return the state boards and the servers of ``<group>/move`` for each of the groups.
+
+    Args:
+        bus: the hardware, the world, the clients.
+        clocks: robot time.
+        description: the robot.
+        groups: the groups to serve, such as ``arm_left`` or ``torso``.
+        hulls: the robot's bodies, if they are at hand (see ``load_hulls``).
+        settings: the planner and its bounds.
+        seed: seeds the plans, with the goals' ids.
+        charge: make a computation's slices cost their declared robot time (lockstep).
+        compute: plans what can't be sliced (AORRTC); without one it is done in place, in one long step.
+
+    Raises:
+        KeyError: for a group that the robot does not have.
+    """
+    bodies = load_hulls(description, seed) if hulls is None else hulls
+    made: list[Node] = []
+    for name in groups:
+        arm = Arm(bodies, description, name)
+        board = ArmStatusBoard(bus, clocks, arm)
+        skill = Move(bus, clocks, arm, board, settings or PlannerSettings(), seed=seed, compute=compute)
+        made += [board, ActionServer(bus, clocks, skill, charge=charge)]
+        if arm.hand is not None:
+            look = Survey(bus, clocks, arm, settings or PlannerSettings(), seed)
+            made.append(ActionServer(bus, clocks, look, charge=charge))
+    return tuple(made)

@@ -1,0 +1,70 @@
+"""The planning scene as the arm's checks need it: boxes in the base's frame."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from skills.kinematics.bodies import BoxShape, Carried, Obstacle
+from skills.ports.geometry import FloorPose, Pose, compose, invert, to_pose
+from skills.ports.hardware import RobotDescription
+from skills.ports.world import PlanningScene, SceneObject
+
+PADDING = {"furniture": (0.015, 0.003), "clutter": (0.01, 0.004), "item": (0.004, 0.002)}
+"""Metres, sideways and up: sideways the base's own pose is less well known than heights are."""
+
+
+NO_PADDING = (0.0, 0.0)
+
+
+def obstacles(
+    scene: PlanningScene, base_in_map: FloorPose, reach: float, *, padded: bool = True
+) -> tuple[Obstacle, ...]:
+    """Return what stands within ``reach`` metres, in plan, of the robot's axis."""
+    map_in_base = invert(to_pose(base_in_map))
+    found = []
+    for each in scene.objects:
+        if each.attached_to is None and _gap(base_in_map, each) < reach:
+            pose = compose(map_in_base, each.box.pose)
+            padding = PADDING[each.kind] if padded else NO_PADDING
+            found.append(Obstacle(each.name, BoxShape(each.box.size), pose, padding))
+    return tuple(found)
+
+
+def carried(scene: PlanningScene, description: RobotDescription) -> tuple[Carried, ...]:
+    """Return what the hands hold, each in its tool frame."""
+    found = []
+    for each in scene.objects:
+        if each.attached_to is not None:
+            hand = description.end_effector(each.attached_to)
+            found.append(
+                Carried(each.name, BoxShape(each.box.size), hand.frame, each.box.pose, hand.touch_links)
+            )
+    return tuple(found)
+
+
+def allowed(
+    scene: PlanningScene, touch_item: int | None, touch_links: tuple[str, ...]
+) -> tuple[tuple[str, str], ...]:
+    """Return the pairs that may touch: the item that is grasped, and the links of the hand."""
+    names = [each.name for each in scene.objects if touch_item is not None and each.item == touch_item]
+    return tuple((name, link) for name in names for link in touch_links)
+
+
+def to_base(pose: Pose, frame: str, base_in_map: FloorPose | None) -> Pose:
+    """Return a goal's pose in the base's frame; one in the map needs the base's pose."""
+    if frame == "base" or base_in_map is None:
+        return pose
+    return compose(invert(to_pose(base_in_map)), pose)
+
+
+def by_name(names: tuple[str, ...], positions: tuple[float, ...]) -> Mapping[str, float]:
+    """Return joint positions by name."""
+    return dict(zip(names, positions, strict=True))
+
+
+def _gap(base: FloorPose, each: SceneObject) -> float:
+    """Return at least how far (m, in plan) the box is from the base's axis, roughly: by its half diagonal."""
+    x, y, _ = each.box.pose.position
+    width, depth, _ = each.box.size
+    return math.hypot(x - base.x, y - base.y) - 0.5 * math.hypot(width, depth)

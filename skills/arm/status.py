@@ -1,0 +1,74 @@
+"""What a group does and how far it reaches out, told to everyone: the base waits for it."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from skills.arm.problem import Arm
+from skills.arm.scene import by_name, carried
+from skills.kinematics.extent import Extent
+from skills.ports.actions.arm import ArmState, ArmStatus, arm_status
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks
+from skills.ports.keys import JOINT_STATES, Latest
+from skills.ports.world import SCENE
+
+PERIOD: Final = 0.1
+"""Robot seconds between two messages without a change."""
+SHOWN: Final = 0.3
+"""Robot seconds for which success or failure is shown before the group is idle again."""
+
+
+class ArmStatusBoard:
+    """Publishes the group's state; a ``Node``. The skill sets it.
+
+    Args:
+        bus: where the base and the trees are.
+        clocks: robot time.
+        arm: the group.
+    """
+
+    def __init__(self, bus: Bus, clocks: Clocks, arm: Arm) -> None:
+        self._bus, self._clocks, self._arm = bus, clocks, arm
+        self._topic = arm_status(arm.group.name)
+        self._joints, self._scene = Latest(bus, JOINT_STATES), Latest(bus, SCENE)
+        self._extent = Extent(arm.hulls, arm.group.joints)
+        self.state = ArmState.ARM_IDLE
+        self._told: ArmState | None = None
+        self._told_at, self._since = float("-inf"), float("-inf")
+
+    @property
+    def name(self) -> str:
+        """The group's name."""
+        return f"{self._arm.group.name}/state"
+
+    def show(self, state: ArmState) -> None:
+        """Set the state; told in the next step."""
+        self.state = state
+        now = self._clocks.robot()
+        self._since = float("-inf") if now is None else now.seconds
+
+    def step(self) -> bool:
+        """Tell, if there is something new or it is time."""
+        joints, scene = self._joints.refresh(), self._scene.refresh()
+        now = self._clocks.robot()
+        if now is None or joints is None:
+            return False
+        ended = self.state in {ArmState.ARM_SUCCESS, ArmState.ARM_FAIL}
+        if ended and now.seconds - self._since >= SHOWN:
+            self.state = ArmState.ARM_IDLE
+        if self.state is self._told and now.seconds - self._told_at < PERIOD - 1e-6:
+            return False
+        held = () if scene is None else carried(scene, self._arm.description)
+        mine = () if self._arm.hand is None else tuple(h for h in held if h.link == self._arm.hand.frame)
+        reach = self._extent.metres(by_name(joints.names, joints.positions), mine)
+        self._topic.publish(
+            self._bus, ArmStatus(stamp=now, group=self._arm.group.name, state=self.state, extent=reach)
+        )
+        self._told, self._told_at = self.state, now.seconds
+        return False
+
+    def close(self) -> None:
+        """End the subscriptions."""
+        self._joints.close()
+        self._scene.close()

@@ -1,0 +1,1 @@
+"""The base: where the robot is, and how it gets elsewhere."""

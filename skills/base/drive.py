@@ -1,0 +1,87 @@
+"""DRIVE: to the first of several poses that has a free way, around what is mapped and what is not."""
+
+from __future__ import annotations
+
+from skills.base.journey import Course, Journey, Progress
+from skills.base.ride import Ride
+from skills.base.status import BaseStatusBoard
+from skills.base.wheels import Wheels
+from skills.ports.actions.base import DRIVE, BaseState, DriveFeedback, DriveGoal, DriveResult
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.skill import ActionType, Run, failed
+
+
+class Drive:
+    """The skill of getting somewhere.
+
+    Args:
+        bus: where the wheels listen.
+        clocks: robot time.
+        course: what is known of the floor, where the base is, and whether it may move.
+        board: who has the wheels.
+    """
+
+    def __init__(self, bus: Bus, clocks: Clocks, course: Course, board: BaseStatusBoard) -> None:
+        self._clocks, self.course, self._guard, self._board = clocks, course, course.guard, board
+        self._wheels = Wheels(bus, clocks, course.drive)
+
+    @property
+    def action(self) -> ActionType[DriveGoal, DriveFeedback, DriveResult]:
+        """The contract."""
+        return DRIVE
+
+    @property
+    def period(self) -> float:
+        """Robot seconds between two resumptions."""
+        return 0.02
+
+    def check(self, goal: DriveGoal) -> Failure | None:  # noqa: ARG002
+        """Refuse while another skill has the wheels or the base may not move."""
+        if self._board.holder:
+            return self._busy()
+        return self._guard.refusal(DRIVE.name)
+
+    def run(self, goal: DriveGoal, goal_id: str) -> Run[DriveFeedback, DriveResult]:  # noqa: ARG002
+        """Plan, drive, correct."""
+        if not self._board.claim(DRIVE.name, goal.serves_item):
+            return failed(self._busy())
+        state = BaseState.BASE_GOAL_FAIL
+        try:
+            progress = Progress()
+            journey = Journey(self.course, self._ride(progress), progress, goal)
+            outcome = yield from journey.run()
+            if outcome.canceled:
+                state = BaseState.BASE_IDLE
+            elif outcome.result is not None:
+                state = BaseState.BASE_GOAL_OK
+            return outcome
+        finally:
+            if not self._wheels.resting:
+                self._wheels.halt()
+            self._board.release(state)
+
+    def _busy(self) -> Failure:
+        return Failure(
+            kind=FailureKind.BUSY, message=f"{self._board.holder} has the wheels", where=DRIVE.name
+        )
+
+    def _ride(self, progress: Progress) -> Ride[DriveFeedback]:
+        def feedback() -> DriveFeedback:
+            share = 1.0 - progress.remaining / progress.total if progress.total > 0.0 else 0.0
+            return DriveFeedback(
+                base_in_map=ride.pose,
+                remaining=max(progress.remaining, 0.0),
+                progress=min(max(share, 0.0), 1.0),
+            )
+
+        ride = Ride(
+            self._clocks,
+            self.course.localiser,
+            self._guard,
+            self._wheels,
+            feedback=feedback,
+            where=DRIVE.name,
+        )
+        return ride

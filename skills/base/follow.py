@@ -1,0 +1,133 @@
+"""Follow a path with a differential drive: regulated pure pursuit (Macenski et al. 2023).
+
+The base steers at a point ahead on the path. It drives as fast as the drive allows and as it can still brake
+for: the path's end, its corners, tight places and what stands in the way.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from skills.base.path import Path
+from skills.base.planner import Clearances
+from skills.base.wheels import stopping_speed
+from skills.ports.geometry import FloorPose, wrap
+from skills.ports.hardware import Drive
+
+LATENCY: Final = 0.05
+"""Seconds between a command and what the base does about it."""
+NEAREST_AIM: Final = 0.18
+"""Metres ahead of the base: the least distance of the point that is steered at."""
+AIM_TIME: Final = 0.45
+"""Seconds of way by which the point lies farther ahead at speed."""
+LAST: Final = 0.04
+"""Metres before the end from which on the heading stays: steering at a point so near is wild."""
+LAST_TURN: Final = 0.12
+"""Radians off the wished heading up to which it is turned to on these last centimetres."""
+LAST_GAIN: Final = 2.5
+"""rad/s for each radian of them."""
+TURN_FIRST: Final = 0.5
+"""Radians off the path from which on the base turns on the spot."""
+CORNER_TURN: Final = 0.4
+"""m/s times rad: the speed at a corner is this over its angle."""
+SHARP: Final = 1.2
+"""Radians: at a sharper corner the base stops and turns."""
+TURN_SHARE: Final = 0.85
+"""Share of the drive's turning speed that steering may take."""
+TIGHT: Final = (0.20, 0.35)
+"""Metres of spare clearance below which the base slows down, and the speed (m/s) without any."""
+STOP_SHORT: Final = 0.08
+"""Metres before what stands in the way."""
+CUT: Final = 0.03
+"""Metres of spare clearance that cutting a corner may take away."""
+
+
+@dataclass
+class Follower:
+    """Steers along one path; ``way`` is how far along it the base is (m)."""
+
+    path: Path
+    drive: Drive
+    clearances: Clearances
+    end_yaw: float | None = None
+    """The heading (rad) wished at the end: a small rest is turned on the last centimetres."""
+    way: float = 0.0
+
+    @property
+    def remaining(self) -> float:
+        """Metres of way left."""
+        return self.path.length - self.way
+
+    def speeds(self, pose: FloorPose, speed: float, blocked_at: float | None) -> tuple[float, float]:
+        """Return the speeds to command (m/s, rad/s).
+
+        Args:
+            pose: base_in_map.
+            speed: m/s now.
+            blocked_at: metres along the path at which something stands in the way.
+        """
+        self.way = self.path.project(pose.x, pose.y, self.way)
+        if self.remaining < LAST:
+            return min(self._allowed(pose, blocked_at), self.drive.forward), self._last_turn(pose)
+        x, y = self._aim(pose, speed)
+        off = wrap(math.atan2(y - pose.y, x - pose.x) - pose.yaw)
+        if abs(off) > TURN_FIRST:
+            turn = stopping_speed(abs(off), self.drive.turn_acceleration, LATENCY)
+            return 0.0, math.copysign(turn, off)
+        curvature = 2.0 * math.sin(off) / max(math.hypot(x - pose.x, y - pose.y), NEAREST_AIM / 2)
+        allowed = self._allowed(pose, blocked_at)
+        if abs(curvature) > 1e-6:  # noqa: PLR2004 - straight ahead
+            allowed = min(allowed, TURN_SHARE * self.drive.turn / abs(curvature))
+        ahead = max(min(allowed, self.drive.forward), 0.0)
+        return ahead, curvature * max(min(ahead, speed + 0.05), 0.0)
+
+    def off(self, pose: FloorPose) -> float:
+        """Return the angle (rad) by which the base has to turn before it can set off."""
+        x, y = self.path.at(min(self.way + NEAREST_AIM, self.path.length))
+        if math.hypot(x - pose.x, y - pose.y) < 0.01:  # noqa: PLR2004 - as good as there
+            return 0.0
+        return wrap(math.atan2(y - pose.y, x - pose.x) - pose.yaw)
+
+    def _last_turn(self, pose: FloorPose) -> float:
+        off = 0.0 if self.end_yaw is None else wrap(self.end_yaw - pose.yaw)
+        return LAST_GAIN * off if abs(off) < LAST_TURN else 0.0
+
+    def _aim(self, pose: FloorPose, speed: float) -> tuple[float, float]:
+        """Return the point ahead that is steered at; nearer where the straight line to it would cut in."""
+        distance = NEAREST_AIM + AIM_TIME * max(speed, 0.0)
+        here = (pose.x, pose.y)
+        while True:
+            point = self.path.at(min(self.way + distance, self.path.length))
+            if distance <= NEAREST_AIM or self._clear(here, point, self.way + distance):
+                return point
+            distance = max(NEAREST_AIM, 0.7 * distance)
+
+    def _clear(self, a: tuple[float, float], b: tuple[float, float], until: float) -> bool:
+        if not any(self.way < at < until for at, _ in self.path.corners):
+            return True
+        spare = self.clearances.spare_between(a, b)
+        along = self.clearances.spare(self.path.sampled(self.way, until, 0.05)[1])
+        return spare >= min(along, CUT) - 0.01
+
+    def _allowed(self, pose: FloorPose, blocked_at: float | None) -> float:
+        """Return the speed (m/s) from which the base can still do what lies ahead."""
+        brake = self.drive.acceleration
+        allowed = stopping_speed(self.remaining, brake, LATENCY)
+        if blocked_at is not None:
+            allowed = min(allowed, stopping_speed(blocked_at - self.way - STOP_SHORT, brake, LATENCY))
+        for at, angle in self.path.corners:
+            if at <= self.way or angle < 0.1:  # noqa: PLR2004 - as good as straight
+                continue
+            there = 0.0 if angle > SHARP else CORNER_TURN / angle
+            slow = stopping_speed(max(at - self.way, 0.0) + there * there / (2 * brake), brake, LATENCY)
+            allowed = min(allowed, max(slow, 0.05))
+        return min(allowed, self._tight(pose))
+
+    def _tight(self, pose: FloorPose) -> float:
+        spare = float(self.clearances.field.at(np.array([[pose.x, pose.y]]))[0]) - self.clearances.needed
+        share = min(max(spare / TIGHT[0], 0.0), 1.0)
+        return TIGHT[1] + share * (self.drive.forward - TIGHT[1]) if share < 1.0 else self.drive.forward

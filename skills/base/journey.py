@@ -1,0 +1,338 @@
+"""One run of DRIVE: plan, follow, go round what stands in the way, correct the end."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Generator
+from dataclasses import dataclass
+from typing import Final
+
+from skills.base.follow import Follower
+from skills.base.guard import Guard
+from skills.base.localiser import Localiser
+from skills.base.map import SiteMap
+from skills.base.obstacles import Obstacles
+from skills.base.path import Path
+from skills.base.planner import Clearances, Planner
+from skills.base.ride import Motion, Ride
+from skills.base.watch import Block, Watch
+from skills.ports.actions.base import DRIVE, DriveFeedback, DriveGoal, DriveResult
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.geometry import FloorPose, floor_distance, wrap
+from skills.ports.hardware import Drive
+from skills.ports.skill import Command, Outcome, Run, Slice, canceled, failed, succeeded
+
+MARGIN: Final = 0.03
+"""Metres that a plan keeps between the footprint and everything."""
+SLICE_COST: Final = 0.001
+"""Robot seconds that lockstep charges for one slice of planning."""
+SET_OFF: Final = 0.15
+"""Radians off the path's first piece from which on the base turns before it drives."""
+ROOMY: Final = 0.12
+"""Metres of spare clearance from which on the base may turn while it sets off."""
+LONG: Final = 0.8
+"""Metres: a shorter way is better faced first."""
+BLOCKED_FOR: Final = 0.4
+"""Robot seconds for which something must be in the way before another way is looked for."""
+HELD: Final = 0.02
+"""rad/s: slower commands are no turning."""
+WAIT: Final = 1.0
+"""Robot seconds to wait for a way to open."""
+MOST_REPLANS: Final = 4
+MOST_CORRECTIONS: Final = 3
+"""Times that the end is approached anew when the base is off its goal."""
+GOOD_YAW: Final = 0.3
+"""Share of the tolerance within which the heading is left as it is."""
+NUDGE: Final = 0.25
+"""Metres up to which a correction goes straight, without a new plan."""
+BACK_UP: Final = 0.8
+"""Metres up to which the base may go backwards, where the laser does not look."""
+ARRIVED: Final = 0.004
+"""Metres before the end at which the way counts as driven."""
+SETTLE: Final = 0.15
+"""Robot seconds at rest before the pose is judged: a scan or two."""
+STUCK_AFTER: Final = 4.0
+"""Robot seconds of commanding without getting nearer after which something holds the base."""
+
+
+@dataclass
+class Progress:
+    """What feedback tells of a run, in metres of way."""
+
+    total: float = 0.0
+    remaining: float = 0.0
+
+
+@dataclass(frozen=True)
+class Course:
+    """What a journey knows of the floor and of the robot."""
+
+    site_map: SiteMap
+    obstacles: Obstacles
+    localiser: Localiser
+    drive: Drive
+    radius: float
+    """The footprint's (m)."""
+
+    guard: Guard
+
+    def radii(self) -> tuple[float, ...]:
+        """Return the radii (m) to plan with, the wished one first."""
+        reach = self.guard.reach
+        return (reach, self.radius) if reach > self.radius else (self.radius,)
+
+    def watch(self) -> Watch:
+        """Return a watch for one run."""
+        return Watch(self.localiser, self.obstacles, self.radius)
+
+
+class Journey:
+    """One run of DRIVE.
+
+    Args:
+        course: what is known of the floor.
+        ride: the wheels, the guards and the commands of this run.
+        progress: what feedback tells; kept up to date here.
+        goal: where to go.
+    """
+
+    def __init__(
+        self, course: Course, ride: Ride[DriveFeedback], progress: Progress, goal: DriveGoal
+    ) -> None:
+        self._course, self._ride, self._progress, self._goal = course, ride, progress, goal
+        self._watch = course.watch()
+        self._chosen = 0
+        self._replans = 0
+        self._plan: tuple[Path, Clearances] | None = None
+        self._problems: list[Failure] = []
+
+    def run(self) -> Run[DriveFeedback, DriveResult]:
+        """Do it."""
+        done = yield from self._travel()
+        yield from self._ride.rest()
+        if self._ride.canceled:
+            return canceled()
+        if self._ride.failure is not None:
+            return failed(self._ride.failure)
+        assert done
+        return self._result()
+
+    def _travel(self) -> Motion[DriveFeedback]:
+        if not (yield from self._plan_first()):
+            return False
+        pose = self._goal.poses[self._chosen]
+        return (yield from self._reach(pose)) and (yield from self._finish(pose))
+
+    def _finish(self, pose: FloorPose) -> Motion[DriveFeedback]:
+        """Turn to the pose's heading, look where the base is, and correct it a few times at the most."""
+        ride = self._ride
+        for correction in range(MOST_CORRECTIONS + 1):
+            off = wrap(pose.yaw - ride.pose.yaw)
+            if abs(off) > GOOD_YAW * self._goal.yaw_tolerance and not (yield from ride.turn(off)):
+                return False
+            if not (yield from ride.settle(SETTLE)):
+                return False
+            if self._within(pose):
+                return True
+            if correction < MOST_CORRECTIONS and not (yield from self._correct(pose)):
+                return False
+        ride.fail(
+            FailureKind.BASE_OFF_GOAL,
+            "the base came to rest outside the tolerance",
+            position_error_m=floor_distance(ride.pose, pose),
+            position_tolerance_m=self._goal.position_tolerance,
+            yaw_error_rad=wrap(ride.pose.yaw - pose.yaw),
+            yaw_tolerance_rad=self._goal.yaw_tolerance,
+            corrections=MOST_CORRECTIONS,
+        )
+        return False
+
+    def _plan_first(self) -> Motion[DriveFeedback]:
+        """Take the first of the goal's poses that a checked plan leads to."""
+        for index, pose in enumerate(self._goal.poses):
+            self._chosen = index
+            if (yield from self._plan_to(pose)):
+                return True
+            if self._ride.canceled or self._ride.failure is not None:
+                return False
+        self._ride.failure = Failure(
+            kind=FailureKind.BASE_NO_PATH,
+            message=f"no free way to any of {len(self._goal.poses)} poses",
+            where=DRIVE.name,
+            evidence={"poses": len(self._goal.poses)},
+            causes=tuple(self._problems),
+        )
+        return False
+
+    def _plan_to(self, pose: FloorPose) -> Motion[DriveFeedback]:
+        """Plan from here; True with ``_plan`` set, False with the reason among ``_problems``.
+
+        A way with room for all that the arms reach is tried first; then one for the footprint alone.
+        """
+        for radius in self._course.radii():
+            if (yield from self._plan_with(radius, pose)):
+                return True
+            if self._ride.canceled or self._ride.failure is not None:
+                return False
+        return False
+
+    def _plan_with(self, radius: float, pose: FloorPose) -> Motion[DriveFeedback]:
+        self._plan = None
+        mapped = Clearances(self._course.site_map.plan, radius + MARGIN, self._ride.pose)
+        planner = Planner(mapped, self._course.obstacles.points, pose)
+        for _ in planner.slices():
+            if not (yield from self._ride.heed((yield Slice(SLICE_COST)))):
+                return False
+        if planner.path is None:
+            self._problems.append(self._no_path(pose, planner, planner.clearances))
+            return False
+        self._plan = (planner.path, planner.clearances)
+        self._progress.remaining = planner.path.length
+        self._progress.total = max(self._progress.total, planner.path.length)
+        return True
+
+    def _no_path(self, pose: FloorPose, planner: Planner, clearances: Clearances) -> Failure:
+        return Failure(
+            kind=FailureKind.BASE_NO_PATH,
+            message=planner.problem,
+            where=DRIVE.name,
+            evidence={
+                "x_m": pose.x,
+                "y_m": pose.y,
+                "goal_clearance_m": clearances.field.at_point(pose.x, pose.y),
+                "start_clearance_m": clearances.field.at_point(clearances.start.x, clearances.start.y),
+                "needed_m": clearances.needed,
+                "expanded": planner.expanded,
+            },
+        )
+
+    def _reach(self, pose: FloorPose) -> Motion[DriveFeedback]:
+        """Drive the plan, and others around what turns out to stand in the way."""
+        ride = self._ride
+        while self._plan is not None:
+            block = yield from self._follow(*self._plan)
+            if ride.canceled or ride.failure is not None:
+                return False
+            if block is None:
+                return True
+            while True:
+                if self._replans == MOST_REPLANS:
+                    self._blocked(block)
+                    return False
+                self._replans += 1
+                if (yield from self._plan_to(pose)):
+                    break
+                # No way round: what stands there may go away.
+                if ride.canceled or ride.failure is not None or not (yield from ride.settle(WAIT)):
+                    return False
+        return False
+
+    def _follow(
+        self, path: Path, clearances: Clearances
+    ) -> Generator[DriveFeedback | Slice, Command, Block | None]:
+        """Drive along a path and come to rest; returns what blocks it, None at its (or the run's) end."""
+        ride, follower = self._ride, self._follower(path, clearances)
+        if self._back_is_sooner(path):
+            yield from self._back_up(path)
+            return None
+        if self._must_turn_first(follower, clearances) and not (
+            yield from ride.turn(follower.off(ride.pose))
+        ):
+            return None
+        free_at = nearer_at = ride.now
+        nearest = math.inf
+        while follower.remaining > ARRIVED:
+            block = self._watch.block(path, follower.way)
+            blocked_at = None if block is None else block.way
+            linear, angular = follower.speeds(ride.pose, ride.wheels.linear, blocked_at)
+            self._progress.remaining = max(follower.remaining, 0.0)
+            if not (yield from ride.cycle(linear, angular)):
+                return None
+            if block is None:
+                free_at = ride.now
+            elif ride.now - free_at > BLOCKED_FOR:
+                yield from ride.rest()
+                return block
+            if follower.remaining < nearest - ARRIVED or block is not None or abs(angular) > HELD:
+                nearest, nearer_at = min(nearest, follower.remaining), ride.now
+            elif ride.now - nearer_at > STUCK_AFTER:
+                ride.fail(FailureKind.BASE_BLOCKED, "the base does not move", remaining_m=follower.remaining)
+                return None
+        yield from ride.rest()
+        return None
+
+    def _follower(self, path: Path, clearances: Clearances) -> Follower:
+        end_yaw = self._goal.poses[self._chosen].yaw
+        return Follower(path, self._course.drive, clearances, end_yaw)
+
+    def _must_turn_first(self, follower: Follower, clearances: Clearances) -> bool:
+        """Say whether to face the path before driving: where there is room, the base turns on the way."""
+        here, length = self._ride.pose, follower.path.length
+        if length <= ARRIVED or abs(follower.off(here)) <= SET_OFF:
+            return False
+        spare = clearances.field.at_point(here.x, here.y) - clearances.needed
+        return spare < ROOMY or length < LONG
+
+    def _back_is_sooner(self, path: Path) -> bool:
+        """Say whether a short straight way is done sooner backwards, with less turning."""
+        if len(path.points) > 2 or not ARRIVED < path.length < BACK_UP:  # noqa: PLR2004 - one piece
+            return False
+        here, end, drive = self._ride.pose, self._goal.poses[self._chosen].yaw, self._course.drive
+        ahead = path.heading_at(0.0)
+        turns = [abs(wrap(way - here.yaw)) + abs(wrap(end - way)) for way in (ahead, ahead + math.pi)]
+        return path.length / drive.backward + turns[1] / drive.turn < (
+            path.length / drive.forward + turns[0] / drive.turn
+        )
+
+    def _back_up(self, path: Path) -> Motion[DriveFeedback]:
+        ride = self._ride
+        if not (yield from ride.turn(wrap(path.heading_at(0.0) + math.pi - ride.pose.yaw))):
+            return False
+        return (yield from ride.straight(-path.length))
+
+    def _within(self, pose: FloorPose) -> bool:
+        here = self._ride.pose
+        return (
+            floor_distance(here, pose) <= self._goal.position_tolerance
+            and abs(wrap(here.yaw - pose.yaw)) <= self._goal.yaw_tolerance
+        )
+
+    def _correct(self, pose: FloorPose) -> Motion[DriveFeedback]:
+        """Go the last centimetres straight, ahead or back, whichever turns less; farther off, plan anew."""
+        ride = self._ride
+        distance = floor_distance(ride.pose, pose)
+        if distance <= self._goal.position_tolerance:
+            return True
+        if distance > NUDGE:
+            return (yield from self._plan_to(pose)) and (yield from self._reach(pose))
+        off = wrap(math.atan2(pose.y - ride.pose.y, pose.x - ride.pose.x) - ride.pose.yaw)
+        back = abs(off) > math.pi / 2
+        if not (yield from ride.turn(wrap(off + math.pi) if back else off)):
+            return False
+        return (yield from ride.straight(-distance if back else distance))
+
+    def _result(self) -> Outcome[DriveResult]:
+        here, pose = self._ride.pose, self._goal.poses[self._chosen]
+        return succeeded(
+            DriveResult(
+                pose=self._chosen,
+                base_in_map=here,
+                position_error=floor_distance(here, pose),
+                yaw_error=abs(wrap(here.yaw - pose.yaw)),
+                replans=self._replans,
+            )
+        )
+
+    def _blocked(self, block: Block) -> None:
+        self._ride.failure = Failure(
+            kind=FailureKind.BASE_BLOCKED,
+            message="something stands in the way, and there is no way round",
+            where=DRIVE.name,
+            evidence={
+                "obstacle_x_m": block.x,
+                "obstacle_y_m": block.y,
+                "distance_m": math.hypot(block.x - self._ride.pose.x, block.y - self._ride.pose.y),
+                "replans": self._replans,
+            },
+            causes=tuple(self._problems[-1:]),
+        )

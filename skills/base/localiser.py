@@ -1,0 +1,249 @@
+"""Where the robot is: odometry predicts, each scan corrects. Owner of ``world/robot``.
+
+What is estimated is the drift, odom in map; base_in_map is odometry seen through it. While the base is at
+rest the estimate settles over a few scans and then stays as it is, so that what was seen a moment ago and
+what is done about it now share one frame.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from dataclasses import dataclass
+from typing import Final
+
+from skills.base.floor import ORIGIN, FloatArray, compose, invert, points_in
+from skills.base.map import SiteMap
+from skills.base.matcher import Match, carried, diagonal, match, share_near
+from skills.base.odometry import OdometryBuffer, ahead
+from skills.base.scan import ScanGeometry, ScanPoints
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.geometry import FloorPose, floor_distance, wrap
+from skills.ports.hardware import LaserScan, Odometry, RobotDescription
+from skills.ports.keys import LASER, ODOMETRY, Latest
+from skills.ports.world import ROBOT_POSE, RobotPose
+
+PERIOD: Final = 0.05
+"""Seconds between two messages."""
+POOR_FIT: Final = 0.45
+"""Share of beams explained below which a scan does not confirm the pose."""
+HOPELESS_FIT: Final = 0.25
+"""Share below which it does not even correct it."""
+LOST_AFTER: Final = 30
+"""Hopeless scans in a row after which the robot does not know where it is."""
+LOST_WAY: Final = 2.0
+"""Metres and radians on poor scans after which it doesn't either; before, something may just hide the map."""
+SETTLED_AFTER: Final = 8
+"""Scans at rest after which the estimate stays as it is."""
+AT_REST: Final = (0.005, 0.01)
+"""m/s and rad/s below which the base counts as at rest."""
+STILL: Final = (0.0015, 0.002)
+"""Metres and radians of odometry between two scans that are no motion."""
+TINY: Final = 1e-6
+"""Marks a poor scan at rest as unconfirmed."""
+LATE: Final = 0.06
+"""Seconds for which a scan waits for the odometry of its moment before odometry is carried on to it."""
+
+
+@dataclass(frozen=True)
+class PlacedScan:
+    """A scan and the pose at which it was matched: what else looks at scans takes it from here."""
+
+    number: int
+    points: ScanPoints
+    base_in_map: FloorPose
+    points_in_map: FloatArray
+    residual: FloatArray
+    """Signed distance of each point to what is mapped (m)."""
+    fit: float
+
+
+class Localiser:
+    """The monitor of the robot's pose; a ``Node``.
+
+    Args:
+        bus: where odometry and scans come from and the pose goes to.
+        clocks: robot time.
+        description: the laser.
+        site_map: what the laser should see.
+    """
+
+    def __init__(self, bus: Bus, clocks: Clocks, description: RobotDescription, site_map: SiteMap) -> None:
+        self._bus, self._clocks, self._map = bus, clocks, site_map
+        self._geometry = ScanGeometry(description.laser, site_map.laser_in_base)
+        self._odometry_in = Latest(bus, ODOMETRY)
+        self._scans_in = Latest(bus, LASER, depth=4)
+        self._buffer = OdometryBuffer()
+        self._waiting: LaserScan | None = None
+        self._recent: deque[ScanPoints] = deque(maxlen=10)
+        self._odom_in_map = ORIGIN
+        self._covariance = diagonal(10.0, math.pi)
+        self._matched_at: FloorPose | None = None
+        self._scans_at_rest = 0
+        self._hopeless = 0
+        self._unconfirmed = 0.0
+        self._number = 0
+        self._published_at = -math.inf
+        self.localised = False
+        self.reason = "not initialised: localise first"
+        self.placed: PlacedScan | None = None
+
+    @property
+    def name(self) -> str:
+        """The node's name."""
+        return "base/localiser"
+
+    @property
+    def recent(self) -> tuple[ScanPoints, ...]:
+        """The last scans, oldest first, for the global search."""
+        return tuple(self._recent)
+
+    @property
+    def odometry(self) -> Odometry | None:
+        """The newest odometry."""
+        return self._buffer.last
+
+    @property
+    def odom_in_map(self) -> FloorPose:
+        """The drift of odometry, as believed now."""
+        return self._odom_in_map
+
+    @property
+    def moving(self) -> bool:
+        """Whether the wheels turn."""
+        last = self._buffer.last
+        return last is not None and (abs(last.linear) > AT_REST[0] or abs(last.angular) > AT_REST[1])
+
+    def initialise(self, base_in_map: FloorPose, at_seconds: float, sigma: tuple[float, float]) -> bool:
+        """Start from a pose that held at a time (robot seconds), known to ``sigma`` (m, rad).
+
+        Returns False when there is no odometry of that time.
+        """
+        base_in_odom = self._buffer.at(at_seconds)
+        if base_in_odom is None and self._buffer.last is not None and not self.moving:
+            base_in_odom = self._buffer.last.base_in_odom
+        if base_in_odom is None:
+            return False
+        self._odom_in_map = compose(base_in_map, invert(base_in_odom))
+        self._covariance = diagonal(*sigma)
+        self._matched_at = base_in_odom
+        self._scans_at_rest = self._hopeless = 0
+        self._unconfirmed = 0.0
+        self.localised, self.reason = True, ""
+        self._publish(robot_seconds(self._clocks))
+        return True
+
+    def step(self) -> bool:
+        """Take odometry and at most one scan; publish when it is time."""
+        for odometry in self._odometry_in.take():
+            self._forget_another_boot(odometry)
+            self._buffer.add(odometry)
+        scans = self._scans_in.take()
+        if scans:
+            self._waiting = scans[-1]
+        if self._waiting is not None:
+            self._try_scan(self._waiting)
+        now = robot_seconds(self._clocks)
+        if now - self._published_at >= PERIOD - 1e-6 or now < self._published_at:
+            self._publish(now)
+        return False
+
+    def close(self) -> None:
+        """End the subscriptions."""
+        self._odometry_in.close()
+        self._scans_in.close()
+
+    def _forget_another_boot(self, odometry: Odometry) -> None:
+        last = self._buffer.last
+        if last is not None and last.stamp.boot != odometry.stamp.boot:
+            self.localised, self.reason = False, "the hardware started anew: localise first"
+            self._recent.clear()
+            self._matched_at = None
+
+    def _try_scan(self, scan: LaserScan) -> None:
+        base_in_odom = self._buffer.at(scan.stamp.seconds)
+        if base_in_odom is None:
+            last = self._buffer.last
+            if last is None or robot_seconds(self._clocks) - scan.stamp.seconds < LATE:
+                return
+            base_in_odom = ahead(last, scan.stamp.seconds - last.stamp.seconds)
+        self._waiting = None
+        points = self._geometry.points(scan)
+        if points is None:
+            return
+        self._recent.append(points)
+        if self.localised:
+            self._correct(points, base_in_odom)
+
+    def _correct(self, points: ScanPoints, base_in_odom: FloorPose) -> None:
+        predicted = compose(self._odom_in_map, base_in_odom)
+        still = self._is_still(base_in_odom)
+        before = compose(self._odom_in_map, self._matched_at or base_in_odom)
+        if not still:
+            self._covariance = carried(self._covariance, before, predicted)
+            self._scans_at_rest = 0
+        self._matched_at = base_in_odom
+        if still and self._scans_at_rest >= SETTLED_AFTER and self._unconfirmed == 0.0:
+            self._place(points, predicted, self._explained(points, predicted))
+            return
+        found = match(self._map.laser, points.in_base, predicted, self._covariance)
+        self._judge(found, before, predicted)
+        used = found.fit >= HOPELESS_FIT
+        if used:
+            self._scans_at_rest += still
+            self._odom_in_map = compose(found.pose, invert(base_in_odom))
+            self._covariance = found.covariance
+        self._place(points, found.pose if used else predicted, found.residual)
+
+    def _is_still(self, base_in_odom: FloorPose) -> bool:
+        before = self._matched_at
+        if before is None or self.moving:
+            return False
+        moved = math.hypot(base_in_odom.x - before.x, base_in_odom.y - before.y)
+        return moved < STILL[0] and abs(wrap(base_in_odom.yaw - before.yaw)) < STILL[1]
+
+    def _explained(self, points: ScanPoints, pose: FloorPose) -> FloatArray:
+        residual = self._map.laser.at(points_in(pose, points.in_base))
+        if share_near(residual) < POOR_FIT:
+            self._scans_at_rest = 0
+        return residual
+
+    def _judge(self, found: Match, before: FloorPose, predicted: FloorPose) -> None:
+        """Count how long, and how far, the scans have not confirmed the pose."""
+        if found.fit >= POOR_FIT:
+            self._hopeless, self._unconfirmed = 0, 0.0
+            return
+        self._hopeless = self._hopeless + 1 if found.fit < HOPELESS_FIT else 0
+        self._unconfirmed += floor_distance(before, predicted) + abs(wrap(predicted.yaw - before.yaw)) + TINY
+        if self._hopeless >= LOST_AFTER or self._unconfirmed > LOST_WAY:
+            self.localised = False
+            self.reason = (
+                f"the scans do not fit the map (the last by {found.fit:.2f}), "
+                f"since {self._hopeless} scans or {self._unconfirmed:.1f} m"
+            )
+
+    def _place(self, points: ScanPoints, pose: FloorPose, residual: FloatArray) -> None:
+        self._number += 1
+        placed = points_in(pose, points.in_base)
+        self.placed = PlacedScan(self._number, points, pose, placed, residual, share_near(residual))
+
+    def _publish(self, now: float) -> None:
+        last, stamp = self._buffer.last, self._clocks.robot()
+        if last is None or stamp is None:
+            return
+        self._published_at = now
+        spread = self._covariance
+        ROBOT_POSE.publish(
+            self._bus,
+            RobotPose(
+                stamp=last.stamp,
+                localised=self.localised,
+                base_in_map=compose(self._odom_in_map, last.base_in_odom),
+                odom_in_map=self._odom_in_map,
+                position_sigma=math.sqrt(max(spread[0, 0] + spread[1, 1], 0.0)),
+                yaw_sigma=math.sqrt(max(spread[2, 2], 0.0)),
+                moving=self.moving,
+                reason=self.reason,
+            ),
+        )

@@ -1,0 +1,213 @@
+"""One run of a skill on the wheels: cycles that heed commands and guards, turning, and coming to rest.
+
+Each motion is a generator that yields feedback and returns whether it came to its end; where it did not,
+``canceled`` or ``failure`` says why, and the wheels are already braking.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Generator
+from typing import Final, Generic, TypeVar
+
+from skills.base.floor import compose
+from skills.base.guard import Guard
+from skills.base.localiser import Localiser
+from skills.base.odometry import ahead
+from skills.base.wheels import Wheels, stopping_speed
+from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.geometry import FloorPose, wrap
+from skills.ports.message import Message
+from skills.ports.skill import Command, Slice
+
+CYCLE: Final = 0.02
+"""Robot seconds between two commands to the wheels: as often as odometry comes."""
+LATENCY: Final = 0.05
+"""Seconds between a command and what odometry tells of it."""
+AIM: Final = 0.008
+"""Radians: a turn ends when as near."""
+SLOW_TURN: Final = 0.04
+"""rad/s: a turn ends when as slow."""
+STUCK_AFTER: Final = 4.0
+"""Robot seconds of commanding without getting nearer after which something holds the base."""
+GIVE_UP_RESTING: Final = 5.0
+CREEP: Final = 0.15
+"""m/s ahead at which the last centimetres are corrected."""
+CLOSE: Final = 0.002
+"""Metres: a correction ends when as near."""
+KEEP_HEADING: Final = 1.5
+"""rad/s for each radian off the heading while going straight."""
+
+F = TypeVar("F", bound=Message)
+Motion = Generator[F | Slice, Command, bool]
+
+
+class Ride(Generic[F]):
+    """What the motions of one run share.
+
+    Args:
+        clocks: robot time.
+        localiser: where the base is.
+        guard: whether it may move.
+        wheels: what moves it.
+        feedback: builds what is yielded.
+        where: the action's name, for failures.
+        anywhere: whether it may move without knowing where it is.
+    """
+
+    def __init__(
+        self,
+        clocks: Clocks,
+        localiser: Localiser,
+        guard: Guard,
+        wheels: Wheels,
+        *,
+        feedback: Callable[[], F],
+        where: str,
+        anywhere: bool = False,
+    ) -> None:
+        self._clocks, self._localiser, self._guard = clocks, localiser, guard
+        self._feedback, self._where, self._anywhere = feedback, where, anywhere
+        self.wheels = wheels
+        self._touched_before = guard.touching
+        self.canceled = False
+        self.failure: Failure | None = None
+        self.turned = 0.0
+        """Radians turned in the present (or last) turn."""
+        odometry = localiser.odometry
+        wheels.begin(*((0.0, 0.0) if odometry is None else (odometry.linear, odometry.angular)))
+
+    @property
+    def now(self) -> float:
+        """Robot seconds."""
+        return robot_seconds(self._clocks)
+
+    @property
+    def pose(self) -> FloorPose:
+        """base_in_map now: odometry carried on to this moment, seen from the map."""
+        odometry = self._localiser.odometry
+        if odometry is None:
+            return self._localiser.odom_in_map
+        late = min(max(self.now - odometry.stamp.seconds, 0.0), 2 * CYCLE)
+        return compose(self._localiser.odom_in_map, ahead(odometry, late))
+
+    def cycle(self, linear: float, angular: float) -> Motion[F]:
+        """Send speeds and wait one cycle; False when the run has to end."""
+        self.wheels.send(linear, angular)
+        yield from self._wait(CYCLE)
+        return self._may_go_on()
+
+    def heed(self, command: Command) -> Motion[F]:
+        """Obey a command that came with a slice of a computation; False when the run has to end."""
+        if command is Command.CANCEL:
+            self.canceled = True
+        elif command is Command.PAUSE:
+            yield from self._pause()
+        return self._may_go_on()
+
+    def turn(self, angle: float) -> Motion[F]:
+        """Turn on the spot by ``angle`` radians (more than a full turn too), as the map tells."""
+        remaining, yaw = angle, self.pose.yaw
+        best, best_at = abs(remaining), self.now
+        drive = self.wheels.drive
+        self.turned = 0.0
+        while abs(remaining) > AIM or abs(self.wheels.angular) > SLOW_TURN:
+            speed = stopping_speed(abs(remaining), drive.turn_acceleration, LATENCY)
+            if not (yield from self.cycle(0.0, math.copysign(speed, remaining))):
+                return False
+            turned = wrap(self.pose.yaw - yaw)
+            remaining, yaw = remaining - turned, wrap(yaw + turned)
+            self.turned += turned
+            if abs(remaining) < best - AIM / 2 or abs(remaining) <= AIM:
+                best, best_at = abs(remaining), self.now
+            elif self.now - best_at > STUCK_AFTER:
+                self.fail(FailureKind.BASE_BLOCKED, "the base does not turn", remaining_rad=remaining)
+                return False
+        yield from self.rest()
+        return True
+
+    def straight(self, distance: float) -> Motion[F]:
+        """Go straight by a few centimetres, back when negative (m), keeping the heading."""
+        start, sign = self.pose, math.copysign(1.0, distance)
+        begun, drive = self.now, self.wheels.drive
+        top = drive.backward if distance < 0.0 else min(drive.forward, CREEP)
+        while True:
+            here = self.pose
+            done = math.cos(start.yaw) * (here.x - start.x) + math.sin(start.yaw) * (here.y - start.y)
+            remaining = abs(distance) - sign * done
+            if remaining < CLOSE:
+                break
+            speed = min(stopping_speed(remaining, drive.acceleration, LATENCY), top)
+            if not (yield from self.cycle(sign * speed, KEEP_HEADING * wrap(start.yaw - here.yaw))):
+                return False
+            if self.now - begun > STUCK_AFTER + 2.0 * abs(distance) / top:
+                self.fail(FailureKind.BASE_BLOCKED, "the base does not move", remaining_m=remaining)
+                return False
+        yield from self.rest()
+        return True
+
+    def rest(self) -> Generator[F | Slice, Command, None]:
+        """Brake to standstill; neither commands nor guards end it, a cancellation is noted."""
+        start = self.now
+        while not self.wheels.resting or self._localiser.moving:
+            self.wheels.send(0.0, 0.0)
+            yield from self._wait(CYCLE)
+            if self.now - start > GIVE_UP_RESTING:
+                self.fail(FailureKind.HARDWARE_LOST, "the base does not come to rest")
+                return
+
+    def settle(self, seconds: float) -> Motion[F]:
+        """Stand still for so long; False when the run has to end."""
+        until = self.now + seconds
+        while self.now < until:
+            if not (yield from self.cycle(0.0, 0.0)):
+                return False
+        return True
+
+    def fail(self, kind: FailureKind, message: str, **evidence: str | float | bool) -> None:
+        """Note why the run has to end; the first reason stays."""
+        if self.failure is None:
+            self.failure = Failure(kind=kind, message=message, where=self._where, evidence=dict(evidence))
+
+    def _may_go_on(self) -> bool:
+        if self.canceled or self.failure is not None:
+            return False
+        self.failure = self._guard.refusal(self._where, anywhere=self._anywhere)
+        # What pressed already when the run began must not keep the base from leaving it.
+        touched = [name for name in self._guard.touching if name not in self._touched_before]
+        if touched:
+            self.fail(
+                FailureKind.BASE_BLOCKED,
+                "the base touched something",
+                bumper=touched[0],
+                x_m=self.pose.x,
+                y_m=self.pose.y,
+            )
+        return self.failure is None
+
+    def _wait(self, seconds: float) -> Generator[F | Slice, Command, None]:
+        """Yield feedback until robot time has gone on by ``seconds``; notes a cancellation, obeys a pause."""
+        until = self.now + seconds - 1e-6
+        while True:
+            command = yield self._feedback()
+            if command is Command.CANCEL:
+                self.canceled = True
+            elif command is Command.PAUSE and not self.canceled:
+                yield from self._pause()
+                return
+            if self.now >= until:
+                return
+
+    def _pause(self) -> Generator[F | Slice, Command, None]:
+        """Brake, then stand until told to go on or to cancel."""
+        send_at = self.now
+        while True:
+            if self.now >= send_at:
+                self.wheels.send(0.0, 0.0)
+                send_at = self.now + CYCLE - 1e-6
+            command = yield self._feedback()
+            if command is Command.CANCEL:
+                self.canceled = True
+            if self.canceled or command is Command.RESUME:
+                return

@@ -1,0 +1,120 @@
+"""ROTATE: turn on the spot."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from skills.base.guard import Guard
+from skills.base.localiser import Localiser
+from skills.base.ride import Ride
+from skills.base.status import BaseStatusBoard
+from skills.base.wheels import Wheels
+from skills.ports.actions.base import ROTATE, BaseState, RotateFeedback, RotateGoal, RotateResult
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.geometry import wrap
+from skills.ports.hardware import Drive
+from skills.ports.skill import ActionType, Outcome, Run, canceled, failed, succeeded
+
+MOST_CORRECTIONS: Final = 2
+SETTLE: Final = 0.15
+"""Robot seconds at rest before the angle is judged."""
+
+
+class Rotate:
+    """The skill of turning.
+
+    Args:
+        bus: where the wheels listen.
+        clocks: robot time.
+        drive: what the wheels can do.
+        localiser: where the base is.
+        guard: whether it may move.
+        board: who has the wheels.
+    """
+
+    def __init__(
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        drive: Drive,
+        localiser: Localiser,
+        *,
+        guard: Guard,
+        board: BaseStatusBoard,
+    ) -> None:
+        self._clocks, self._localiser, self._guard, self._board = clocks, localiser, guard, board
+        self._wheels = Wheels(bus, clocks, drive)
+
+    @property
+    def action(self) -> ActionType[RotateGoal, RotateFeedback, RotateResult]:
+        """The contract."""
+        return ROTATE
+
+    @property
+    def period(self) -> float:
+        """Robot seconds between two resumptions."""
+        return 0.02
+
+    def check(self, goal: RotateGoal) -> Failure | None:  # noqa: ARG002
+        """Refuse while another skill has the wheels or the base may not move."""
+        if self._board.holder:
+            return self._busy()
+        return self._guard.refusal(ROTATE.name)
+
+    def run(self, goal: RotateGoal, goal_id: str) -> Run[RotateFeedback, RotateResult]:  # noqa: ARG002
+        """Turn, and correct what is left."""
+        if not self._board.claim(ROTATE.name):
+            return failed(self._busy())
+        state = BaseState.BASE_GOAL_FAIL
+        try:
+            outcome = yield from self._turn(goal)
+            if outcome.canceled:
+                state = BaseState.BASE_IDLE
+            elif outcome.result is not None:
+                state = BaseState.BASE_GOAL_OK
+            return outcome
+        finally:
+            if not self._wheels.resting:
+                self._wheels.halt()
+            self._board.release(state)
+
+    def _turn(self, goal: RotateGoal) -> Run[RotateFeedback, RotateResult]:
+        turned = 0.0
+
+        def feedback() -> RotateFeedback:
+            return RotateFeedback(remaining=goal.angle - turned - ride.turned)
+
+        ride = Ride(
+            self._clocks, self._localiser, self._guard, self._wheels, feedback=feedback, where=ROTATE.name
+        )
+        for _ in range(MOST_CORRECTIONS + 1):
+            before = ride.pose.yaw
+            going_on = (yield from ride.turn(goal.angle - turned)) and (yield from ride.settle(SETTLE))
+            # Whole turns as counted on the way, the rest as the settled pose tells.
+            turned += ride.turned + wrap(ride.pose.yaw - before - ride.turned)
+            ride.turned = 0.0
+            if not going_on:
+                yield from ride.rest()
+                return self._ended(ride)
+            if abs(goal.angle - turned) <= goal.tolerance:
+                return succeeded(RotateResult(turned=turned))
+        ride.fail(
+            FailureKind.BASE_OFF_GOAL,
+            "the base came to rest outside the tolerance",
+            error_rad=goal.angle - turned,
+            tolerance_rad=goal.tolerance,
+        )
+        return self._ended(ride)
+
+    @staticmethod
+    def _ended(ride: Ride[RotateFeedback]) -> Outcome[RotateResult]:
+        if ride.canceled or ride.failure is None:
+            return canceled()
+        return failed(ride.failure)
+
+    def _busy(self) -> Failure:
+        return Failure(
+            kind=FailureKind.BUSY, message=f"{self._board.holder} has the wheels", where=ROTATE.name
+        )

@@ -1,0 +1,64 @@
+"""What the base does, told to everybody, and which skill has the wheels now."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+from skills.ports.actions.base import BASE_STATUS, BaseState, BaseStatus
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks, robot_seconds
+
+PERIOD: Final = 0.1
+
+
+class BaseStatusBoard:
+    """The one owner of ``skill/base/state``, and of the wheels' lease; a ``Node``."""
+
+    def __init__(self, bus: Bus, clocks: Clocks) -> None:
+        self._bus, self._clocks = bus, clocks
+        self._published_at = -math.inf
+        self._state = BaseState.BASE_IDLE
+        self._serves_item: int | None = None
+        self.holder = ""
+
+    @property
+    def name(self) -> str:
+        """The node's name."""
+        return "base/status"
+
+    def claim(self, skill: str, serves_item: int | None = None) -> bool:
+        """Take the wheels for a skill; False when another one has them."""
+        if self.holder and self.holder != skill:
+            return False
+        self.holder = skill
+        self._set(BaseState.BASE_TO_GOAL, serves_item)
+        return True
+
+    def release(self, state: BaseState) -> None:
+        """Give the wheels back and say how it ended."""
+        self.holder = ""
+        self._set(state, self._serves_item)
+
+    def step(self) -> bool:
+        """Publish when it is time."""
+        now = robot_seconds(self._clocks)
+        if now - self._published_at >= PERIOD - 1e-6 or now < self._published_at:
+            self._publish()
+        return False
+
+    def close(self) -> None:
+        """Nothing to leave."""
+
+    def _set(self, state: BaseState, serves_item: int | None) -> None:
+        self._state, self._serves_item = state, serves_item
+        self._publish()
+
+    def _publish(self) -> None:
+        stamp = self._clocks.robot()
+        if stamp is None:
+            return
+        self._published_at = stamp.seconds
+        BASE_STATUS.publish(
+            self._bus, BaseStatus(stamp=stamp, state=self._state, serves_item=self._serves_item)
+        )

@@ -1,0 +1,64 @@
+"""Speeds for a differential drive: within its limits, and so that it stops where it should."""
+
+from __future__ import annotations
+
+import math
+
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.hardware import BaseVelocity, Drive
+from skills.ports.keys import BASE_VELOCITY
+
+LONGEST_STEP = 0.1
+"""Seconds: after a longer pause the speeds change as if it had been this long."""
+
+
+def stopping_speed(remaining: float, deceleration: float, latency: float) -> float:
+    """Return the speed from which the base stops within ``remaining``: v latency + v2 / (2 a) = remaining.
+
+    In metres or radians; 0 for nothing remaining. ``latency`` (s) is what passes before braking begins.
+    """
+    if remaining <= 0.0:
+        return 0.0
+    return deceleration * (math.sqrt(latency * latency + 2.0 * remaining / deceleration) - latency)
+
+
+class Wheels:
+    """Sends velocity commands that change no faster than the drive can."""
+
+    def __init__(self, bus: Bus, clocks: Clocks, drive: Drive) -> None:
+        self._bus, self._clocks, self.drive = bus, clocks, drive
+        self._at = -math.inf
+        self.linear = 0.0
+        self.angular = 0.0
+
+    @property
+    def resting(self) -> bool:
+        """Whether the last command was to stand still."""
+        return self.linear == 0.0 and self.angular == 0.0
+
+    def begin(self, linear: float, angular: float) -> None:
+        """Start from the speeds that odometry tells (m/s, rad/s)."""
+        self.linear, self.angular = linear, angular
+        self._at = robot_seconds(self._clocks)
+
+    def send(self, linear: float, angular: float) -> None:
+        """Go on towards these speeds (m/s, rad/s) and send what is reached."""
+        now = robot_seconds(self._clocks)
+        span = min(max(now - self._at, 0.0), LONGEST_STEP)
+        self._at = now
+        drive = self.drive
+        linear = min(max(linear, -drive.backward), drive.forward)
+        angular = min(max(angular, -drive.turn), drive.turn)
+        self.linear = _towards(self.linear, linear, drive.acceleration * span)
+        self.angular = _towards(self.angular, angular, drive.turn_acceleration * span)
+        BASE_VELOCITY.publish(self._bus, BaseVelocity(linear=self.linear, angular=self.angular))
+
+    def halt(self) -> None:
+        """Send standstill at once: the last resort."""
+        self.linear = self.angular = 0.0
+        BASE_VELOCITY.publish(self._bus, BaseVelocity(linear=0.0, angular=0.0))
+
+
+def _towards(value: float, target: float, step: float) -> float:
+    return value + min(max(target - value, -step), step)

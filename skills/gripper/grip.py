@@ -1,0 +1,207 @@
+"""GRIP: open, close, grasp, and say whether the hand is full.
+
+Full means: the pads stopped before they met, at about the width expected, and press on something. A grasp
+that closed all the way is empty; pads that stopped where nothing was expected are stuck.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from typing import Final
+
+from skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
+from skills.ports.bus import Bus, Pending
+from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.hardware import Answer, EndEffector, GripperCommand, GripperMotion, GripperState
+from skills.ports.keys import STOP_STATE, Latest, gripper_command, gripper_state
+from skills.ports.skill import ActionType, Command, Outcome, Run, canceled, failed, succeeded
+
+WIDTH_TOLERANCE: Final = 0.012
+"""Metres by which a held item's width may differ from what was expected (it may be held askew)."""
+REACHED: Final = 0.006
+"""Metres from the commanded width that count as there."""
+EMPTY_BELOW: Final = 0.006
+"""Metres: pads closer than this have met."""
+HOLDING_FORCE: Final = 0.5
+"""Newtons at the least between pads that hold something."""
+SETTLE: Final = 0.2
+"""Robot seconds at rest before the hand is judged."""
+SLOW: Final = 2.5
+"""Times the motion's nominal time, and a second, after which a gripper is stuck."""
+ANSWER_WITHIN: Final = 2.0
+
+Grips = Run[GripFeedback, GripResult]
+Waiting = Generator[GripFeedback, Command, Failure | None]
+
+
+class Gripping:
+    """The skill of one gripper.
+
+    Args:
+        bus: where the hardware is.
+        clocks: robot time.
+        hand: which gripper.
+    """
+
+    def __init__(self, bus: Bus, clocks: Clocks, hand: EndEffector) -> None:
+        self._bus, self._clocks, self._hand = bus, clocks, hand
+        self._action = grip(hand.side)
+        self._service = gripper_command(hand.side)
+        self._state, self._stop = Latest(bus, gripper_state(hand.side)), Latest(bus, STOP_STATE)
+        self._command = Command.GO_ON
+
+    @property
+    def action(self) -> ActionType[GripGoal, GripFeedback, GripResult]:
+        """The contract."""
+        return self._action
+
+    @property
+    def period(self) -> float:
+        """Robot seconds between two resumptions."""
+        return 0.02
+
+    def check(self, goal: GripGoal) -> Failure | None:
+        """Refuse widths and forces that the gripper does not have."""
+        gripper = self._hand.gripper
+        if goal.width > gripper.max_width + WIDTH_TOLERANCE:
+            return self._failure(
+                FailureKind.INVALID_GOAL, f"at most {gripper.max_width} m wide, not {goal.width}"
+            )
+        if goal.grip is Grip.GRASP and goal.width <= EMPTY_BELOW:
+            return self._failure(FailureKind.INVALID_GOAL, "a grasp needs the width of what is grasped")
+        if goal.force is not None and goal.force > gripper.force:
+            return self._failure(FailureKind.INVALID_GOAL, f"at most {gripper.force} N, not {goal.force}")
+        return None
+
+    def run(self, goal: GripGoal, goal_id: str) -> Grips:
+        """Move the pads, wait for rest, judge."""
+        self._command = Command.GO_ON
+        resting = False
+        try:
+            wrong = yield from self._heard()
+            if wrong is None and goal.grip is not Grip.CHECK:
+                wrong = yield from self._move(goal, goal_id, self._target(goal))
+            if self._command is Command.CANCEL:
+                yield from self._hold(goal_id)
+                resting = True
+                return canceled()
+            resting = True
+            return failed(wrong) if wrong is not None else self._judge(goal)
+        finally:
+            if not resting:
+                self._send(f"{goal_id}#hold", self._now().width)
+
+    def _target(self, goal: GripGoal) -> float:
+        if goal.grip is Grip.OPEN:
+            return min(goal.width or self._hand.gripper.max_width, self._hand.gripper.max_width)
+        return 0.0
+
+    def _heard(self) -> Waiting:
+        until = robot_seconds(self._clocks) + ANSWER_WITHIN
+        while self._state.refresh() is None:
+            if robot_seconds(self._clocks) > until:
+                return self._failure(FailureKind.NOT_READY, "the gripper's state was not heard")
+            if self._look((yield GripFeedback(width=0.0, force=0.0))):
+                return None
+        return None
+
+    def _move(self, goal: GripGoal, goal_id: str, width: float) -> Waiting:
+        """Command the width and wait until the pads are at rest there or before."""
+        start = self._now().width
+        pending = self._send(goal_id, width, goal.force)
+        refused = yield from self._answered(pending)
+        if refused is not None or self._command is Command.CANCEL:
+            return refused
+        began = robot_seconds(self._clocks)
+        late = began + SLOW * abs(width - start) / self._hand.gripper.speed + 1.0
+        rest_since: float | None = None
+        while True:
+            now, state = robot_seconds(self._clocks), self._now()
+            done = state.command_id == goal_id and state.motion is not GripperMotion.MOVING
+            rest_since = (now if rest_since is None else rest_since) if done else None
+            if rest_since is not None and now - rest_since >= SETTLE:
+                return None
+            if now > late:
+                return self._failure(
+                    FailureKind.GRIPPER_STUCK,
+                    f"still {state.motion} after {now - began:.1f} s",
+                    width_m=state.width,
+                    commanded_m=width,
+                    force_n=state.force,
+                )
+            if self._look((yield self._feedback())):
+                return None
+
+    def _answered(self, pending: Pending) -> Waiting:
+        until = robot_seconds(self._clocks) + ANSWER_WITHIN
+        while (payload := pending.poll()) is None:
+            if pending.done() or robot_seconds(self._clocks) > until:
+                return self._failure(FailureKind.HARDWARE_LOST, "the gripper did not answer")
+            if self._look((yield self._feedback())):
+                return None
+        answer: Answer = self._service.decode_answer(payload)
+        if answer.accepted:
+            return None
+        stop = self._stop.refresh()
+        stopped = stop is not None and stop.stopped
+        kind = FailureKind.HARDWARE_STOPPED if stopped else FailureKind.NOT_READY
+        return self._failure(kind, f"the gripper refused: {answer.reason}")
+
+    def _hold(self, goal_id: str) -> Generator[GripFeedback, Command, None]:
+        """Stop where the pads are, and wait for rest."""
+        if self._state.value is None:
+            return
+        hold = f"{goal_id}#hold"
+        self._send(hold, self._now().width)
+        until = robot_seconds(self._clocks) + ANSWER_WITHIN
+        while robot_seconds(self._clocks) < until:
+            state = self._now()
+            if state.command_id == hold and state.motion is not GripperMotion.MOVING:
+                return
+            yield self._feedback()
+
+    def _judge(self, goal: GripGoal) -> Outcome[GripResult]:
+        state = self._now()
+        at_width = abs(state.width - goal.width) <= WIDTH_TOLERANCE
+        pressed = state.force >= HOLDING_FORCE
+        full = state.width > EMPTY_BELOW and pressed and (at_width or goal.width == 0.0)
+        result = GripResult(width=state.width, force=state.force, full=full)
+        evidence = {"width_m": state.width, "force_n": state.force, "expected_m": goal.width}
+        if goal.grip is Grip.GRASP and not full:
+            text = (
+                "the pads met" if state.width <= EMPTY_BELOW else "what is between the pads is no such item"
+            )
+            return failed(self._failure(FailureKind.GRASP_EMPTY, text, **evidence))
+        if goal.grip is Grip.OPEN and state.width < self._target(goal) - REACHED:
+            return failed(self._failure(FailureKind.GRIPPER_STUCK, "did not open all the way", **evidence))
+        if goal.grip is Grip.CLOSE and state.width > EMPTY_BELOW:
+            return failed(self._failure(FailureKind.GRIPPER_STUCK, "did not close all the way", **evidence))
+        if goal.grip in {Grip.OPEN, Grip.CLOSE}:
+            result = result.model_copy(update={"full": False})
+        return succeeded(result)
+
+    def _send(self, command_id: str, width: float, force: float | None = None) -> Pending:
+        gripper = self._hand.gripper
+        command = GripperCommand(
+            id=command_id, width=max(0.0, width), speed=gripper.speed, force=force or gripper.force
+        )
+        return self._service.query(self._bus, command)
+
+    def _look(self, command: Command) -> bool:
+        """Take a command; True when the run has to end."""
+        if command is Command.CANCEL:
+            self._command = Command.CANCEL
+        return self._command is Command.CANCEL
+
+    def _now(self) -> GripperState:
+        state = self._state.refresh()
+        assert state is not None  # heard at the start of the run
+        return state
+
+    def _feedback(self) -> GripFeedback:
+        state = self._now()
+        return GripFeedback(width=state.width, force=state.force)
+
+    def _failure(self, kind: FailureKind, message: str, **evidence: str | float) -> Failure:
+        return Failure(kind=kind, message=message, where=self._action.name, evidence=dict(evidence))

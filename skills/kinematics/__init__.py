@@ -1,0 +1,1 @@
+"""Kinematics and collision: the only home of pinocchio and coal."""

@@ -1,0 +1,235 @@
+"""Whether a group's joints can stand somewhere: the moving links against the rest and the world.
+
+A checker is made for one group with everything else standing still, which leaves few bodies and few
+pairs: about 20 us a state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pinocchio as pin
+
+from skills.kinematics.bodies import Carried, Obstacle
+from skills.kinematics.hulls import RobotHulls
+from skills.kinematics.model import Chain
+from skills.kinematics.pairs import Bodies
+from skills.kinematics.transforms import Array
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Two bodies that overlap, by ``depth`` metres. Links, obstacles and carried things by name."""
+
+    first: str
+    second: str
+    depth: float
+
+
+@dataclass(frozen=True)
+class Clearance:
+    """The two bodies that are nearest, and the metres between them (below zero: they overlap)."""
+
+    distance: float
+    first: str
+    second: str
+
+
+@dataclass(frozen=True)
+class _Resting:
+    """A pair that was in contact in a reference configuration, and may go on being so near it."""
+
+    pair: int
+    moving: int
+    depth: float
+    position: Array
+
+
+MAX_RESTING_DEPTH = 0.02
+"""Metres: contacts deeper than this are no resting but an error."""
+RESTING_REACH = 0.05
+"""Metres: how far the moving body may go while it is still said to rest."""
+DEEPER = 0.002
+"""Metres: how much deeper than in the reference a resting contact may become."""
+
+
+class CollisionChecker:
+    """The collisions of one group's motion.
+
+    Args:
+        hulls: the robot's bodies.
+        joints: those that move; the order of every array (n,) here.
+        positions: where the others stand.
+        obstacles: the world, in the base frame.
+        carried: what hands hold (of this group or another).
+        allowed: pairs of names (links, obstacles, carried things) that may be in contact.
+        touchable: pairs of names that may be in contact while ``touch`` allows it.
+    """
+
+    def __init__(  # noqa: PLR0917 - the world's parts, in one order everywhere
+        self,
+        hulls: RobotHulls,
+        joints: Sequence[str],
+        positions: Mapping[str, float],
+        obstacles: Sequence[Obstacle] = (),
+        carried: Sequence[Carried] = (),
+        allowed: Sequence[tuple[str, str]] = (),
+        touchable: Sequence[tuple[str, str]] = (),
+    ) -> None:
+        self.chain = Chain(hulls.robot, joints, positions)
+        self.joints = self.chain.joints
+        self.checks = 0
+        _, reduced = pin.buildReducedModel(
+            hulls.robot.model, hulls.geometry, self.chain.locked, self.chain.reference
+        )
+        self._bodies = Bodies(hulls, self.chain, reduced)
+        self._bodies.add_carried(carried)
+        self._bodies.add_obstacles(obstacles)
+        self._geometry, self._touchable = self._bodies.build(allowed, touchable)
+        self.names = tuple(self._bodies.names)
+        self._data, self._geometry_data = self.chain.model.createData(), self._geometry.createData()
+        self._manager = pin.BroadPhaseManager_NaiveCollisionManager(
+            self.chain.model, self._geometry, self._geometry_data
+        )
+        self._resting: tuple[_Resting, ...] = ()
+        self._touching = False
+
+    def touch(self, *, allowed: bool) -> None:
+        """Say whether the touchable pairs may be in contact from now on."""
+        if allowed == self._touching:
+            return
+        self._touching = allowed
+        resting = {each.pair for each in self._resting}
+        for k in self._touchable:
+            if allowed:
+                self._geometry_data.deactivateCollisionPair(k)
+            elif k not in resting:
+                self._geometry_data.activateCollisionPair(k)
+
+    @property
+    def pairs(self) -> int:
+        """How many pairs of bodies are checked."""
+        return len(self._geometry.collisionPairs)
+
+    def free(self, q: Array) -> bool:
+        """Say whether the group can stand at q (n,)."""
+        self.checks += 1
+        at = self.chain.to_model(q)
+        if pin.computeCollisions(self.chain.model, self._data, self._manager, at, True):
+            return False
+        return not self._resting or self._rests()
+
+    def first_contact(self, path: Array) -> int | None:
+        """Return the index of the first state of the path (m, n) that is not free, or None."""
+        for i, q in enumerate(path):
+            if not self.free(q):
+                return i
+        return None
+
+    def contacts(self, q: Array) -> tuple[Contact, ...]:
+        """Return all pairs that overlap at q, deepest first; those that may rest as they do are left out."""
+        self._place(q)
+        found = []
+        for k in self._counted():
+            depth = -self._distance(k)
+            if depth > 0.0 and not self._may_rest(k, depth):
+                found.append(Contact(*self._names_of(k), depth))
+        return tuple(sorted(found, key=lambda contact: (-contact.depth, contact.first, contact.second)))
+
+    def clearance(self, q: Array, *, to_world: bool = False) -> Clearance | None:
+        """Return the nearest pair at q, or None if there is none.
+
+        Args:
+            q: joint positions (n,).
+            to_world: leave out the pairs of two links of the robot.
+        """
+        self._place(q)
+        numbers = [
+            k
+            for k in self._counted()
+            if not to_world or self._bodies.has_world(self._geometry.collisionPairs[k])
+        ]
+        if not numbers:
+            return None
+        distances = [self._distance(k) for k in numbers]
+        nearest = int(np.argmin(distances))
+        return Clearance(distances[nearest], *self._names_of(numbers[nearest]))
+
+    def let_rest(self, q: Array, *, carried_only: bool = False) -> tuple[Contact, ...]:
+        """Permit the shallow contacts that there are at q, as long as they get no deeper nearby.
+
+        So an item can be lifted from the table on which it stands, set down on it, and a hand can leave
+        what it touches: a pair in contact at q may stay so while the moving body is within
+        ``RESTING_REACH`` of where it is at q, and the overlap grows by no more than ``DEEPER``.
+
+        Args:
+            q: the reference configuration (n,): the start, or the place to set down.
+            carried_only: permit the contacts of carried things, not of links.
+
+        Returns:
+            The contacts that are too deep, or of a link though ``carried_only``.
+        """
+        if self.free(q):
+            return ()
+        self._place(q)
+        refused, resting = [], list(self._resting)
+        for k in self._counted():
+            depth = -self._distance(k)
+            if depth <= 0.0:
+                continue
+            pair = self._geometry.collisionPairs[k]
+            carried = self._bodies.is_carried(pair.first) or self._bodies.is_carried(pair.second)
+            if depth > MAX_RESTING_DEPTH or (carried_only and not carried):
+                if not self._may_rest(k, depth):
+                    refused.append(Contact(*self._names_of(k), depth))
+                continue
+            moving = int(pair.first if self._moves(pair.first) else pair.second)
+            resting.append(_Resting(k, moving, depth, self._position(moving)))
+        self._resting = tuple(resting)
+        for each in resting:
+            self._geometry_data.deactivateCollisionPair(each.pair)
+        return tuple(sorted(refused, key=lambda contact: -contact.depth))
+
+    def _counted(self) -> Sequence[int]:
+        """Return the pairs whose contact counts."""
+        if not self._touching:
+            return range(self.pairs)
+        return [k for k in range(self.pairs) if k not in self._touchable]
+
+    def _place(self, q: Array) -> None:
+        at = self.chain.to_model(q)
+        pin.updateGeometryPlacements(self.chain.model, self._data, self._geometry, self._geometry_data, at)
+
+    def _distance(self, pair: int) -> float:
+        return float(pin.computeDistance(self._geometry, self._geometry_data, pair).min_distance)
+
+    def _position(self, body: int) -> Array:
+        return np.array(self._geometry_data.oMg[body].translation)
+
+    def _moves(self, body: int) -> bool:
+        return bool(self._geometry.geometryObjects[int(body)].parentJoint > 0)
+
+    def _names_of(self, pair: int) -> tuple[str, str]:
+        numbers = self._geometry.collisionPairs[pair]
+        return self.names[numbers.first], self.names[numbers.second]
+
+    def _rests(self) -> bool:
+        done: list[int] = []
+        for each in self._resting:
+            if each.pair in done:
+                continue
+            done.append(each.pair)
+            depth = -self._distance(each.pair)
+            if depth > 0.0 and not self._may_rest(each.pair, depth):
+                return False
+        return True
+
+    def _may_rest(self, pair: int, depth: float) -> bool:
+        return any(
+            each.pair == pair
+            and depth <= each.depth + DEEPER
+            and float(np.linalg.norm(self._position(each.moving) - each.position)) <= RESTING_REACH
+            for each in self._resting
+        )

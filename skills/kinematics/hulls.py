@@ -1,0 +1,157 @@
+"""The robot's own collision bodies, convex, and the pairs of them that are worth a check."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import coal
+import numpy as np
+import numpy.typing as npt
+import pinocchio as pin
+
+from skills.kinematics.model import Chain, RobotKinematics
+from skills.kinematics.transforms import Array
+
+ALWAYS = 0.95
+"""A pair in contact in this share of random configurations is so by construction."""
+
+
+class RobotHulls:
+    """Convex bodies of all links, and which pairs can be in contact without harm.
+
+    Left out are pairs of one link or of two that a joint connects, pairs in contact in a ``home``
+    configuration, and pairs in contact nearly always (as MoveIt's setup assistant does).
+
+    Args:
+        robot: the kinematics; its URDF names the meshes.
+        homes: full configurations, by joint name, known to be free.
+        rng: draws the random configurations.
+        samples: how many of them.
+    """
+
+    def __init__(
+        self,
+        robot: RobotKinematics,
+        homes: Sequence[Mapping[str, float]],
+        rng: np.random.Generator,
+        samples: int = 150,
+    ) -> None:
+        self.robot = robot
+        self.geometry = pin.buildGeomFromUrdfString(robot.model, robot.urdf, pin.GeometryType.COLLISION)
+        for body in self.geometry.geometryObjects:
+            _make_convex(body)
+        self.links: tuple[str, ...] = tuple(
+            robot.model.frames[body.parentFrame].name for body in self.geometry.geometryObjects
+        )
+        self.radii = np.array([_radius(body) for body in self.geometry.geometryObjects])
+        """Metres from each body's origin to its farthest point, or a little more, (links,)."""
+        self._reach: dict[tuple[str, ...], tuple[Reach, ...]] = {}
+        count = len(self.links)
+        self.harmless: npt.NDArray[np.bool_] = np.zeros((count, count), dtype=bool)
+        """(links, links), upper triangle: pairs that are never checked."""
+        self._leave_out(self._adjacent())
+        self.geometry.setCollisionPairs(np.triu(~self.harmless, 1))
+        self._leave_out(self._touching(homes, 1e-9))
+        self._leave_out(self._touching([self._draw(homes, rng) for _ in range(samples)], ALWAYS))
+
+    def reach(self, chain: Chain) -> tuple[Reach, ...]:
+        """Return how far the bodies that a chain moves can get from where its first joints are."""
+        if chain.joints not in self._reach:
+            self._reach[chain.joints] = self._measure(chain)
+        known = self._reach[chain.joints]
+        model = chain.model
+        return tuple(
+            Reach(
+                np.array(model.jointPlacements[each.joint].translation), each.bodies, each.metres, each.joint
+            )
+            for each in known
+        )
+
+    def _measure(self, chain: Chain) -> tuple[Reach, ...]:
+        model, whole = chain.model, self.robot.model
+        names = list(model.names)
+        found: dict[int, list[tuple[int, float]]] = {}
+        for i, body in enumerate(self.geometry.geometryObjects):
+            carrying = [int(j) for j in whole.supports[body.parentJoint] if j > 0]
+            above = [k for k, j in enumerate(carrying) if whole.names[j] in chain.joints]
+            if not above:
+                continue
+            way = [int(j) for j in model.supports[names.index(whole.names[carrying[above[-1]]])] if j > 0]
+            # A finger hangs on the last moving link by a joint that is locked here, in whatever place.
+            hanging = carrying[above[-1] + 1 :]
+            length = sum(_stride(model, j, placed=j != way[0]) for j in way)
+            length += sum(_stride(whole, j, placed=True) for j in hanging)
+            length += float(np.linalg.norm(body.placement.translation)) + float(self.radii[i])
+            found.setdefault(way[0], []).append((i, length))
+        return tuple(
+            Reach(np.zeros(3), np.array([i for i, _ in each]), np.array([r for _, r in each]), joint)
+            for joint, each in sorted(found.items())
+        )
+
+    def _leave_out(self, pairs: Sequence[tuple[int, int]]) -> None:
+        for i, j in pairs:
+            self.harmless[i, j] = True
+
+    def _adjacent(self) -> list[tuple[int, int]]:
+        bodies, parents = self.geometry.geometryObjects, self.robot.model.parents
+        joints = [body.parentJoint for body in bodies]
+        return [
+            (i, j)
+            for i in range(len(joints))
+            for j in range(i + 1, len(joints))
+            if joints[i] == joints[j] or parents[joints[i]] == joints[j] or parents[joints[j]] == joints[i]
+        ]
+
+    def _draw(self, homes: Sequence[Mapping[str, float]], rng: np.random.Generator) -> dict[str, float]:
+        drawn = dict(homes[0]) if homes else {}
+        for joints in self.robot.groups.values():
+            limits = self.robot.limits(joints)
+            drawn |= dict(zip(joints, map(float, rng.uniform(limits.lower, limits.upper)), strict=True))
+        return drawn
+
+    def _touching(self, configurations: Sequence[Mapping[str, float]], share: float) -> list[tuple[int, int]]:
+        if not configurations:
+            return []
+        data, geometry_data = self.robot.model.createData(), self.geometry.createData()
+        counts = np.zeros(len(self.geometry.collisionPairs))
+        for positions in configurations:
+            q = self.robot.configuration(positions)
+            pin.computeCollisions(self.robot.model, data, self.geometry, geometry_data, q, False)
+            counts += [result.isCollision() for result in geometry_data.collisionResults]
+        often = np.flatnonzero(counts / len(configurations) >= share)
+        pairs = self.geometry.collisionPairs
+        return [(int(pairs[int(k)].first), int(pairs[int(k)].second)) for k in often]
+
+
+@dataclass(frozen=True)
+class Reach:
+    """Bodies (numbers) that stay within so many metres (k,) of ``origin``, that of their first joint."""
+
+    origin: Array
+    bodies: npt.NDArray[np.int_]
+    metres: Array
+    joint: int
+
+
+def _stride(model: pin.Model, joint: int, *, placed: bool) -> float:
+    """Return the longest way from the joint before to this one (if ``placed``) and along it, if it shifts."""
+    way = float(np.linalg.norm(model.jointPlacements[joint].translation)) if placed else 0.0
+    if model.joints[joint].shortname().startswith("JointModelP"):
+        k = model.joints[joint].idx_q
+        way += float(max(abs(model.lowerPositionLimit[k]), abs(model.upperPositionLimit[k])))
+    return way
+
+
+def _radius(body: pin.GeometryObject) -> float:
+    box = body.geometry.aabb_local
+    far = np.maximum(np.abs(np.array(box.min_)), np.abs(np.array(box.max_)))
+    return float(np.linalg.norm(far))
+
+
+def _make_convex(body: pin.GeometryObject) -> None:
+    mesh = body.geometry
+    if isinstance(mesh, coal.BVHModelBase):
+        mesh.buildConvexHull(True, "Qt")
+        body.geometry = mesh.convex
+    body.geometry.computeLocalAABB()

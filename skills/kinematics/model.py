@@ -1,0 +1,203 @@
+"""The robot's kinematics out of its URDF: where every frame is, and how it moves with a group's joints.
+
+Everything is told in the base frame, the root of the URDF; the base itself stands still.
+"""
+
+from __future__ import annotations
+
+import math
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pinocchio as pin
+
+from skills.kinematics.transforms import Array, to_pose
+from skills.ports.geometry import Pose
+from skills.ports.packages import resolve
+
+
+class UnknownNameError(KeyError):
+    """A joint, frame or group that the robot does not have; the message names some that it has."""
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Of some joints, in order: rad (or m) and rad/s (or m/s), each an array (n,)."""
+
+    lower: Array
+    upper: Array
+    velocity: Array
+
+
+def plain_urdf(urdf: str) -> str:
+    """Return the URDF with the collision meshes' paths resolved, no visuals and no endless joints.
+
+    An endless joint becomes one of [-pi, pi], so that each joint is one number: wheels are not moved
+    here, and an arm's endless joint loses nothing but a second way round.
+
+    Raises:
+        ValueError: the text is no URDF.
+        FileNotFoundError: a mesh is missing.
+    """
+    try:
+        root = ET.fromstring(urdf)  # noqa: S314 - the robot's own description
+    except ET.ParseError as error:
+        raise ValueError(f"the robot's description is no XML: {error}") from error
+    for link in root.iter("link"):
+        for visual in link.findall("visual"):
+            link.remove(visual)
+    for mesh in root.iter("mesh"):
+        mesh.set("filename", str(resolve(mesh.get("filename", ""))))
+    for joint in root.iter("joint"):
+        if joint.get("type") == "continuous":
+            joint.set("type", "revolute")
+            limit = joint.find("limit")
+            limit = ET.SubElement(joint, "limit", effort="100", velocity="3") if limit is None else limit
+            limit.set("lower", str(-math.pi))
+            limit.set("upper", str(math.pi))
+    return ET.tostring(root, encoding="unicode")
+
+
+class RobotKinematics:
+    """The whole robot, its base fixed.
+
+    Args:
+        urdf: the text; meshes as ``package://`` addresses.
+        groups: joints by the group's name.
+
+    Raises:
+        ValueError: the text is no URDF.
+        UnknownNameError: a group names a joint that is not there.
+    """
+
+    def __init__(self, urdf: str, groups: Mapping[str, Sequence[str]]) -> None:
+        self.urdf = plain_urdf(urdf)
+        self.model = pin.buildModelFromXML(self.urdf)
+        self.joints: tuple[str, ...] = tuple(self.model.names)[1:]
+        self._index = {name: i for i, name in enumerate(self.joints)}
+        self._frames = {frame.name: i for i, frame in enumerate(self.model.frames)}
+        self.groups = {name: tuple(joints) for name, joints in groups.items()}
+        for name, joints in self.groups.items():
+            if missing := [joint for joint in joints if joint not in self._index]:
+                raise UnknownNameError(f"group {name!r} names {missing}; the URDF has {self.joints[:40]}")
+
+    def joint_index(self, joint: str) -> int:
+        """Return the joint's place in a full configuration."""
+        try:
+            return self._index[joint]
+        except KeyError:
+            raise UnknownNameError(f"no joint {joint!r}; there are {', '.join(self.joints[:40])}") from None
+
+    def frame_index(self, frame: str) -> int:
+        """Return pinocchio's number of a frame (a link or a joint)."""
+        try:
+            return self._frames[frame]
+        except KeyError:
+            raise UnknownNameError(f"no frame {frame!r} among the {len(self._frames)} of the robot") from None
+
+    def limits(self, joints: Sequence[str]) -> Limits:
+        """Return the URDF's limits of the joints, in their order."""
+        rows = [self.joint_index(joint) for joint in joints]
+        return Limits(
+            np.array(self.model.lowerPositionLimit)[rows],
+            np.array(self.model.upperPositionLimit)[rows],
+            np.array(self.model.velocityLimit)[rows],
+        )
+
+    def configuration(self, positions: Mapping[str, float]) -> Array:
+        """Return the full configuration (n,) of joint positions by name.
+
+        What is not named stands at zero, or at the limit nearest to it. Names that the model does not
+        have (the hardware may tell more) are left out.
+        """
+        full = np.clip(
+            np.zeros(len(self.joints)), self.model.lowerPositionLimit, self.model.upperPositionLimit
+        )
+        for name, value in positions.items():
+            if name in self._index:
+                full[self._index[name]] = value
+        return full
+
+    def pose(self, frame: str, positions: Mapping[str, float]) -> Pose:
+        """Return the frame in the base, the joints standing at ``positions`` (see ``configuration``)."""
+        return self.poses((frame,), positions)[0]
+
+    def poses(self, frames: Sequence[str], positions: Mapping[str, float]) -> tuple[Pose, ...]:
+        """Return several frames in the base."""
+        data = self.model.createData()
+        pin.forwardKinematics(self.model, data, self.configuration(positions))
+        return tuple(
+            to_pose(pin.updateFramePlacement(self.model, data, self.frame_index(frame))) for frame in frames
+        )
+
+    def chain(self, joints: Sequence[str], positions: Mapping[str, float]) -> Chain:
+        """Return the kinematics of some joints while all others stand at ``positions``."""
+        return Chain(self, joints, positions)
+
+
+class Chain:
+    """Some joints of a robot, the others locked: small, so that it is fast.
+
+    Args:
+        robot: the whole.
+        joints: those that move, in the order of every array (n,) here.
+        positions: where the others stand.
+    """
+
+    def __init__(self, robot: RobotKinematics, joints: Sequence[str], positions: Mapping[str, float]) -> None:
+        self.robot = robot
+        self.joints = tuple(joints)
+        self.reference = robot.configuration(positions)
+        moving = {robot.joint_index(joint) + 1 for joint in joints}
+        self.locked = [i for i in range(1, robot.model.njoints) if i not in moving]
+        self.model = pin.buildReducedModel(robot.model, self.locked, self.reference)
+        self._data = self.model.createData()
+        names = list(self.model.names)[1:]
+        order = [names.index(joint) for joint in self.joints]
+        self._order = None if order == list(range(len(order))) else np.argsort(order)
+        self._columns = order
+        self._frames = {frame.name: i for i, frame in enumerate(self.model.frames)}
+
+    def to_model(self, q: Array) -> Array:
+        """Return the positions in the order of pinocchio's reduced model."""
+        return q if self._order is None else np.asarray(q)[self._order]
+
+    def placement(self, q: Array, frame: str) -> pin.SE3:
+        """Return the frame in the base as SE3."""
+        pin.forwardKinematics(self.model, self._data, self.to_model(q))
+        return pin.updateFramePlacement(self.model, self._data, self.frame(frame)).copy()
+
+    def pose(self, q: Array, frame: str) -> Pose:
+        """Return the frame in the base."""
+        return to_pose(self.placement(q, frame))
+
+    def frame(self, name: str) -> int:
+        """Return the frame's number in the reduced model."""
+        if name not in self._frames:
+            raise UnknownNameError(f"no frame {name!r} among the {len(self._frames)} of the robot")
+        return self._frames[name]
+
+    def jacobian(self, q: Array, frame: str) -> Array:
+        """Return the Jacobian (6, n) of the frame, along and about the base's axes at the frame's origin.
+
+        Rows 0 to 2 are linear (m/s per rad/s), 3 to 5 angular.
+        """
+        full = pin.computeFrameJacobian(
+            self.model, self._data, self.to_model(q), self.frame(frame), pin.LOCAL_WORLD_ALIGNED
+        )
+        return np.asarray(full)[:, self._columns]
+
+    def twist_to(self, q: Array, frame: str, target: pin.SE3) -> tuple[Array, Array]:
+        """Return the twist (6,) that brings the frame to the target in one second, and its Jacobian (6, n).
+
+        Both in the frame's own axes: log6(T^-1 T_target) and the Jacobian of that error with respect to
+        the joints, -Jlog6 J (Pinocchio's CLIK example).
+        """
+        number = self.frame(frame)
+        pin.computeJointJacobians(self.model, self._data, self.to_model(q))
+        local = pin.getFrameJacobian(self.model, self._data, number, pin.LOCAL)
+        here = pin.updateFramePlacement(self.model, self._data, number)
+        motion = pin.log6(here.actInv(target))  # kept alive: ``vector`` only looks into it
+        return np.array(motion.vector), np.asarray(local)[:, self._columns]

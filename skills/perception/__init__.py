@@ -1,0 +1,1 @@
+"""See: tags, clutter and where the camera is. The only home of OpenCV among the skills."""

@@ -1,0 +1,64 @@
+"""Which head positions look where."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skills.ports.chain import Chain
+from skills.ports.geometry import invert, transform
+from skills.ports.hardware import JointGroup, RobotDescription
+from skills.ports.message import Vector3
+
+HEAD: Final = "head"
+_ROUNDS: Final = 12
+_STEP: Final = 1e-4
+
+
+class Aim:
+    """Head positions from points and tilts, within the head joints' limits."""
+
+    def __init__(self, description: RobotDescription) -> None:
+        """Read the camera's chain and the head's limits."""
+        self.group: JointGroup = description.group(HEAD)
+        self._chain = Chain.from_urdf(description.urdf, description.base_frame, description.camera.frame)
+
+    def tilted(self, tilt: float) -> tuple[float, ...]:
+        """Return the head straight ahead and tilted by its last joint; radians, down is negative."""
+        ahead = (0.0,) * (len(self.group.limits) - 1)
+        return self._clipped(np.array([*ahead, tilt]))
+
+    def at(self, point_in_base: Vector3, joint_positions: dict[str, float]) -> tuple[float, ...]:
+        """Return the head positions that bring a point nearest to the middle of the picture.
+
+        Gauss-Newton on the point's place in the picture; out of the head's reach, the nearest within it.
+        """
+        head = np.zeros(len(self.group.limits))
+        for _ in range(_ROUNDS):
+            miss = self._miss(head, point_in_base, joint_positions)
+            slopes = np.empty((2, len(head)))
+            for i in range(len(head)):
+                moved = head.copy()
+                moved[i] += _STEP
+                slopes[:, i] = (self._miss(moved, point_in_base, joint_positions) - miss) / _STEP
+            step = np.linalg.lstsq(slopes, -miss, rcond=None)[0]
+            head = np.array(self._clipped(head + np.clip(step, -0.4, 0.4)))
+            if float(np.abs(step).max()) < _STEP:
+                break
+        return self._clipped(head)
+
+    def _miss(
+        self, head: NDArray[np.float64], point: Vector3, positions: dict[str, float]
+    ) -> NDArray[np.float64]:
+        """Return the angles (rad, right and down) between the line of sight and the point."""
+        joints = positions | dict(zip(self.group.joints, head.tolist(), strict=True))
+        x, y, z = transform(invert(self._chain.pose(joints)), point)
+        return np.array([np.arctan2(x, z), np.arctan2(y, np.hypot(x, z))])
+
+    def _clipped(self, head: NDArray[np.float64]) -> tuple[float, ...]:
+        return tuple(
+            min(max(float(value), limit.lower), limit.upper)
+            for value, limit in zip(head, self.group.limits, strict=True)
+        )

@@ -1,0 +1,35 @@
+"""The arms as lines in the base, so that the camera does not take them for clutter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import pairwise
+
+from skills.ports.chain import Chain
+from skills.ports.geometry import transform
+from skills.ports.hardware import RobotDescription
+from skills.ports.message import Vector3
+
+_BEYOND_TOOL = 0.06
+"""Metres beyond the tool frame, for what is held."""
+
+
+class Arms:
+    """The chains to the tool frames."""
+
+    def __init__(self, description: RobotDescription) -> None:
+        """Read the chains."""
+        self._chains = tuple(
+            Chain.from_urdf(description.urdf, description.base_frame, hand.frame)
+            for hand in description.end_effectors
+        )
+
+    def segments(self, positions: Mapping[str, float]) -> tuple[tuple[Vector3, Vector3], ...]:
+        """Return the lines from joint to joint (m, in the base) at these joint positions."""
+        lines: list[tuple[Vector3, Vector3]] = []
+        for chain in self._chains:
+            poses = chain.poses(positions)
+            beyond = transform(poses[-1], (_BEYOND_TOOL, 0.0, 0.0))
+            points = [pose.position for pose in poses] + [beyond]
+            lines.extend(pairwise(points))
+        return tuple(lines)

@@ -1,0 +1,67 @@
+"""The camera's pictures: it renders only while somebody listens, so listen only while one is wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from typing import Final
+
+from skills.perception.session import LookError, Session
+from skills.ports.actions.perception import LookFeedback
+from skills.ports.bus import Bus, Inbox
+from skills.ports.failure import FailureKind
+from skills.ports.hardware import RgbdHeader
+from skills.ports.image import decode
+from skills.ports.keys import RGBD
+from skills.ports.skill import Command, Slice
+
+SILENT_AFTER: Final = 3.0
+"""Robot seconds without a fresh picture."""
+
+
+class Camera:
+    """The subscription to the head camera of one run."""
+
+    def __init__(self, bus: Bus) -> None:
+        """Don't listen yet."""
+        self._bus = bus
+        self._inbox: Inbox | None = None
+        self._fresh: list[tuple[RgbdHeader, bytes]] = []
+
+    def close(self) -> None:
+        """Stop listening."""
+        if self._inbox is not None:
+            self._inbox.close()
+            self._inbox = None
+
+    def picture(
+        self, session: Session, after: float
+    ) -> Generator[LookFeedback | Slice, Command, tuple[RgbdHeader, bytes]]:
+        """Return the next picture taken later than ``after`` (robot seconds), as header and payload.
+
+        While the run is paused, nobody listens.
+
+        Raises:
+            LookError: CAMERA_SILENT when none comes.
+        """
+        self._fresh.clear()
+        session.on_pause = self.close
+        if not (yield from session.until(lambda: self._arrived(after), SILENT_AFTER)):
+            raise LookError(
+                FailureKind.CAMERA_SILENT, f"no picture within {SILENT_AFTER} s", waited_s=SILENT_AFTER
+            )
+        return self._fresh[0]
+
+    def _arrived(self, after: float) -> bool:
+        for sample in self._listen().drain():
+            try:
+                header = decode(sample.payload).header
+            except ValueError:
+                continue
+            if header.stamp.seconds >= after:
+                self._fresh.append((header, sample.payload))
+        return bool(self._fresh)
+
+    def _listen(self) -> Inbox:
+        if self._inbox is None:
+            self._inbox = self._bus.subscribe(RGBD, depth=2)
+        return self._inbox

@@ -1,0 +1,121 @@
+"""Moves the head from rest to rest, and knows when it is there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Generator
+from typing import Final
+
+from pydantic import ValidationError
+
+from skills.perception.aim import HEAD
+from skills.perception.frames import JointHistory
+from skills.perception.ramp import rest_to_rest
+from skills.perception.session import LookError, Session
+from skills.ports.actions.perception import LookFeedback
+from skills.ports.bus import Bus, Pending
+from skills.ports.failure import FailureKind
+from skills.ports.hardware import CancelMotion, GroupStatus, JointGroup, MotionState, TrajectoryGoal
+from skills.ports.keys import Latest, group_cancel, group_goal, group_status
+from skills.ports.skill import Command, Slice
+
+_NEAR: Final = 0.003
+"""Radians: nearer than this, the head need not move."""
+_ANSWER: Final = 1.0
+"""Robot seconds for the hardware to answer a goal."""
+_OVERTIME: Final = 2.0
+"""Robot seconds beyond the trajectory's own for the head to be at rest."""
+
+Steps = Generator[LookFeedback | Slice, Command, None]
+
+
+class Head:
+    """The head of one run of the look.
+
+    Args:
+        bus: where the hardware is.
+        group: the head's joints and limits.
+        goal_id: of the run; each motion gets a number behind it.
+    """
+
+    def __init__(self, bus: Bus, group: JointGroup, goal_id: str) -> None:
+        self._bus, self._group, self._goal_id = bus, group, goal_id
+        self._status: Latest[GroupStatus] = Latest(bus, group_status(HEAD))
+        self._sent = 0
+        self._moving = ""
+        self._interrupted = False
+
+    def refresh(self) -> None:
+        """Read the inbox."""
+        status = self._status.refresh()
+        ended = (
+            status is not None and status.goal_id == self._moving and status.state is not MotionState.ACTIVE
+        )
+        if ended and status is not None and status.at_rest:
+            self._moving = ""
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether no motion of ours is under way."""
+        return not self._moving
+
+    def move(self, session: Session, joints: JointHistory, end: tuple[float, ...]) -> Steps:
+        """Go to the end positions (rad) and come to rest there. A motion that strayed counts as over.
+
+        Where the camera is, is measured; so a head that stops short spoils the view and not the poses. A
+        pause halts the head; afterwards it goes on to where it was going.
+
+        Raises:
+            LookError: when the hardware refuses, or the head does not come to rest.
+        """
+        session.on_pause = self._interrupt
+        while True:
+            self._interrupted = False
+            newest = joints.newest
+            assert newest is not None
+            start = newest.position_of(self._group.joints)
+            if all(math.isclose(a, b, abs_tol=_NEAR) for a, b in zip(start, end, strict=True)):
+                return
+            yield from self._go(session, start, end)
+            if not self._interrupted:
+                return
+
+    def _interrupt(self) -> None:
+        self._interrupted = True
+        self.halt()
+
+    def _go(self, session: Session, start: tuple[float, ...], end: tuple[float, ...]) -> Steps:
+        points = rest_to_rest(start, end, self._group.limits)
+        self._sent += 1
+        goal = TrajectoryGoal(id=f"{self._goal_id}/head{self._sent}", points=points)
+        # From here on the hardware may have it, whatever becomes of the answer.
+        self._moving = goal.id
+        service = group_goal(HEAD)
+        pending = service.query(self._bus, goal)
+        yield from session.until(lambda: pending.poll() is not None or pending.done(), _ANSWER)
+        refused = self._refusal(pending)
+        if refused is not None:
+            self._moving = ""
+            raise LookError(FailureKind.NOT_READY, f"the head's goal was not taken: {refused}")
+        if not (yield from session.until(lambda: self.at_rest, points[-1].time + _OVERTIME)):
+            raise LookError(FailureKind.TIMED_OUT, "the head did not come to rest", goal=goal.id)
+
+    def halt(self) -> None:
+        """Ask the hardware to stop our motion, if there is one; ``at_rest`` tells when it has."""
+        if self._moving:
+            group_cancel(HEAD).query(self._bus, CancelMotion(id=self._moving))
+
+    def close(self) -> None:
+        """End the subscription; what moves is stopped."""
+        self.halt()
+        self._status.close()
+
+    def _refusal(self, pending: Pending) -> str | None:
+        payload = pending.poll()
+        if payload is None:
+            return "no answer"
+        try:
+            answer = group_goal(HEAD).decode_answer(payload)
+        except ValidationError:
+            return "an answer that is none"
+        return None if answer.accepted else answer.reason

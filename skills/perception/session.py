@@ -1,0 +1,98 @@
+"""One run of the look: waits that hear cancel, pause and the hardware's stop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from typing import TypeAlias
+
+from skills.ports.actions.perception import LookFeedback
+from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.hardware import StopState
+from skills.ports.keys import Latest
+from skills.ports.skill import Command, Slice
+
+Steps: TypeAlias = Generator[LookFeedback | Slice, Command, bool]
+"""A part of a run; returns whether what it waited for came true."""
+
+WHERE = "perception/look"
+
+
+class Canceled(Exception):  # noqa: N818 - no error: the wish of the client
+    """The goal was cancelled."""
+
+
+class LookError(Exception):
+    """The goal failed."""
+
+    def __init__(self, kind: FailureKind, message: str, **evidence: str | float | bool) -> None:
+        super().__init__(message)
+        self.failure = Failure(kind=kind, message=message, where=WHERE, evidence=dict(evidence))
+
+
+class Session:
+    """What one run knows of itself: what was seen, and whether it is held up.
+
+    Args:
+        clocks: robot time.
+        stop: the hardware's stop.
+        refresh: reads the run's inboxes; called at each resumption.
+    """
+
+    def __init__(self, clocks: Clocks, stop: Latest[StopState], refresh: Callable[[], None]) -> None:
+        self.clocks = clocks
+        self.pictures = 0
+        self.seen: tuple[int, ...] = ()
+        self.paused = False
+        self.on_pause: Callable[[], None] = _nothing
+        """Called once when the client pauses the run."""
+        self._stop, self._refresh = stop, refresh
+
+    @property
+    def now(self) -> float:
+        """Robot seconds."""
+        return robot_seconds(self.clocks)
+
+    def breathe(self) -> Generator[LookFeedback | Slice, Command, None]:
+        """Yield once; then read the inboxes and heed the command.
+
+        Raises:
+            Canceled: when the client wishes so.
+            LookError: when the hardware's stop is set.
+        """
+        command = yield LookFeedback(pictures=self.pictures, seen=self.seen)
+        self._refresh()
+        if command is Command.CANCEL:
+            raise Canceled
+        if command is Command.PAUSE:
+            self.paused = True
+            self.on_pause()
+        elif command is Command.RESUME:
+            self.paused = False
+        state = self._stop.refresh()
+        if state is not None and state.stopped:
+            raise LookError(
+                FailureKind.HARDWARE_STOPPED, f"stopped by {state.by}: {state.reason}", by=state.by
+            )
+
+    def until(self, ready: Callable[[], bool], seconds: float) -> Steps:
+        """Wait until ``ready``; return False when it takes longer than ``seconds``. Pauses don't count."""
+        end = self.now + seconds
+        while self.paused or not ready():
+            if self.paused:
+                end += yield from self._idle()
+            elif self.now >= end:
+                return False
+            yield from self.breathe()
+        return True
+
+    def _idle(self) -> Generator[LookFeedback | Slice, Command, float]:
+        """Stay paused; return the seconds that it took."""
+        since = self.now
+        while self.paused:
+            yield from self.breathe()
+        return self.now - since
+
+
+def _nothing() -> None:
+    """Do nothing on a pause."""

@@ -1,0 +1,96 @@
+"""The life of a goal on the bus: what client and server of an action say to each other.
+
+Keys, for the action ``name``: ``skill/<name>/goal``, ``.../command`` and ``.../result`` are queried,
+``.../status`` is published. A goal's id is ``task/node/attempt``; sending the same id twice starts once.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+from pydantic import JsonValue
+
+from skills.ports.failure import Failure
+from skills.ports.keys import Service, Topic
+from skills.ports.message import Message, RobotTime
+from skills.ports.skill import Command
+
+
+class GoalState(StrEnum):
+    """Where a goal stands."""
+
+    REJECTED = "REJECTED"
+    UNKNOWN = "UNKNOWN"
+    RUNNING = "RUNNING"
+    PAUSED = "PAUSED"
+    CANCELING = "CANCELING"
+    SUCCEEDED = "SUCCEEDED"
+    FAILED = "FAILED"
+    CANCELED = "CANCELED"
+
+    @property
+    def terminal(self) -> bool:
+        """Whether nothing comes after it."""
+        return self in {
+            GoalState.REJECTED,
+            GoalState.UNKNOWN,
+            GoalState.SUCCEEDED,
+            GoalState.FAILED,
+            GoalState.CANCELED,
+        }
+
+
+class SendGoal(Message):
+    """Start ``goal`` under this id. ``client`` is the announced name whose end brings the goal to rest."""
+
+    goal_id: str
+    client: str
+    goal: dict[str, JsonValue]
+
+
+class GoalCommand(Message):
+    """Cancel, pause or resume the goal."""
+
+    goal_id: str
+    command: Command
+
+
+class AskResult(Message):
+    """Ask how the goal ended; kept by the server for late and reconnecting clients."""
+
+    goal_id: str
+
+
+class GoalStatus(Message):
+    """The goal as its server sees it: the answer to every query, and published on each change.
+
+    ``sequence`` rises with each status of the server, so that an older one that arrives later is known.
+    """
+
+    goal_id: str
+    state: GoalState
+    sequence: int
+    stamp: RobotTime | None = None
+    feedback: dict[str, JsonValue] | None = None
+    result: dict[str, JsonValue] | None = None
+    failure: Failure | None = None
+
+
+def goal_service(action: str) -> Service[SendGoal, GoalStatus]:
+    """Return the service that takes goals."""
+    return Service(f"skill/{action}/goal", SendGoal, GoalStatus)
+
+
+def command_service(action: str) -> Service[GoalCommand, GoalStatus]:
+    """Return the service that takes cancel, pause and resume."""
+    return Service(f"skill/{action}/command", GoalCommand, GoalStatus)
+
+
+def result_service(action: str) -> Service[AskResult, GoalStatus]:
+    """Return the service that tells how a goal stands or ended."""
+    return Service(f"skill/{action}/result", AskResult, GoalStatus)
+
+
+def status_topic(action: str) -> Topic[GoalStatus]:
+    """Return the topic of the action's status."""
+    return Topic(f"skill/{action}/status", GoalStatus)

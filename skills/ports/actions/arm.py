@@ -1,0 +1,139 @@
+"""Move an arm (or any other joint group, such as the torso or the head)."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from skills.ports.geometry import FloorPose, Pose
+from skills.ports.keys import Topic
+from skills.ports.message import Message, RobotTime
+from skills.ports.skill import ActionType
+
+
+class ArmState(StrEnum):
+    """What the group does, in the paper's words (000, III-C)."""
+
+    ARM_IDLE = "ARM_IDLE"
+    ARM_RUNNING = "ARM_RUNNING"
+    ARM_SUCCESS = "ARM_SUCCESS"
+    ARM_FAIL = "ARM_FAIL"
+
+
+class ArmStatus(Message):
+    """At 10 Hz and on each change. The base moves only while all arms are ARM_IDLE and tucked in."""
+
+    stamp: RobotTime
+    group: str
+    state: ArmState
+    extent: float
+    """Metres from the base's axis to the farthest point of the group, in plan, with what it holds."""
+
+
+class Candidate(Message):
+    """One way to do it: a pose of the tool frame, and where the hand must get straight from there."""
+
+    pose: Pose
+    followed_by: tuple[Pose, ...] = ()
+    """Poses that must be reachable one after the other in straight lines (pre-grasp: grasp, retraction)."""
+
+
+class MoveGoal(Message):
+    """Where the group shall go; exactly one of ``joints``, ``posture``, ``candidates``.
+
+    Candidates are tried in order: the first that has a collision-free position and path is taken. With
+    ``straight`` the tool moves in a straight line. In straight lines the hand may touch
+    ``touch_item``, and, with ``touch_support``, what it holds may touch what it stands on.
+    """
+
+    joints: tuple[float, ...] | None = None
+    posture: str | None = None
+    candidates: tuple[Candidate, ...] = ()
+    frame: Literal["map", "base"] = "map"
+    straight: bool = False
+    touch_item: int | None = None
+    touch_support: bool = False
+    hand_width: Annotated[float, Field(ge=0.0)] | None = None
+    """Metres between the pads of an empty hand that are planned with; as they are unless given."""
+    speed: Annotated[float, Field(gt=0.0, le=1.0)] = 1.0
+    """Share of the joints' limits."""
+
+    @model_validator(mode="after")
+    def _one_target(self) -> MoveGoal:
+        named = sum((self.joints is not None, self.posture is not None, bool(self.candidates)))
+        if named != 1:
+            raise ValueError("exactly one of joints, posture and candidates was expected")
+        return self
+
+
+class MovePhase(StrEnum):
+    """What a move is at."""
+
+    PLANNING = "PLANNING"
+    MOVING = "MOVING"
+    STOPPING = "STOPPING"
+
+
+class MoveFeedback(Message):
+    """How far the move is."""
+
+    phase: MovePhase
+    progress: Annotated[float, Field(ge=0.0, le=1.0)]
+
+
+class MoveResult(Message):
+    """Where it ended."""
+
+    candidate: int = 0
+    """Index of the candidate taken."""
+    positions: tuple[float, ...]
+    error: float
+    """Metres (candidates) or largest radians (joints, posture) between what was asked and reached."""
+    planning_steps: int
+    """Slices that planning took."""
+    duration: float
+    """Robot seconds of the motion."""
+
+
+class SurveyGoal(Message):
+    """From which of ``bases`` could the hand do one of ``candidates`` (in the map)? Moves nothing.
+
+    Ends when ``enough`` have been found. Contacts and the hand's width are as in ``MoveGoal``.
+    """
+
+    bases: Annotated[tuple[FloorPose, ...], Field(min_length=1, max_length=100)]
+    candidates: Annotated[tuple[Candidate, ...], Field(min_length=1)]
+    touch_item: int | None = None
+    touch_support: bool = False
+    hand_width: Annotated[float, Field(ge=0.0)] | None = None
+    enough: Annotated[int, Field(ge=1)] = 4
+
+
+class SurveyFeedback(Message):
+    """Bases looked at, and found good."""
+
+    looked_at: int
+    found: int
+
+
+class SurveyResult(Message):
+    """Indices of the bases from which it can be done, in the order of the goal; none is a result too."""
+
+    bases: tuple[int, ...]
+
+
+def survey(group: str) -> ActionType[SurveyGoal, SurveyFeedback, SurveyResult]:
+    """Return the action of a group with a hand: ``arm_left/survey``."""
+    return ActionType(f"{group}/survey", SurveyGoal, SurveyFeedback, SurveyResult, timeout=30.0)
+
+
+def move(group: str) -> ActionType[MoveGoal, MoveFeedback, MoveResult]:
+    """Return the action of a group: ``arm_left/move``, ``torso/move``, ..."""
+    return ActionType(f"{group}/move", MoveGoal, MoveFeedback, MoveResult, timeout=60.0)
+
+
+def arm_status(group: str) -> Topic[ArmStatus]:
+    """Return the topic on which the group's state is told."""
+    return Topic(f"skill/{group}/state", ArmStatus)

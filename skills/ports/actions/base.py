@@ -1,0 +1,110 @@
+"""Drive, rotate and localise."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated, Final
+
+from pydantic import Field
+
+from skills.ports.geometry import FloorPose
+from skills.ports.keys import Topic
+from skills.ports.message import Message, RobotTime
+from skills.ports.skill import ActionType
+
+ARM_MARGIN: Final = 0.04
+"""Metres by which an arm, with what it holds, may reach beyond the footprint while the base moves."""
+
+
+class BaseState(StrEnum):
+    """What the base does, in the paper's words (000, III-B)."""
+
+    BASE_IDLE = "BASE_IDLE"
+    BASE_TO_GOAL = "BASE_TO_GOAL"
+    BASE_GOAL_OK = "BASE_GOAL_OK"
+    BASE_GOAL_FAIL = "BASE_GOAL_FAIL"
+
+
+class BaseStatus(Message):
+    """Published at 10 Hz and on each change."""
+
+    stamp: RobotTime
+    state: BaseState
+    serves_item: int | None = None
+
+
+class DriveGoal(Message):
+    """Drive to the first of ``poses`` (in the map) that has a free way; planned and checked before driving.
+
+    ``serves_item`` says for which item, if any (000, III-B).
+    """
+
+    poses: Annotated[tuple[FloorPose, ...], Field(min_length=1)]
+    position_tolerance: Annotated[float, Field(gt=0.0)] = 0.03
+    yaw_tolerance: Annotated[float, Field(gt=0.0)] = 0.04
+    serves_item: int | None = None
+
+
+class DriveFeedback(Message):
+    """Where the base is and how far it has to go."""
+
+    base_in_map: FloorPose
+    remaining: float
+    """Metres of way left."""
+    progress: Annotated[float, Field(ge=0.0, le=1.0)]
+
+
+class DriveResult(Message):
+    """Where it stopped. ``pose``: index of the goal pose taken."""
+
+    pose: int
+    base_in_map: FloorPose
+    position_error: float
+    yaw_error: float
+    replans: int = 0
+
+
+class RotateGoal(Message):
+    """Turn on the spot by ``angle`` radians, counter-clockwise positive."""
+
+    angle: float
+    tolerance: Annotated[float, Field(gt=0.0)] = 0.05
+
+
+class RotateFeedback(Message):
+    """Radians left."""
+
+    remaining: float
+
+
+class RotateResult(Message):
+    """Radians turned, as the localised pose tells."""
+
+    turned: float
+
+
+class LocaliseGoal(Message):
+    """Find out where the robot is, from the laser; near ``hint`` when there is one, else anywhere."""
+
+    hint: FloorPose | None = None
+
+
+class LocaliseFeedback(Message):
+    """How much of the search is done."""
+
+    progress: Annotated[float, Field(ge=0.0, le=1.0)]
+
+
+class LocaliseResult(Message):
+    """The pose, and how well the scan fits the map there: share of beams within 10 cm."""
+
+    base_in_map: FloorPose
+    fit: float
+    runner_up: float
+    """The fit of the best pose elsewhere; close to ``fit`` means ambiguous."""
+
+
+DRIVE: Final = ActionType("base/drive", DriveGoal, DriveFeedback, DriveResult, timeout=120.0)
+ROTATE: Final = ActionType("base/rotate", RotateGoal, RotateFeedback, RotateResult, timeout=30.0)
+LOCALISE: Final = ActionType("base/localise", LocaliseGoal, LocaliseFeedback, LocaliseResult, timeout=30.0)
+BASE_STATUS: Final = Topic("skill/base/state", BaseStatus)

@@ -1,0 +1,46 @@
+"""Look: tags and clutter out of the head camera."""
+
+from __future__ import annotations
+
+from typing import Annotated, Final
+
+from pydantic import Field
+
+from skills.ports.message import Message, Vector3
+from skills.ports.skill import ActionType
+from skills.ports.world import Sighting
+
+
+class LookGoal(Message):
+    """Point the head, take pictures, and tell what is there.
+
+    Looks at ``at`` (a point in the map) or else through the ``tilts`` (radians, down is negative), straight
+    ahead. Ends early once ``item`` has been seen. With ``clutter``, what is untagged is measured from the
+    depth image and goes into the planning scene.
+    """
+
+    item: int | None = None
+    at: Vector3 | None = None
+    tilts: tuple[float, ...] = (-0.45,)
+    pictures: Annotated[int, Field(ge=1, le=20)] = 1
+    """Pictures at each head position; tag poses are averaged over them."""
+    clutter: bool = False
+
+
+class LookFeedback(Message):
+    """Pictures taken so far, and items seen so far."""
+
+    pictures: int
+    seen: tuple[int, ...]
+
+
+class LookResult(Message):
+    """Every tag seen; success also when there is none (``found`` tells about ``item``)."""
+
+    found: bool
+    sightings: tuple[Sighting, ...]
+    clutter: int = 0
+    """Boxes of clutter measured."""
+
+
+LOOK: Final = ActionType("perception/look", LookGoal, LookFeedback, LookResult, timeout=30.0)

@@ -1,0 +1,50 @@
+"""Change what is believed: the planning scene and what is in which hand."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Final, Literal
+
+from skills.ports.geometry import Pose
+from skills.ports.message import Message
+from skills.ports.skill import ActionType
+
+
+class SceneEdit(StrEnum):
+    """The paper's changes to the scene (000, III-D)."""
+
+    ADD = "add"
+    ATTACH = "attach"
+    DETACH = "detach"
+    REMOVE = "remove"
+
+
+class EditGoal(Message):
+    """Apply ``edit`` to the item.
+
+    ADD: the item, where it was last seen, becomes an obstacle. ATTACH: it is now in the hand of
+    ``side``, at ``item_in_tool``.
+    DETACH: it was put down at ``item_in_map``, into ``slot`` of ``depot`` if that is given.
+    REMOVE: it is no obstacle any more.
+    """
+
+    edit: SceneEdit
+    item: int
+    side: Literal["left", "right"] | None = None
+    item_in_tool: Pose | None = None
+    item_in_map: Pose | None = None
+    depot: str | None = None
+    slot: int | None = None
+
+
+class EditFeedback(Message):
+    """Nothing to tell: edits are done at once."""
+
+
+class EditResult(Message):
+    """The scene's version after the edit."""
+
+    version: int
+
+
+EDIT: Final = ActionType("world/edit", EditGoal, EditFeedback, EditResult, timeout=5.0)

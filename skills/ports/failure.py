@@ -1,0 +1,123 @@
+"""Failures are data: a closed set of kinds, each with who can help and whether to try again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from types import MappingProxyType
+from typing import Final
+
+from pydantic import Field
+
+from skills.ports.message import Message
+
+
+class FailureKind(StrEnum):
+    """What can go wrong. Every failure of a skill or a task is one of these."""
+
+    INVALID_GOAL = "INVALID_GOAL"
+    BUSY = "BUSY"
+    NOT_READY = "NOT_READY"
+    TIMED_OUT = "TIMED_OUT"
+    SKILL_LOST = "SKILL_LOST"
+    SKILL_CRASHED = "SKILL_CRASHED"
+    HARDWARE_LOST = "HARDWARE_LOST"
+    HARDWARE_STOPPED = "HARDWARE_STOPPED"
+    CAMERA_SILENT = "CAMERA_SILENT"
+    LASER_SILENT = "LASER_SILENT"
+    NOT_LOCALISED = "NOT_LOCALISED"
+    ITEM_UNKNOWN = "ITEM_UNKNOWN"
+    ITEM_NOT_FOUND = "ITEM_NOT_FOUND"
+    ITEM_UNREACHABLE = "ITEM_UNREACHABLE"
+    DESTINATION_UNKNOWN = "DESTINATION_UNKNOWN"
+    DESTINATION_FULL = "DESTINATION_FULL"
+    HAND_FULL = "HAND_FULL"
+    BASE_NO_PATH = "BASE_NO_PATH"
+    BASE_BLOCKED = "BASE_BLOCKED"
+    BASE_OFF_GOAL = "BASE_OFF_GOAL"
+    BASE_HELD = "BASE_HELD"
+    NO_IK = "NO_IK"
+    NO_PATH = "NO_PATH"
+    PATH_IN_COLLISION = "PATH_IN_COLLISION"
+    ARM_STOPPED = "ARM_STOPPED"
+    ARM_OFF_GOAL = "ARM_OFF_GOAL"
+    GRASP_EMPTY = "GRASP_EMPTY"
+    GRASP_LOST = "GRASP_LOST"
+    GRIPPER_STUCK = "GRIPPER_STUCK"
+
+
+class Helper(StrEnum):
+    """Who can help with a failure."""
+
+    CLIENT = "client"
+    AGAIN = "again"
+    LOOK = "look"
+    BASE = "base"
+    LET_GO = "let_go"
+    OPERATOR = "operator"
+
+
+@dataclass(frozen=True)
+class KindFacts:
+    """What holds for all failures of a kind."""
+
+    meaning: str
+    retryable: bool
+    helper: Helper
+
+
+_K = FailureKind
+KINDS: Final = MappingProxyType(
+    {
+        _K.INVALID_GOAL: KindFacts("the goal contradicts itself or the robot", False, Helper.CLIENT),
+        _K.BUSY: KindFacts("the skill is at another goal", True, Helper.AGAIN),
+        _K.NOT_READY: KindFacts("something the skill needs has not been heard yet", True, Helper.AGAIN),
+        _K.TIMED_OUT: KindFacts("no result within the time allowed", True, Helper.AGAIN),
+        _K.SKILL_LOST: KindFacts("the process of the skill is gone", True, Helper.AGAIN),
+        _K.SKILL_CRASHED: KindFacts("the skill raised an error; its log has the trace", True, Helper.AGAIN),
+        _K.HARDWARE_LOST: KindFacts("the hardware is silent", True, Helper.OPERATOR),
+        _K.HARDWARE_STOPPED: KindFacts("the hardware's stop is set", False, Helper.OPERATOR),
+        _K.CAMERA_SILENT: KindFacts("no picture came in time", True, Helper.AGAIN),
+        _K.LASER_SILENT: KindFacts("no scan came in time", True, Helper.AGAIN),
+        _K.NOT_LOCALISED: KindFacts("the robot does not know where it is", True, Helper.AGAIN),
+        _K.ITEM_UNKNOWN: KindFacts("the site file knows no such item", False, Helper.CLIENT),
+        _K.ITEM_NOT_FOUND: KindFacts("all search spots seen, the tag was not", False, Helper.OPERATOR),
+        _K.ITEM_UNREACHABLE: KindFacts("seen, but no arm gets there", False, Helper.OPERATOR),
+        _K.DESTINATION_UNKNOWN: KindFacts("the site file knows no such depot", False, Helper.CLIENT),
+        _K.DESTINATION_FULL: KindFacts("no slot of the depot is free", False, Helper.OPERATOR),
+        _K.HAND_FULL: KindFacts("the hand holds another item", False, Helper.LET_GO),
+        _K.BASE_NO_PATH: KindFacts("no free way to any of the goal's poses", True, Helper.BASE),
+        _K.BASE_BLOCKED: KindFacts("something stands in the way", True, Helper.BASE),
+        _K.BASE_OFF_GOAL: KindFacts("at rest, but outside the goal's tolerance", True, Helper.AGAIN),
+        _K.BASE_HELD: KindFacts(
+            "an arm is stretched out or moving; the base must not move", True, Helper.AGAIN
+        ),
+        _K.NO_IK: KindFacts("no joint positions reach the pose without collision", True, Helper.BASE),
+        _K.NO_PATH: KindFacts("reachable, but no collision-free path was found", True, Helper.BASE),
+        _K.PATH_IN_COLLISION: KindFacts("the planned motion failed its last check", True, Helper.LOOK),
+        _K.ARM_STOPPED: KindFacts("the arm was stopped on the way", True, Helper.LOOK),
+        _K.ARM_OFF_GOAL: KindFacts("at rest, but not where the plan ended", True, Helper.LOOK),
+        _K.GRASP_EMPTY: KindFacts("the gripper closed on nothing", True, Helper.LOOK),
+        _K.GRASP_LOST: KindFacts("the hand was full and is empty", True, Helper.LOOK),
+        _K.GRIPPER_STUCK: KindFacts("the gripper did not move as told", True, Helper.OPERATOR),
+    }
+)
+"""The facts of each kind; complete, which a test checks."""
+
+
+class Failure(Message):
+    """One failure: its kind, what happened in words, and the evidence.
+
+    ``evidence`` holds what was measured (which joint, which pose, how far), by name with the unit in the
+    name (``distance_m``); ``causes`` is the chain below it, nearest first.
+    """
+
+    kind: FailureKind
+    message: str
+    where: str = ""
+    evidence: dict[str, str | float | int | bool] = Field(default_factory=dict)
+    causes: tuple[Failure, ...] = ()
+
+    def chain(self) -> tuple[Failure, ...]:
+        """Return this failure and all below it, depth first."""
+        return (self, *(each for cause in self.causes for each in cause.chain()))

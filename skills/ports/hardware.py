@@ -1,0 +1,356 @@
+"""The hardware interface: what a real robot offers, and no more. The sim implements it; so may a robot."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from itertools import pairwise
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from skills.ports.geometry import FloorPose
+from skills.ports.message import Message, RobotTime, Vector3
+
+Positive = Annotated[float, Field(gt=0.0)]
+
+
+class JointLimit(Message):
+    """Limits of one joint: rad (or m), rad/s, rad/s2, rad/s3, Nm (or N)."""
+
+    joint: str
+    lower: float
+    upper: float
+    velocity: Positive
+    acceleration: Positive
+    jerk: Positive
+    effort: Positive
+
+
+class JointGroup(Message):
+    """Joints that are moved together, in the order of every message about them."""
+
+    name: str
+    limits: tuple[JointLimit, ...]
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """The joints' names, in order."""
+        return tuple(limit.joint for limit in self.limits)
+
+
+class Gripper(Message):
+    """A parallel gripper: ``joints`` are its fingers, each opening with positive values (m)."""
+
+    joints: tuple[str, ...]
+    max_width: Positive
+    """Metres between the pads when open."""
+    speed: Positive
+    """Metres a second at which the width changes."""
+    force: Positive
+    """Newtons at the most between the pads."""
+
+
+class EndEffector(Message):
+    """The hand at the end of a group.
+
+    Its tool ``frame`` lies between the finger pads: x out of the hand, y along the closing.
+    ``touch_links`` may touch what is grasped.
+    """
+
+    side: Literal["left", "right"]
+    group: str
+    frame: str
+    touch_links: tuple[str, ...]
+    gripper: Gripper
+    work_point: tuple[float, float] = (0.65, 0.0)
+    """x and y in the base (m) around which the hand works best at table height."""
+    work_heading: float = 0.0
+    """Heading in the base (rad) in which the hand points when it works best there."""
+
+
+class CameraSensor(Message):
+    """An RGB-D camera; ``frame`` is optical: z forward, x right, y down."""
+
+    name: str
+    frame: str
+    width: int
+    height: int
+    horizontal_fov: Positive
+    """Radians."""
+
+
+class LaserSensor(Message):
+    """A 2D laser; ``frame`` has x at angle 0 and z up."""
+
+    frame: str
+    angle_min: float
+    angle_step: Positive
+    beams: int
+    range_min: float
+    range_max: float
+    period: Positive
+
+
+class Drive(Message):
+    """What the wheels can do: m/s, m/s2, rad/s, rad/s2."""
+
+    forward: Positive
+    backward: Positive
+    acceleration: Positive
+    turn: Positive
+    turn_acceleration: Positive
+    dead_man: Positive
+    """Seconds after which an old velocity command means stop."""
+
+
+class Posture(Message):
+    """A named position of one group."""
+
+    name: str
+    group: str
+    positions: tuple[float, ...]
+
+
+class RobotDescription(Message):
+    """All that a skill learns about a robot."""
+
+    name: str
+    urdf: str
+    base_frame: str
+    """Root of the URDF, on the floor between the wheels: "base" in the names of poses."""
+    footprint_radius: Positive
+    """Metres: no part of the robot in its driving posture is farther from the base's axis."""
+    height: Positive
+    groups: tuple[JointGroup, ...]
+    end_effectors: tuple[EndEffector, ...]
+    camera: CameraSensor
+    laser: LaserSensor
+    drive: Drive
+    postures: tuple[Posture, ...]
+    period: Positive
+    """Seconds between two messages of the clock and of the joints' state."""
+
+    def group(self, name: str) -> JointGroup:
+        """Return the group; KeyError names those that there are."""
+        for group in self.groups:
+            if group.name == name:
+                return group
+        raise KeyError(f"no group {name!r}; there are {', '.join(g.name for g in self.groups)}")
+
+    def end_effector(self, side: str) -> EndEffector:
+        """Return the hand of a side; KeyError names those that there are."""
+        for hand in self.end_effectors:
+            if hand.side == side:
+                return hand
+        raise KeyError(f"no end effector {side!r}; there are {', '.join(e.side for e in self.end_effectors)}")
+
+    def posture(self, group: str, name: str) -> Posture:
+        """Return a group's named posture; KeyError names those that there are."""
+        named = [posture for posture in self.postures if posture.group == group]
+        for posture in named:
+            if posture.name == name:
+                return posture
+        raise KeyError(f"no posture {name!r} of {group!r}; there are {', '.join(p.name for p in named)}")
+
+
+class Clock(Message):
+    """The hardware's clock, once a period.
+
+    ``tick`` counts the periods. With ``waits`` the hardware goes on only when all who registered as
+    followers have said that they are through with this tick (simulated time faster than real time).
+    """
+
+    stamp: RobotTime
+    tick: int
+    waits: bool = False
+
+
+class JointStates(Message):
+    """All joints that have a group or belong to a gripper."""
+
+    stamp: RobotTime
+    names: tuple[str, ...]
+    positions: tuple[float, ...]
+    velocities: tuple[float, ...]
+    efforts: tuple[float, ...]
+
+    def position_of(self, joints: tuple[str, ...]) -> tuple[float, ...]:
+        """Return the positions of the joints asked for, in their order."""
+        index = {name: i for i, name in enumerate(self.names)}
+        return tuple(self.positions[index[joint]] for joint in joints)
+
+
+class TrajectoryPoint(Message):
+    """Where the joints are ``time`` seconds after the start."""
+
+    time: float
+    positions: tuple[float, ...]
+    velocities: tuple[float, ...]
+
+
+class TrajectoryGoal(Message):
+    """A motion of a group, as cubic splines between points; the first point is where the group stands.
+
+    The group aborts when a joint strays from the path by more than ``path_tolerance`` or is not within
+    ``goal_tolerance`` of the end ``goal_time`` seconds after the last point (rad or m).
+    """
+
+    id: str
+    points: Annotated[tuple[TrajectoryPoint, ...], Field(min_length=1)]
+    path_tolerance: Positive = 0.15
+    goal_tolerance: Positive = 0.02
+    goal_time: Positive = 1.0
+
+    @model_validator(mode="after")
+    def _times_rise(self) -> TrajectoryGoal:
+        times = [point.time for point in self.points]
+        if any(b <= a for a, b in pairwise(times)):
+            raise ValueError("the points' times were expected to rise")
+        return self
+
+
+class MotionState(StrEnum):
+    """Where a trajectory goal stands."""
+
+    ACTIVE = "ACTIVE"
+    SUCCEEDED = "SUCCEEDED"
+    ABORTED = "ABORTED"
+    CANCELED = "CANCELED"
+
+
+class GroupStatus(Message):
+    """A group's last goal; published on each change and with each clock second."""
+
+    stamp: RobotTime
+    group: str
+    goal_id: str
+    state: MotionState
+    joint: str = ""
+    """The joint that strayed most, when ABORTED."""
+    error: float = 0.0
+    """By how much it strayed (rad or m)."""
+    at_rest: bool = True
+
+
+class Answer(Message):
+    """What the hardware says at once to a goal or a command."""
+
+    accepted: bool
+    reason: str = ""
+
+
+class CancelMotion(Message):
+    """Stop the group's goal ``id`` within its limits; the group then holds. An empty id means any goal."""
+
+    id: str = ""
+
+
+class SetPoint(Message):
+    """One streamed set-point of a group; without a new one for 0.1 s the group holds."""
+
+    stamp: RobotTime
+    positions: tuple[float, ...]
+    velocities: tuple[float, ...]
+
+
+class GripperCommand(Message):
+    """Move the pads to ``width`` metres, with at most ``force`` newtons and ``speed`` metres a second."""
+
+    id: str
+    width: Annotated[float, Field(ge=0.0)]
+    speed: Positive
+    force: Positive
+
+
+class GripperMotion(StrEnum):
+    """What the fingers do."""
+
+    MOVING = "MOVING"
+    AT_WIDTH = "AT_WIDTH"
+    STALLED = "STALLED"
+    """At rest before the commanded width: something is between the pads."""
+    IDLE = "IDLE"
+
+
+class GripperState(Message):
+    """The gripper as its own controller sees it."""
+
+    stamp: RobotTime
+    side: Literal["left", "right"]
+    command_id: str
+    motion: GripperMotion
+    width: float
+    """Metres between the pads."""
+    force: float
+    """Newtons between the pads, as the motor's effort tells."""
+
+
+class BaseVelocity(Message):
+    """m/s ahead and rad/s to the left; older than the drive's dead-man means stop."""
+
+    linear: float
+    angular: float
+
+
+class Odometry(Message):
+    """The base's way by its wheels; drifts."""
+
+    stamp: RobotTime
+    base_in_odom: FloorPose
+    linear: float
+    angular: float
+
+
+class LaserScan(Message):
+    """Ranges in metres, counter-clockwise from angle_min; range_max or more means nothing seen."""
+
+    stamp: RobotTime
+    ranges: tuple[float, ...]
+
+
+class Bumpers(Message):
+    """The bumpers that are pressed."""
+
+    stamp: RobotTime
+    pressed: tuple[str, ...]
+
+
+class Wrench(Message):
+    """Force (N) and torque (Nm) at the wrist's sensor, in its frame."""
+
+    stamp: RobotTime
+    side: Literal["left", "right"]
+    force: Vector3
+    torque: Vector3
+
+
+class Stop(Message):
+    """Bring everything to rest, and keep it there until an operator releases it."""
+
+    by: str
+    reason: str
+
+
+class StopState(Message):
+    """Whether the stop is set, by whom and why."""
+
+    stopped: bool
+    by: str = ""
+    reason: str = ""
+
+
+class RgbdHeader(Message):
+    """What stands before the pixels of an RGB-D picture.
+
+    Pinhole intrinsics in pixels, without distortion; colour is rgb8, depth is uint16 in millimetres along
+    the optical axis (0: nothing measured), aligned with the colour.
+    """
+
+    stamp: RobotTime
+    camera: str
+    width: int
+    height: int
+    fx: float
+    fy: float
+    cx: float
+    cy: float

@@ -1,0 +1,165 @@
+"""The one table of key expressions, relative to ``<site>/<robot>``.
+
+A ``Topic`` is a key and the message that travels on it; a ``Service`` is a key that is queried.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Generic, TypeVar
+
+from pydantic import ValidationError
+
+from skills.ports.bus import Bus, Inbox, Pending
+from skills.ports.hardware import (
+    Answer,
+    BaseVelocity,
+    Bumpers,
+    CancelMotion,
+    Clock,
+    GripperCommand,
+    GripperState,
+    GroupStatus,
+    JointStates,
+    LaserScan,
+    Odometry,
+    RobotDescription,
+    SetPoint,
+    Stop,
+    StopState,
+    TrajectoryGoal,
+    Wrench,
+)
+from skills.ports.message import Message
+
+M = TypeVar("M", bound=Message)
+Asked = TypeVar("Asked", bound=Message)
+Answered = TypeVar("Answered", bound=Message)
+
+
+class Nothing(Message):
+    """An empty document: a query that needs no words."""
+
+
+@dataclass(frozen=True)
+class Topic(Generic[M]):
+    """A key and the model of what is put on it, as JSON."""
+
+    key: str
+    model: type[M]
+
+    def publish(self, bus: Bus, message: M) -> None:
+        """Put the message."""
+        bus.publish(self.key, message.model_dump_json().encode())
+
+    def decode(self, payload: bytes) -> M:
+        """Return the message; pydantic's ValidationError when it is none."""
+        return self.model.model_validate_json(payload)
+
+
+@dataclass(frozen=True)
+class Service(Generic[Asked, Answered]):
+    """A key that is queried: what is asked and what is answered, as JSON."""
+
+    key: str
+    asked: type[Asked]
+    answered: type[Answered]
+
+    def query(self, bus: Bus, message: Asked, *, timeout: float = 2.0) -> Pending:
+        """Ask; poll the result and give it to ``decode_answer``."""
+        return bus.query(self.key, message.model_dump_json().encode(), timeout=timeout)
+
+    def decode_answer(self, payload: bytes) -> Answered:
+        """Return the answer; pydantic's ValidationError when it is none."""
+        return self.answered.model_validate_json(payload)
+
+
+class Latest(Generic[M]):
+    """The newest message of a topic. Call ``refresh`` (or ``take``) in each step of the node.
+
+    Messages that don't decode are dropped and counted in ``broken``.
+    """
+
+    def __init__(self, bus: Bus, topic: Topic[M], *, depth: int = 64) -> None:
+        """Subscribe."""
+        self._topic = topic
+        self._inbox: Inbox = bus.subscribe(topic.key, depth=depth)
+        self.value: M | None = None
+        self.broken = 0
+
+    def take(self) -> list[M]:
+        """Return all that has arrived since the last call, oldest first; ``value`` becomes the last."""
+        arrived: list[M] = []
+        for sample in self._inbox.drain():
+            try:
+                arrived.append(self._topic.decode(sample.payload))
+            except ValidationError:
+                self.broken += 1
+        if arrived:
+            self.value = arrived[-1]
+        return arrived
+
+    def refresh(self) -> M | None:
+        """Return the newest message that ever came, or None."""
+        samples = self._inbox.drain()
+        for sample in reversed(samples):
+            try:
+                self.value = self._topic.decode(sample.payload)
+                break
+            except ValidationError:
+                self.broken += 1
+        return self.value
+
+    def close(self) -> None:
+        """End the subscription."""
+        self._inbox.close()
+
+
+# The hardware.
+DESCRIPTION: Final = Service("hw/description", Nothing, RobotDescription)
+CLOCK: Final = Topic("hw/clock", Clock)
+JOINT_STATES: Final = Topic("hw/joints/state", JointStates)
+BASE_VELOCITY: Final = Topic("hw/base/velocity", BaseVelocity)
+ODOMETRY: Final = Topic("hw/base/odometry", Odometry)
+LASER: Final = Topic("hw/base/laser", LaserScan)
+BUMPERS: Final = Topic("hw/base/bumpers", Bumpers)
+STOP: Final = Service("hw/stop", Stop, StopState)
+STOP_RELEASE: Final = Service("hw/stop/release", Nothing, StopState)
+STOP_STATE: Final = Topic("hw/stop/state", StopState)
+RGBD: Final = "hw/camera/head/rgbd"
+"""Binary: see ``skills.ports.image``."""
+
+
+def group_goal(group: str) -> Service[TrajectoryGoal, Answer]:
+    """Return the service that takes a group's trajectory goals."""
+    return Service(f"hw/group/{group}/goal", TrajectoryGoal, Answer)
+
+
+def group_cancel(group: str) -> Service[CancelMotion, Answer]:
+    """Return the service that stops a group's goal."""
+    return Service(f"hw/group/{group}/cancel", CancelMotion, Answer)
+
+
+def group_status(group: str) -> Topic[GroupStatus]:
+    """Return the topic of a group's status."""
+    return Topic(f"hw/group/{group}/status", GroupStatus)
+
+
+def group_setpoint(group: str) -> Topic[SetPoint]:
+    """Return the topic of a group's streamed set-points."""
+    return Topic(f"hw/group/{group}/setpoint", SetPoint)
+
+
+def gripper_command(side: str) -> Service[GripperCommand, Answer]:
+    """Return the service that moves a gripper."""
+    return Service(f"hw/gripper/{side}/command", GripperCommand, Answer)
+
+
+def gripper_state(side: str) -> Topic[GripperState]:
+    """Return the topic of a gripper's state."""
+    return Topic(f"hw/gripper/{side}/state", GripperState)
+
+
+def wrench(side: str) -> Topic[Wrench]:
+    """Return the topic of a wrist's force and torque."""
+    return Topic(f"hw/wrench/{side}", Wrench)

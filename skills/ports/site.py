@@ -1,0 +1,98 @@
+"""``site/...``: what is known beforehand - map, furniture, search spots, depots, items by their tags."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from skills.ports.geometry import FloorPose, Pose, about
+from skills.ports.message import Message, Vector3
+from skills.ports.world import Box
+
+Edge = Annotated[float, Field(gt=0.0)]
+
+
+class SiteBox(Message):
+    """A box of a piece of furniture: full edges, centre in the map, turned about z by ``yaw``."""
+
+    size: tuple[Edge, Edge, Edge]
+    centre: Vector3
+    yaw: float = 0.0
+
+    def box(self) -> Box:
+        """Return it as a box with a pose."""
+        return Box(size=self.size, pose=Pose(position=self.centre, orientation=about((0, 0, 1), self.yaw)))
+
+
+class Furniture(Message):
+    """Something that stands still: walls, tables, shelves, pillars. Navigation keeps out of its plan."""
+
+    name: str
+    boxes: Annotated[tuple[SiteBox, ...], Field(min_length=1)]
+    colour: tuple[float, float, float] = (0.7, 0.7, 0.7)
+
+
+class Spot(Message):
+    """A place to search from."""
+
+    name: str
+    pose: FloorPose
+
+
+class Slot(Message):
+    """A place for one item: ``facing`` is the heading (rad) from it to the robot's side."""
+
+    position: Vector3
+    facing: float
+
+
+class Depot(Message):
+    """Where items are brought to."""
+
+    name: str
+    slots: Annotated[tuple[Slot, ...], Field(min_length=1)]
+
+
+class SiteItem(Message):
+    """An item: tag number, full edges (m), edge of the black square (m), and its hands."""
+
+    item: Annotated[int, Field(ge=0, le=586)]
+    size: tuple[Edge, Edge, Edge]
+    tag_size: Edge
+    hands: tuple[Literal["left", "right"], ...] = ("left", "right")
+
+
+class Site(Message):
+    """A place that robots work in. The map's frame has its origin in ``bounds``; z is up from the floor."""
+
+    name: str
+    robot: str
+    bounds: tuple[float, float, float, float]
+    """x_min, y_min, x_max, y_max of the floor (m)."""
+    furniture: tuple[Furniture, ...]
+    home: FloorPose
+    spots: Annotated[tuple[Spot, ...], Field(min_length=1)]
+    depots: Annotated[tuple[Depot, ...], Field(min_length=1)]
+    items: Annotated[tuple[SiteItem, ...], Field(min_length=1)]
+
+    @model_validator(mode="after")
+    def _names_are_unique(self) -> Site:
+        for what, names in (
+            ("furniture", [each.name for each in self.furniture]),
+            ("spots", [each.name for each in self.spots]),
+            ("depots", [each.name for each in self.depots]),
+            ("items", [str(each.item) for each in self.items]),
+        ):
+            twice = sorted({name for name in names if names.count(name) > 1})
+            if twice:
+                raise ValueError(f"{what}: unique names were expected, twice there: {', '.join(twice)}")
+        return self
+
+    def item(self, number: int) -> SiteItem | None:
+        """Return the item of that tag, or None."""
+        return next((each for each in self.items if each.item == number), None)
+
+    def depot(self, name: str) -> Depot | None:
+        """Return the depot of that name, or None."""
+        return next((each for each in self.depots if each.name == name), None)

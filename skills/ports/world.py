@@ -1,0 +1,150 @@
+"""``world/...``: what the skills believe. Each fact has its source, its time and one owner."""
+
+from __future__ import annotations
+
+from typing import Annotated, Final, Literal
+
+from pydantic import Field
+
+from skills.ports.geometry import FloorPose, Pose
+from skills.ports.keys import Topic
+from skills.ports.message import Message, RobotTime, Vector3
+
+Side = Literal["left", "right"]
+SIDES: Final[tuple[Side, Side]] = ("left", "right")
+
+
+class RobotPose(Message):
+    """Where the robot is; owner: base. 20 Hz and on each change."""
+
+    stamp: RobotTime
+    localised: bool
+    base_in_map: FloorPose
+    odom_in_map: FloorPose
+    position_sigma: float
+    """Metres, one standard deviation."""
+    yaw_sigma: float
+    """Radians, one standard deviation."""
+    moving: bool
+    reason: str = ""
+    """Why it is not localised."""
+
+
+class Sighting(Message):
+    """A tag in a picture; owner: perception."""
+
+    item: int
+    stamp: RobotTime
+    """When the picture was taken."""
+    tag_in_map: Pose
+    tag_in_base: Pose
+    tag_in_camera: Pose
+    distance: float
+    """Metres from the camera."""
+    quality: Annotated[float, Field(ge=0.0, le=1.0)]
+    """1 is best: falls with distance, viewing angle, reprojection error and disagreement with the depth."""
+    position_sigma: float
+    """Metres, as expected from the tag's size in the picture."""
+
+
+class Sightings(Message):
+    """All tags of one picture (perhaps none)."""
+
+    stamp: RobotTime
+    sightings: tuple[Sighting, ...]
+    absent: tuple[int, ...] = ()
+    """Items that were believed in view, where the depth shows that nothing is."""
+
+
+class Box(Message):
+    """A box: full edge lengths in metres and the pose of its centre."""
+
+    size: Vector3
+    pose: Pose
+
+
+class Clutter(Message):
+    """Untagged things measured from depth in the view of one look; boxes in the map. Owner: perception.
+
+    ``view`` is the region (a box in the map) that was looked at: clutter believed in there before and not
+    seen again is forgotten.
+    """
+
+    stamp: RobotTime
+    boxes: tuple[Box, ...]
+    view: tuple[Box, ...] = ()
+
+
+class SceneObject(Message):
+    """One thing of the planning scene.
+
+    Its ``box.pose`` is in the map, or in the tool frame of the hand that it is attached to.
+    """
+
+    name: str
+    kind: Literal["furniture", "clutter", "item"]
+    box: Box
+    item: int | None = None
+    attached_to: Side | None = None
+
+
+class PlanningScene(Message):
+    """What arms must not hit; owner: the keeper. On each change and every second."""
+
+    stamp: RobotTime
+    version: int
+    objects: tuple[SceneObject, ...]
+
+
+class ItemFact(Message):
+    """What is believed of an item. ``size``: full edges (m) in the item's frame, whose z is up at rest."""
+
+    item: int
+    size: Vector3
+    tag_in_map: Pose
+    """The tag's face last seen; meaningless while held."""
+    seen: RobotTime
+    quality: float
+    position_sigma: float
+    held: Side | None = None
+
+
+class Placed(Message):
+    """An item that was put down in a slot of a depot."""
+
+    item: int
+    depot: str
+    slot: int
+
+
+class HeldItem(Message):
+    """What is in a hand, and how: the item's centre frame in the hand's tool frame."""
+
+    side: Side
+    item: int
+    item_in_tool: Pose
+
+
+class WorldState(Message):
+    """The keeper's facts, all of them; on each change and every second."""
+
+    stamp: RobotTime
+    version: int
+    items: tuple[ItemFact, ...] = ()
+    held: tuple[HeldItem, ...] = ()
+    placed: tuple[Placed, ...] = ()
+
+    def item(self, number: int) -> ItemFact | None:
+        """Return what is known of the item, or None."""
+        return next((fact for fact in self.items if fact.item == number), None)
+
+    def in_hand(self, side: Side) -> HeldItem | None:
+        """Return what is in the hand, or None."""
+        return next((held for held in self.held if held.side == side), None)
+
+
+ROBOT_POSE: Final = Topic("world/robot", RobotPose)
+SIGHTINGS: Final = Topic("world/sightings", Sightings)
+CLUTTER: Final = Topic("world/clutter", Clutter)
+SCENE: Final = Topic("world/scene", PlanningScene)
+WORLD: Final = Topic("world/state", WorldState)

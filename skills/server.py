@@ -1,0 +1,276 @@
+"""The one server adapter: turns any skill into an action over the bus.
+
+A goal is answered at once: accepted, or rejected and why. Its status is published on each change and, while
+feedback comes, ten times a second; how it ended is kept, so that a late or reconnecting client can ask.
+The same id sent twice starts once. A client that is gone has its goal cancelled.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections import OrderedDict
+from dataclasses import dataclass
+from typing import Final, Generic
+
+from pydantic import ValidationError
+
+from skills.ports.action import (
+    AskResult,
+    GoalCommand,
+    GoalState,
+    GoalStatus,
+    SendGoal,
+    command_service,
+    goal_service,
+    result_service,
+    status_topic,
+)
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.message import Message
+from skills.ports.skill import Command, F, G, Outcome, R, Run, Skill, Slice
+
+log = logging.getLogger(__name__)
+
+KEPT: Final = 256
+"""Ended goals whose result is remembered."""
+FEEDBACK_PERIOD: Final = 0.1
+"""Robot seconds between two published statuses with new feedback only."""
+ORPHANED_AFTER: Final = 1.0
+"""Host seconds for which a client's name must be gone before its goal is cancelled."""
+
+
+@dataclass
+class _Current(Generic[F, R]):
+    """The goal that runs."""
+
+    goal_id: str
+    client: str
+    run: Run[F, R]
+    command: Command = Command.GO_ON
+    ready_at: float = 0.0
+    started: bool = False
+    client_gone_since: float | None = None
+
+
+class ActionServer(Generic[G, F, R]):
+    """Serves one skill; a ``Node``.
+
+    Args:
+        bus: where clients are.
+        clocks: robot time for feedback, host time for the clients' liveliness.
+        skill: what to run; one goal at a time.
+        charge: make a computation's slices cost their declared robot time (lockstep).
+    """
+
+    def __init__(self, bus: Bus, clocks: Clocks, skill: Skill[G, F, R], *, charge: bool = False) -> None:
+        name = skill.action.name
+        self._bus, self._clocks, self._skill, self._charge = bus, clocks, skill, charge
+        self._goals = bus.serve(goal_service(name).key)
+        self._commands = bus.serve(command_service(name).key)
+        self._questions = bus.serve(result_service(name).key)
+        self._topic = status_topic(name)
+        self._current: _Current[F, R] | None = None
+        self._known: OrderedDict[str, GoalStatus] = OrderedDict()
+        self._sequence = 0
+        self._published_at = float("-inf")
+        bus.announce(f"skill/{name}")
+
+    @property
+    def name(self) -> str:
+        """The action's name."""
+        return self._skill.action.name
+
+    @property
+    def busy(self) -> bool:
+        """Whether a goal runs."""
+        return self._current is not None
+
+    def step(self) -> bool:
+        """Answer who asks, then resume the skill."""
+        self._answer_goals()
+        self._answer_commands()
+        self._answer_questions()
+        self._watch_client()
+        return self._resume()
+
+    def close(self) -> None:
+        """End what runs; the skill's last act is to send a stop."""
+        if self._current is not None:
+            self._current.run.close()
+            self._end(
+                GoalState.FAILED, failure=self._failure(FailureKind.SKILL_LOST, "the skill's process ended")
+            )
+        for desk in (self._goals, self._commands, self._questions):
+            desk.close()
+
+    def _answer_goals(self) -> None:
+        for request in self._goals.drain():
+            try:
+                sent = SendGoal.model_validate_json(request.payload)
+            except ValidationError as error:
+                failure = self._failure(FailureKind.INVALID_GOAL, f"a goal document was expected: {error}")
+                request.reply(
+                    self._status("", GoalState.REJECTED, failure=failure).model_dump_json().encode()
+                )
+                continue
+            status = self._known.get(sent.goal_id) or self._start(sent)
+            request.reply(status.model_dump_json().encode())
+
+    def _start(self, sent: SendGoal) -> GoalStatus:
+        try:
+            goal = self._skill.action.goal.model_validate(sent.goal)
+        except ValidationError as error:
+            failure = self._failure(FailureKind.INVALID_GOAL, str(error))
+            return self._status(sent.goal_id, GoalState.REJECTED, failure=failure)
+        if self._current is not None:
+            busy = self._failure(FailureKind.BUSY, f"{self.name} is at goal {self._current.goal_id}")
+            return self._status(sent.goal_id, GoalState.REJECTED, failure=busy)
+        refusal = self._skill.check(goal)
+        if refusal is not None:
+            return self._status(sent.goal_id, GoalState.REJECTED, failure=refusal)
+        self._current = _Current(sent.goal_id, sent.client, self._skill.run(goal, sent.goal_id))
+        return self._change(sent.goal_id, GoalState.RUNNING)
+
+    def _answer_commands(self) -> None:
+        for request in self._commands.drain():
+            try:
+                asked = GoalCommand.model_validate_json(request.payload)
+            except ValidationError:
+                request.reply(self._status("", GoalState.UNKNOWN).model_dump_json().encode())
+                continue
+            if self._current is not None and self._current.goal_id == asked.goal_id:
+                self._command(self._current, asked.command)
+            status = self._known.get(asked.goal_id) or self._status(asked.goal_id, GoalState.UNKNOWN)
+            request.reply(status.model_dump_json().encode())
+
+    def _command(self, current: _Current[F, R], command: Command) -> None:
+        state = self._known[current.goal_id].state
+        if state is GoalState.CANCELING or command is Command.GO_ON:
+            return
+        current.command = command
+        current.ready_at = 0.0
+        after = {
+            Command.CANCEL: GoalState.CANCELING,
+            Command.PAUSE: GoalState.PAUSED,
+            Command.RESUME: GoalState.RUNNING,
+        }
+        self._change(current.goal_id, after[command])
+
+    def _answer_questions(self) -> None:
+        for request in self._questions.drain():
+            try:
+                asked = AskResult.model_validate_json(request.payload)
+            except ValidationError:
+                asked = AskResult(goal_id="")
+            status = self._known.get(asked.goal_id) or self._status(asked.goal_id, GoalState.UNKNOWN)
+            request.reply(status.model_dump_json().encode())
+
+    def _watch_client(self) -> None:
+        current = self._current
+        if current is None or not current.client:
+            return
+        now = self._clocks.monotonic()
+        if current.client in self._bus.alive():
+            current.client_gone_since = None
+        elif current.client_gone_since is None:
+            current.client_gone_since = now
+        elif now - current.client_gone_since > ORPHANED_AFTER:
+            log.warning(
+                "%s: client %s is gone, goal %s is cancelled", self.name, current.client, current.goal_id
+            )
+            self._command(current, Command.CANCEL)
+
+    def _resume(self) -> bool:
+        while (current := self._current) is not None:
+            now = robot_seconds(self._clocks)
+            if self._charge and current.ready_at > now:
+                return False
+            command, current.command = current.command, Command.GO_ON
+            try:
+                if current.started:
+                    yielded = current.run.send(command)
+                else:
+                    current.started = True
+                    yielded = next(current.run)
+                    current.command = command
+            except StopIteration as stop:
+                self._finish(stop.value)
+                return False
+            except Exception as error:
+                log.exception("%s: goal %s crashed", self.name, current.goal_id)
+                self._end(GoalState.FAILED, failure=self._failure(FailureKind.SKILL_CRASHED, repr(error)))
+                return False
+            if not isinstance(yielded, Slice):
+                self._feed_back(current.goal_id, yielded)
+                return current.command is not Command.GO_ON
+            if not self._charge:
+                return True
+            current.ready_at = max(current.ready_at, now - self._skill.period) + yielded.cost
+        return False
+
+    def _finish(self, outcome: Outcome[R]) -> None:
+        if outcome.result is not None:
+            self._end(GoalState.SUCCEEDED, result=outcome.result)
+        elif outcome.failure is not None:
+            self._end(GoalState.FAILED, failure=outcome.failure)
+        else:
+            self._end(GoalState.CANCELED)
+
+    def _end(
+        self, state: GoalState, *, result: Message | None = None, failure: Failure | None = None
+    ) -> None:
+        if self._current is None:
+            return
+        goal_id, self._current = self._current.goal_id, None
+        self._change(goal_id, state, result=result, failure=failure)
+
+    def _feed_back(self, goal_id: str, feedback: F) -> None:
+        now = robot_seconds(self._clocks)
+        known = self._known[goal_id]
+        document = feedback.model_dump(mode="json")
+        if document == known.feedback or now - self._published_at < FEEDBACK_PERIOD:
+            return
+        self._change(goal_id, known.state, feedback=feedback)
+
+    def _change(
+        self,
+        goal_id: str,
+        state: GoalState,
+        *,
+        feedback: Message | None = None,
+        result: Message | None = None,
+        failure: Failure | None = None,
+    ) -> GoalStatus:
+        status = self._status(goal_id, state, feedback=feedback, result=result, failure=failure)
+        self._known[goal_id] = status
+        self._known.move_to_end(goal_id)
+        while len(self._known) > KEPT:
+            self._known.popitem(last=False)
+        self._published_at = robot_seconds(self._clocks)
+        self._topic.publish(self._bus, status)
+        return status
+
+    def _status(
+        self,
+        goal_id: str,
+        state: GoalState,
+        *,
+        feedback: Message | None = None,
+        result: Message | None = None,
+        failure: Failure | None = None,
+    ) -> GoalStatus:
+        self._sequence += 1
+        return GoalStatus(
+            goal_id=goal_id,
+            state=state,
+            sequence=self._sequence,
+            stamp=self._clocks.robot(),
+            feedback=None if feedback is None else feedback.model_dump(mode="json"),
+            result=None if result is None else result.model_dump(mode="json"),
+            failure=failure,
+        )
+
+    def _failure(self, kind: FailureKind, message: str) -> Failure:
+        return Failure(kind=kind, message=message, where=self.name)

@@ -1,0 +1,68 @@
+"""The description of a robot that isn't there: two arms, two grippers, a base; no geometry."""
+
+from __future__ import annotations
+
+from skills.ports.hardware import (
+    CameraSensor,
+    Drive,
+    EndEffector,
+    Gripper,
+    JointGroup,
+    JointLimit,
+    LaserSensor,
+    Posture,
+    RobotDescription,
+)
+from skills.ports.world import SIDES
+
+
+def mock_description() -> RobotDescription:
+    """Return it."""
+    limit = JointLimit(
+        joint="joint", lower=-3.0, upper=3.0, velocity=2.0, acceleration=5.0, jerk=50.0, effort=40.0
+    )
+    groups = tuple(
+        JointGroup(name=f"arm_{side}", limits=(limit.model_copy(update={"joint": f"arm_{side}_joint"}),))
+        for side in SIDES
+    )
+    hands = tuple(
+        EndEffector(
+            side=side,
+            group=f"arm_{side}",
+            frame=f"gripper_{side}_grasping_frame",
+            touch_links=(f"gripper_{side}_link",),
+            gripper=Gripper(joints=(f"gripper_{side}_joint",), max_width=0.09, speed=0.05, force=16.0),
+            work_point=(0.65, 0.15 if side == "left" else -0.15),
+        )
+        for side in SIDES
+    )
+    return RobotDescription(
+        name="mock",
+        urdf="<robot name='mock'><link name='base_footprint'/></robot>",
+        base_frame="base_footprint",
+        footprint_radius=0.27,
+        height=1.3,
+        groups=groups,
+        end_effectors=hands,
+        camera=CameraSensor(
+            name="head", frame="base_footprint", width=1280, height=720, horizontal_fov=1.047
+        ),
+        laser=LaserSensor(
+            frame="base_footprint",
+            angle_min=-2.36,
+            angle_step=0.0087,
+            beams=541,
+            range_min=0.05,
+            range_max=10.0,
+            period=0.1,
+        ),
+        drive=Drive(
+            forward=1.0, backward=0.2, acceleration=0.5, turn=1.05, turn_acceleration=1.05, dead_man=0.2
+        ),
+        postures=tuple(
+            Posture(name=name, group=group.name, positions=(0.0,))
+            for name in ("home", "carry")
+            for group in groups
+        ),
+        period=0.01,
+    )

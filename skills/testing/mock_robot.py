@@ -1,0 +1,286 @@
+"""A whole robot of mocked skills: it believes, looks, drives and grasps in an instant.
+
+Give it faults by action and number of the call, run any tree against it, and see what the tree does:
+
+    robot = MockRobot(bus, clocks, site, items={29: tag_in_map})
+    robot.faults("gripper_left/grip")[2] = Fault(failure=...)
+"""
+
+from __future__ import annotations
+
+from typing import Final, TypeVar
+
+from skills.ports.actions.arm import (
+    ArmState,
+    ArmStatus,
+    MoveFeedback,
+    MoveGoal,
+    MovePhase,
+    MoveResult,
+    SurveyFeedback,
+    SurveyGoal,
+    SurveyResult,
+    arm_status,
+    move,
+    survey,
+)
+from skills.ports.actions.base import (
+    DRIVE,
+    LOCALISE,
+    ROTATE,
+    DriveFeedback,
+    DriveGoal,
+    DriveResult,
+    LocaliseFeedback,
+    LocaliseGoal,
+    LocaliseResult,
+    RotateFeedback,
+    RotateGoal,
+    RotateResult,
+)
+from skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
+from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
+from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks
+from skills.ports.geometry import IDENTITY, FloorPose, Pose, wrap
+from skills.ports.keys import DESCRIPTION
+from skills.ports.message import Message, RobotTime
+from skills.ports.node import Node
+from skills.ports.site import Site
+from skills.ports.skill import ActionType, Outcome, succeeded
+from skills.ports.world import (
+    ROBOT_POSE,
+    SIDES,
+    WORLD,
+    HeldItem,
+    ItemFact,
+    Placed,
+    RobotPose,
+    Side,
+    Sighting,
+    WorldState,
+)
+from skills.server import ActionServer
+from skills.testing.mock_description import mock_description
+from skills.testing.mock_skill import Fault, MockSkill
+
+G = TypeVar("G", bound=Message)
+F = TypeVar("F", bound=Message)
+R = TypeVar("R", bound=Message)
+
+TUCKED: Final = 0.20
+STRETCHED: Final = 0.75
+AWAKE_AT_LOOK: Final = 1
+
+
+class MockRobot:
+    """Skills, keeper and description in one node.
+
+    Args:
+        bus: where the trees are.
+        clocks: robot time.
+        site: what is known beforehand.
+        items: tags in the map of the items that can be seen.
+        seen_at_look: the number of the look from which on the items are seen (1: the first).
+        duration: robot seconds that each skill takes.
+        localised: whether the robot knows its pose from the start.
+    """
+
+    name = "mock robot"
+
+    def __init__(
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        site: Site,
+        *,
+        items: dict[int, Pose],
+        seen_at_look: int = AWAKE_AT_LOOK,
+        duration: float = 0.0,
+        localised: bool = False,
+    ) -> None:
+        self.base = FloorPose(x=0.0, y=0.0, yaw=0.0)
+        self.localised = localised
+        self.hands: dict[Side, int | None] = {"left": None, "right": None}
+        """What each hand holds in truth."""
+        self.world = WorldState(stamp=RobotTime(boot="mock", seconds=0.0), version=0)
+        self._bus, self._clocks, self._site, self._items = bus, clocks, site, dict(items)
+        self._seen_at_look, self._duration = seen_at_look, duration
+        self._extent: dict[Side, float] = {"left": TUCKED, "right": TUCKED}
+        self._description = mock_description()
+        self._desk = bus.serve(DESCRIPTION.key)
+        self._faults: dict[str, dict[int, Fault]] = {}
+        self.calls: list[tuple[str, Message]] = []
+        """Each goal that was run, with its action's name, in order."""
+        self._nodes: list[Node] = []
+        self._told = False
+        self._serve(LOOK, LookFeedback(pictures=0, seen=()), self._look)
+        base = FloorPose(x=0.0, y=0.0, yaw=0.0)
+        self._serve(DRIVE, DriveFeedback(base_in_map=base, remaining=0.0, progress=0.0), self._drive)
+        self._serve(ROTATE, RotateFeedback(remaining=0.0), self._rotate)
+        self._serve(LOCALISE, LocaliseFeedback(progress=0.0), self._localise)
+        self._serve(EDIT, EditFeedback(), self._edit)
+        for side in SIDES:
+            self._serve_side(side)
+
+    def faults(self, action: str) -> dict[int, Fault]:
+        """Return the faults of an action by the number of the call; put more in."""
+        return self._faults[action]
+
+    def calls_of(self, action: str) -> int:
+        """Return how often an action was run."""
+        return sum(1 for name, _ in self.calls if name == action)
+
+    def step(self) -> bool:
+        """Answer, and tell what is believed."""
+        for request in self._desk.drain():
+            request.reply(self._description.model_dump_json().encode())
+        if not self._told:
+            self._told = True
+            self.tell()
+        more = [node.step() for node in self._nodes]
+        return any(more)
+
+    def close(self) -> None:
+        """End all skills."""
+        for node in self._nodes:
+            node.close()
+        self._desk.close()
+
+    def tell(self) -> None:
+        """Publish all beliefs."""
+        stamp = self._clocks.robot() or self.world.stamp
+        WORLD.publish(self._bus, self.world)
+        pose = RobotPose(
+            stamp=stamp,
+            localised=self.localised,
+            base_in_map=self.base,
+            odom_in_map=FloorPose(x=0.0, y=0.0, yaw=0.0),
+            position_sigma=0.01,
+            yaw_sigma=0.01,
+            moving=False,
+        )
+        ROBOT_POSE.publish(self._bus, pose)
+        for side in SIDES:
+            group = f"arm_{side}"
+            status = ArmStatus(stamp=stamp, group=group, state=ArmState.ARM_IDLE, extent=self._extent[side])
+            arm_status(group).publish(self._bus, status)
+
+    def believe(self, **changes: object) -> None:
+        """Change the keeper's facts and tell."""
+        document = {**dict(self.world), "version": self.world.version + 1, **changes}
+        self.world = WorldState.model_validate(document)
+        self.tell()
+
+    def _serve(self, action: ActionType[G, F, R], idle: F, effect: object) -> None:
+        def recorded(goal: G) -> Outcome[R]:
+            outcome: Outcome[R] = effect(goal)  # type: ignore[operator]
+            self.tell()
+            return outcome
+
+        faults = self._faults.setdefault(action.name, {})
+        skill = MockSkill(action, self._clocks, idle, recorded, self._duration, faults)
+        skill.calls = _Recorded(self.calls, action.name)
+        self._nodes.append(ActionServer(self._bus, self._clocks, skill))
+
+    def _serve_side(self, side: Side) -> None:
+        self._serve(
+            move(f"arm_{side}"),
+            MoveFeedback(phase=MovePhase.MOVING, progress=0.0),
+            lambda goal: self._move(side, goal),
+        )
+        self._serve(survey(f"arm_{side}"), SurveyFeedback(looked_at=0, found=0), self._survey)
+        self._serve(grip(side), GripFeedback(width=0.0, force=0.0), lambda goal: self._grip(side, goal))
+
+    def _look(self, goal: LookGoal) -> Outcome[LookResult]:
+        looks = self.calls_of(LOOK.name)
+        seen = self._items if looks >= self._seen_at_look else {}
+        stamp = self.world.stamp
+        sightings = tuple(
+            Sighting(
+                item=item,
+                stamp=stamp,
+                tag_in_map=tag,
+                tag_in_base=IDENTITY,
+                tag_in_camera=IDENTITY,
+                distance=1.0,
+                quality=1.0,
+                position_sigma=0.002,
+            )
+            for item, tag in seen.items()
+            if item not in self.hands.values()
+        )
+        known = {fact.item: fact for fact in self.world.items}
+        for sighting in sightings:
+            site_item = self._site.item(sighting.item)
+            size = (0.06, 0.06, 0.06) if site_item is None else site_item.size
+            known[sighting.item] = ItemFact(
+                item=sighting.item,
+                size=size,
+                tag_in_map=sighting.tag_in_map,
+                seen=stamp,
+                quality=1.0,
+                position_sigma=0.002,
+            )
+        self.believe(items=tuple(known.values()))
+        return succeeded(LookResult(found=goal.item in seen, sightings=sightings))
+
+    def _drive(self, goal: DriveGoal) -> Outcome[DriveResult]:
+        self.base = goal.poses[0]
+        return succeeded(DriveResult(pose=0, base_in_map=self.base, position_error=0.0, yaw_error=0.0))
+
+    def _rotate(self, goal: RotateGoal) -> Outcome[RotateResult]:
+        self.base = self.base.model_copy(update={"yaw": wrap(self.base.yaw + goal.angle)})
+        return succeeded(RotateResult(turned=goal.angle))
+
+    def _localise(self, _: LocaliseGoal) -> Outcome[LocaliseResult]:
+        self.localised = True
+        return succeeded(LocaliseResult(base_in_map=self.base, fit=1.0, runner_up=0.3))
+
+    def _move(self, side: Side, goal: MoveGoal) -> Outcome[MoveResult]:
+        self._extent[side] = TUCKED if goal.posture in {"home", "carry"} else STRETCHED
+        return succeeded(MoveResult(positions=(0.0,), error=0.0, planning_steps=1, duration=0.0))
+
+    def _survey(self, goal: SurveyGoal) -> Outcome[SurveyResult]:
+        return succeeded(SurveyResult(bases=tuple(range(min(goal.enough, len(goal.bases))))))
+
+    def _grip(self, side: Side, goal: GripGoal) -> Outcome[GripResult]:
+        if goal.grip is Grip.GRASP:
+            self.hands[side] = next(iter(self._items), None)
+        elif goal.grip is Grip.OPEN:
+            self.hands[side] = None
+        full = self.hands[side] is not None
+        return succeeded(
+            GripResult(width=goal.width if full else 0.0, force=10.0 if full else 0.0, full=full)
+        )
+
+    def _edit(self, goal: EditGoal) -> Outcome[EditResult]:
+        held = {hand.item: hand for hand in self.world.held}
+        placed = {each.item: each for each in self.world.placed}
+        if goal.edit is SceneEdit.ATTACH and goal.side is not None:
+            pose = goal.item_in_tool or IDENTITY
+            held[goal.item] = HeldItem(side=goal.side, item=goal.item, item_in_tool=pose)
+        elif goal.edit is SceneEdit.DETACH:
+            held.pop(goal.item, None)
+            if goal.depot is not None and goal.slot is not None:
+                placed[goal.item] = Placed(item=goal.item, depot=goal.depot, slot=goal.slot)
+        items = tuple(
+            fact.model_copy(update={"held": held[fact.item].side if fact.item in held else None})
+            for fact in self.world.items
+        )
+        self.believe(items=items, held=tuple(held.values()), placed=tuple(placed.values()))
+        return succeeded(EditResult(version=self.world.version))
+
+
+class _Recorded(list[G]):
+    """A skill's calls that also go, with the action's name, into the robot's."""
+
+    def __init__(self, calls: list[tuple[str, Message]], action: str) -> None:
+        super().__init__()
+        self._calls, self._action = calls, action
+
+    def append(self, goal: G) -> None:
+        """Keep the call in both places."""
+        super().append(goal)
+        self._calls.append((self._action, goal))

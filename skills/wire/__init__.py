@@ -1,0 +1,1 @@
+"""Buses, clocks and process loops: the only home of zenoh."""

@@ -1,0 +1,59 @@
+"""Clocks: of a process that hears the hardware's clock, and of lockstep."""
+
+from __future__ import annotations
+
+import time
+
+from skills.ports.bus import Bus
+from skills.ports.hardware import Clock
+from skills.ports.keys import CLOCK, Latest
+from skills.ports.message import RobotTime
+
+
+class ProcessClocks:
+    """Robot time as last heard from the hardware; host times from the host."""
+
+    def __init__(self, bus: Bus) -> None:
+        """Subscribe to the hardware's clock."""
+        self._clock = Latest(bus, CLOCK, depth=1024)
+
+    def refresh(self) -> list[Clock]:
+        """Take in what the hardware's clock said; return the ticks that are new, oldest first."""
+        return self._clock.take()
+
+    def robot(self) -> RobotTime | None:
+        """Return the hardware's last time, or None before it was heard."""
+        return None if self._clock.value is None else self._clock.value.stamp
+
+    def monotonic(self) -> float:
+        """Return seconds of the host's monotonic clock."""
+        return time.monotonic()
+
+    def utc(self) -> float:
+        """Return seconds since 1970."""
+        return time.time()
+
+
+class SteppedClocks:
+    """All three clocks count the simulated time that ``advance`` adds: lockstep, and tests."""
+
+    def __init__(self, boot: str = "lockstep") -> None:
+        """Start at zero."""
+        self.boot = boot
+        self.seconds = 0.0
+
+    def advance(self, seconds: float) -> None:
+        """Let time pass."""
+        self.seconds = round(self.seconds + seconds, 9)
+
+    def robot(self) -> RobotTime | None:
+        """Return the simulated time."""
+        return RobotTime(boot=self.boot, seconds=self.seconds)
+
+    def monotonic(self) -> float:
+        """Return the simulated seconds."""
+        return self.seconds
+
+    def utc(self) -> float:
+        """Return the simulated seconds."""
+        return self.seconds

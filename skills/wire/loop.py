@@ -1,0 +1,59 @@
+"""The one loop of a process: woken by messages, it steps the process's nodes.
+
+Faster than real time, the hardware waits for its followers: each says ``sim/follow`` with the tick that it is
+through with.
+"""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable, Sequence
+from typing import Final
+
+from skills.ports.keys import Topic
+from skills.ports.message import Message
+from skills.ports.node import Node
+from skills.wire.clocks import ProcessClocks
+from skills.wire.zenoh_bus import ZenohBus
+
+IDLE_WAIT: Final = 0.05
+"""Host seconds after which nodes are stepped although nothing came: liveliness and time-outs of links."""
+
+
+class Followed(Message):
+    """A follower is through with the hardware's tick."""
+
+    follower: str
+    tick: int
+
+
+FOLLOW: Final = Topic("sim/follow", Followed)
+
+
+def run(
+    name: str,
+    bus: ZenohBus,
+    clocks: ProcessClocks,
+    nodes: Sequence[Node],
+    stopped: Callable[[], bool],
+) -> None:
+    """Step the nodes until ``stopped`` says so, then close them."""
+    # What was made until now lives as long as the process. Unfrozen, the collector looks through all of it
+    # now and then, for 20 ms and more, between a message and its answer.
+    gc.collect()
+    gc.freeze()
+    bus.announce(f"process/{name}")
+    more = False
+    try:
+        while not stopped():
+            if not more:
+                bus.waker.wait(IDLE_WAIT)
+            ticks = clocks.refresh()
+            more = False
+            for node in nodes:
+                more = node.step() or more
+            if ticks and ticks[-1].waits:
+                FOLLOW.publish(bus, Followed(follower=name, tick=ticks[-1].tick))
+    finally:
+        for node in reversed(nodes):
+            node.close()

@@ -1,0 +1,19 @@
+"""Key expressions: ``*`` is one part of a key, ``**`` any number of parts (as in zenoh)."""
+
+from __future__ import annotations
+
+
+def matches(expression: str, key: str) -> bool:
+    """Say whether the key is one of those that the expression stands for."""
+    if expression == key:
+        return True
+    return "*" in expression and _parts(expression.split("/"), key.split("/"))
+
+
+def _parts(expression: list[str], key: list[str]) -> bool:
+    if not expression:
+        return not key
+    head, rest = expression[0], expression[1:]
+    if head == "**":
+        return any(_parts(rest, key[i:]) for i in range(len(key) + 1))
+    return bool(key) and head in {"*", key[0]} and _parts(rest, key[1:])

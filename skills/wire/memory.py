@@ -1,0 +1,204 @@
+"""The bus in memory: delivers in order, in one thread, and never loses anything. For lockstep and tests."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Literal
+
+from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
+from skills.wire.match import matches
+
+
+@dataclass(frozen=True)
+class MemorySample:
+    """One message that arrived."""
+
+    key: str
+    payload: bytes
+
+
+@dataclass(eq=False)
+class MemoryInbox:
+    """What a subscription holds until it is drained."""
+
+    hub: MemoryHub
+    expression: str
+    depth: int
+    waiting: deque[MemorySample] = field(default_factory=deque)
+
+    def drain(self) -> list[Sample]:
+        """Take all that has arrived."""
+        taken: list[Sample] = list(self.waiting)
+        self.waiting.clear()
+        return taken
+
+    def close(self) -> None:
+        """End the subscription."""
+        self.hub.forget(self)
+
+
+@dataclass(eq=False)
+class MemoryPending:
+    """A query under way in memory."""
+
+    answer: bytes | None = None
+    ended: bool = False
+
+    def poll(self) -> bytes | None:
+        """Return the answer, or None while there is none."""
+        return self.answer
+
+    def done(self) -> bool:
+        """Say whether no (further) answer will come."""
+        return self.ended
+
+
+@dataclass(eq=False)
+class MemoryRequest:
+    """One query that waits for its answer."""
+
+    hub: MemoryHub
+    key: str
+    payload: bytes
+    pending: MemoryPending
+
+    def reply(self, payload: bytes) -> None:
+        """Answer; a second answer is ignored."""
+        if self.pending.ended:
+            return
+        self.pending.answer = payload
+        self.pending.ended = True
+        self.hub.record("reply", self.key, payload)
+
+
+@dataclass(eq=False)
+class MemoryDesk:
+    """Queries that wait at a key."""
+
+    hub: MemoryHub
+    expression: str
+    waiting: deque[MemoryRequest] = field(default_factory=deque)
+
+    def drain(self) -> list[Request]:
+        """Take all that has arrived."""
+        taken: list[Request] = list(self.waiting)
+        self.waiting.clear()
+        return taken
+
+    def close(self) -> None:
+        """Stop serving; what waits ends without an answer."""
+        for request in self.waiting:
+            request.pending.ended = True
+        self.waiting.clear()
+        self.hub.forget(self)
+
+
+Kind = Literal["put", "query", "reply"]
+Recorder = Callable[[Kind, str, bytes], None]
+
+
+class MemoryHub:
+    """What all endpoints of one in-memory bus share."""
+
+    def __init__(self) -> None:
+        """Start with nobody connected."""
+        self.inboxes: list[MemoryInbox] = []
+        self.desks: list[MemoryDesk] = []
+        self.names: dict[str, None] = {}
+        self._recorders: list[Recorder] = []
+        self._routes: dict[str, tuple[MemoryInbox, ...]] = {}
+
+    def endpoint(self) -> MemoryBus:
+        """Return a bus for one node or process."""
+        return MemoryBus(self)
+
+    def watch(self, recorder: Recorder) -> None:
+        """Have ``recorder`` called with each message, in order."""
+        self._recorders.append(recorder)
+
+    def record(self, kind: Kind, key: str, payload: bytes) -> None:
+        """Tell the recorders."""
+        for recorder in self._recorders:
+            recorder(kind, key, payload)
+
+    def add(self, inbox: MemoryInbox) -> None:
+        """Connect a subscription."""
+        self.inboxes.append(inbox)
+        self._routes.clear()
+
+    def forget(self, end: MemoryInbox | MemoryDesk) -> None:
+        """Disconnect a subscription or a desk."""
+        if isinstance(end, MemoryInbox):
+            self.inboxes = [each for each in self.inboxes if each is not end]
+            self._routes.clear()
+        else:
+            self.desks = [each for each in self.desks if each is not end]
+
+    def listeners(self, key: str) -> tuple[MemoryInbox, ...]:
+        """Return the subscriptions that a key reaches, in the order in which they were made."""
+        route = self._routes.get(key)
+        if route is None:
+            route = tuple(inbox for inbox in self.inboxes if matches(inbox.expression, key))
+            self._routes[key] = route
+        return route
+
+
+class MemoryBus:
+    """One node's end of a ``MemoryHub``; implements ``skills.ports.bus.Bus``."""
+
+    def __init__(self, hub: MemoryHub | None = None) -> None:
+        """Join ``hub``, or a new one."""
+        self.hub = hub or MemoryHub()
+        self._announced: list[str] = []
+
+    def publish(self, key: str, payload: bytes) -> None:
+        """Send to all who subscribed."""
+        self.hub.record("put", key, payload)
+        for inbox in self.hub.listeners(key):
+            if len(inbox.waiting) >= inbox.depth:
+                inbox.waiting.popleft()
+            inbox.waiting.append(MemorySample(key, payload))
+
+    def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
+        """Receive what is put on the key expression from now on."""
+        inbox = MemoryInbox(self.hub, key, depth)
+        self.hub.add(inbox)
+        return inbox
+
+    def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:  # noqa: ARG002
+        """Ask the first who serves the key; where nobody does, the query ends at once."""
+        pending = MemoryPending()
+        self.hub.record("query", key, payload)
+        for desk in self.hub.desks:
+            if matches(desk.expression, key):
+                desk.waiting.append(MemoryRequest(self.hub, key, payload, pending))
+                return pending
+        pending.ended = True
+        return pending
+
+    def serve(self, key: str) -> Desk:
+        """Answer queries on the key expression."""
+        desk = MemoryDesk(self.hub, key)
+        self.hub.desks.append(desk)
+        return desk
+
+    def listened(self, key: str) -> bool:
+        """Say whether anybody subscribes to the key."""
+        return bool(self.hub.listeners(key))
+
+    def announce(self, name: str) -> None:
+        """Show that ``name`` is alive until ``close``."""
+        self.hub.names[name] = None
+        self._announced.append(name)
+
+    def alive(self) -> frozenset[str]:
+        """Return the names that are announced now."""
+        return frozenset(self.hub.names)
+
+    def close(self) -> None:
+        """Take back what was announced here."""
+        for name in self._announced:
+            self.hub.names.pop(name, None)
+        self._announced.clear()

@@ -1,0 +1,305 @@
+"""The bus over zenoh: between processes, through a router. The only module that imports zenoh.
+
+zenoh's callbacks only enqueue and wake the one loop; everything else happens in the loop's own thread.
+"""
+
+from __future__ import annotations
+
+import json
+import threading
+import time
+from collections import deque
+from dataclasses import dataclass, field
+from typing import Final
+
+import zenoh
+
+from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
+from skills.wire.memory import MemorySample
+
+DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
+BULK: Final = 64 * 1024
+"""Payloads above this many bytes are never dropped by a full queue: a picture is all or nothing."""
+
+
+STREAMS: Final = ("hw/",)
+"""Keys whose messages are followed by newer ones."""
+
+
+class BusError(ConnectionError):
+    """The bus can't be reached; the message says what was tried."""
+
+
+@dataclass(eq=False)
+class Waker:
+    """Wakes the loop when something has arrived."""
+
+    _event: threading.Event = field(default_factory=threading.Event)
+
+    def wake(self) -> None:
+        """Let ``wait`` return; may be called from any thread."""
+        self._event.set()
+
+    def wait(self, timeout: float) -> None:
+        """Wait until woken, at most ``timeout`` seconds."""
+        self._event.wait(timeout)
+        self._event.clear()
+
+
+@dataclass(eq=False)
+class ZenohInbox:
+    """What a subscription holds until it is drained."""
+
+    waiting: deque[MemorySample]
+    subscriber: zenoh.Subscriber[None] | None = None
+
+    def drain(self) -> list[Sample]:
+        """Take all that has arrived."""
+        taken: list[Sample] = []
+        while self.waiting:
+            taken.append(self.waiting.popleft())
+        return taken
+
+    def close(self) -> None:
+        """End the subscription."""
+        if self.subscriber is not None:
+            self.subscriber.undeclare()  # type: ignore[no-untyped-call]
+            self.subscriber = None
+
+
+@dataclass(eq=False)
+class ZenohPending:
+    """A query under way."""
+
+    waker: Waker
+    answer: bytes | None = None
+    ended: bool = False
+
+    def poll(self) -> bytes | None:
+        """Return the answer, or None while there is none."""
+        return self.answer
+
+    def done(self) -> bool:
+        """Say whether no (further) answer will come."""
+        return self.ended
+
+    def take(self, reply: zenoh.Reply) -> None:
+        """Keep the first answer."""
+        if reply.ok is not None and self.answer is None:
+            self.answer = reply.ok.payload.to_bytes()
+        self.waker.wake()
+
+    def end(self) -> None:
+        """No more will come."""
+        self.ended = True
+        self.waker.wake()
+
+
+@dataclass(eq=False)
+class ZenohRequest:
+    """One query that waits for its answer."""
+
+    key: str
+    payload: bytes
+    query: zenoh.Query | None
+
+    def reply(self, payload: bytes) -> None:
+        """Answer; a second answer is ignored."""
+        if self.query is not None:
+            query, self.query = self.query, None
+            query.reply(query.key_expr, payload, express=True)
+            query.drop()  # type: ignore[no-untyped-call]
+
+
+@dataclass(eq=False)
+class ZenohDesk:
+    """Queries that wait at a key."""
+
+    waiting: deque[ZenohRequest] = field(default_factory=deque)
+    queryable: zenoh.Queryable[None] | None = None
+
+    def drain(self) -> list[Request]:
+        """Take all that has arrived."""
+        taken: list[Request] = []
+        while self.waiting:
+            taken.append(self.waiting.popleft())
+        return taken
+
+    def close(self) -> None:
+        """Stop serving; what waits ends without an answer."""
+        if self.queryable is not None:
+            self.queryable.undeclare()  # type: ignore[no-untyped-call]
+            self.queryable = None
+        while self.waiting:
+            request = self.waiting.popleft()
+            if request.query is not None:
+                request.query.drop()  # type: ignore[no-untyped-call]
+                request.query = None
+
+
+def client_config(endpoint: str, patience: float = 2.0) -> zenoh.Config:
+    """Return the configuration of a client of the router at ``endpoint``: no scouting, no listening.
+
+    ``patience``: seconds in which the router must answer.
+    """
+    connect = {"endpoints": [endpoint], "timeout_ms": round(patience * 1000), "exit_on_failure": True}
+    return _config({"mode": "client", "connect": connect})
+
+
+def router_config(endpoint: str) -> zenoh.Config:
+    """Return the configuration of a router that listens at ``endpoint`` and nowhere else."""
+    return _config({"mode": "router", "listen": {"endpoints": [endpoint], "exit_on_failure": True}})
+
+
+def _config(entries: dict[str, object]) -> zenoh.Config:
+    config = zenoh.Config()
+    scouting = {"multicast": {"enabled": False}, "gossip": {"enabled": False}}
+    for key, value in {**entries, "scouting": scouting}.items():
+        config.insert_json5(key, json.dumps(value))
+    return config
+
+
+def open_session(config: zenoh.Config, endpoint: str) -> zenoh.Session:
+    """Open a session.
+
+    Raises:
+        BusError: naming the endpoint.
+    """
+    try:
+        return zenoh.open(config)
+    except zenoh.ZError as error:
+        raise BusError(f"no zenoh router answers at {endpoint}; is `tandem up` running there?") from error
+
+
+class ZenohBus:
+    """One process's end; implements ``skills.ports.bus.Bus``. Close it, or the process hangs at its exit.
+
+    Args:
+        endpoint: the router's, such as ``tcp/127.0.0.1:7447``.
+        prefix: ``<site>/<robot>``, put before every key.
+        patience: seconds in which the router must answer.
+
+    Raises:
+        BusError: when it does not.
+    """
+
+    def __init__(self, endpoint: str, prefix: str, *, patience: float = 2.0) -> None:
+        self.waker = Waker()
+        self._prefix = prefix
+        self._session = open_session(client_config(endpoint, patience), endpoint)
+        self._publishers: dict[str, zenoh.Publisher] = {}
+        self._tokens: list[zenoh.LivelinessToken] = []
+        self._names: dict[str, None] = {}
+        self._liveliness = self._session.liveliness().declare_subscriber(
+            f"{prefix}/alive/**", self._on_liveliness, history=True
+        )
+
+    def publish(self, key: str, payload: bytes) -> None:
+        """Send to all who subscribed."""
+        if len(payload) > BULK:
+            self._session.put(
+                f"{self._prefix}/{key}",
+                payload,
+                congestion_control=zenoh.CongestionControl.BLOCK,
+                priority=zenoh.Priority.DATA_LOW,
+            )
+        else:
+            self._publisher(key).put(payload)
+
+    def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
+        """Receive what is put on the key expression from now on."""
+        inbox = ZenohInbox(deque(maxlen=depth))
+        start = len(self._prefix) + 1
+
+        def arrived(sample: zenoh.Sample) -> None:
+            inbox.waiting.append(MemorySample(str(sample.key_expr)[start:], sample.payload.to_bytes()))
+            self.waker.wake()
+
+        inbox.subscriber = self._session.declare_subscriber(f"{self._prefix}/{key}", arrived)
+        return inbox
+
+    def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
+        """Ask whoever serves the key."""
+        pending = ZenohPending(self.waker)
+        self._session.get(
+            f"{self._prefix}/{key}",
+            zenoh.handlers.Callback(pending.take, pending.end),
+            payload=payload,
+            timeout=timeout,
+            express=True,
+        )
+        return pending
+
+    def serve(self, key: str) -> Desk:
+        """Answer queries on the key expression."""
+        desk = ZenohDesk()
+        start = len(self._prefix) + 1
+
+        def asked(query: zenoh.Query) -> None:
+            body = b"" if query.payload is None else query.payload.to_bytes()
+            desk.waiting.append(ZenohRequest(str(query.key_expr)[start:], body, query))
+            self.waker.wake()
+
+        desk.queryable = self._session.declare_queryable(f"{self._prefix}/{key}", asked)
+        return desk
+
+    def listened(self, key: str) -> bool:
+        """Say whether anybody subscribes to the key."""
+        status = self._publisher(key).matching_status
+        # zenoh's type hints promise a bool, its library gives an object that holds one.
+        return bool(getattr(status, "matching", status))
+
+    def announce(self, name: str) -> None:
+        """Show that this process is alive as ``name`` until its session ends."""
+        self._tokens.append(self._session.liveliness().declare_token(f"{self._prefix}/alive/{name}"))
+
+    def alive(self) -> frozenset[str]:
+        """Return the names that are announced now."""
+        return frozenset(self._names)
+
+    def present(self, name: str, *, timeout: float = 0.3) -> bool:
+        """Ask the network whether ``name`` is announced now; a "no" takes ``timeout`` seconds.
+
+        Asked more than once: a session that has just been opened is told at first that nobody is there.
+        """
+        deadline = time.monotonic() + timeout
+        while time.monotonic() < deadline:
+            replies = self._session.liveliness().get(f"{self._prefix}/alive/{name}", timeout=timeout)
+            if any(reply.ok is not None for reply in replies):
+                return True
+            self.waker.wait(0.02)
+        return False
+
+    def close(self) -> None:
+        """End the session. Closing twice is allowed."""
+        if not self._session.is_closed():
+            self._session.close()  # type: ignore[no-untyped-call]
+
+    def _publisher(self, key: str) -> zenoh.Publisher:
+        publisher = self._publishers.get(key)
+        if publisher is None:
+            # A reading of a sensor is followed by the next one and may be dropped where the way is full; what
+            # is said once, such as a goal's end, may not.
+            stream = key.startswith(STREAMS)
+            control = zenoh.CongestionControl.DROP if stream else zenoh.CongestionControl.BLOCK
+            publisher = self._session.declare_publisher(
+                f"{self._prefix}/{key}", express=True, congestion_control=control
+            )
+            self._publishers[key] = publisher
+        return publisher
+
+    def _on_liveliness(self, sample: zenoh.Sample) -> None:
+        name = str(sample.key_expr)[len(self._prefix) + len("/alive/") :]
+        if sample.kind == zenoh.SampleKind.PUT:
+            self._names[name] = None
+        else:
+            self._names.pop(name, None)
+        self.waker.wake()
+
+
+def wait_until(bus: ZenohBus, condition: Pending, timeout: float) -> bytes | None:
+    """Block until a query is answered or ended, at most ``timeout`` seconds. For commands, not for nodes."""
+    deadline = time.monotonic() + timeout
+    while not condition.done() and condition.poll() is None and time.monotonic() < deadline:
+        bus.waker.wait(max(0.0, deadline - time.monotonic()))
+    return condition.poll()

@@ -1,0 +1,271 @@
+"""What is believed: items, hands, slots and clutter, and what changes them. No bus, no clock, no disk."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+from skills.ports.geometry import Pose, about, compose, distance, from_axes, rotate
+from skills.ports.grasping import item_in_map
+from skills.ports.message import RobotTime, Vector3
+from skills.ports.site import Site
+from skills.ports.world import (
+    Box,
+    Clutter,
+    HeldItem,
+    ItemFact,
+    Placed,
+    PlanningScene,
+    SceneObject,
+    Side,
+    Sighting,
+    WorldState,
+)
+from skills.world import clutter
+from skills.world.journal import Remembered
+
+MOVED: Final = 0.02
+"""Metres between two sightings from which on the item has moved, however badly it is seen now."""
+MUCH_WORSE: Final = 0.5
+"""A sighting of less than this share of the old one's quality waits until the old one has aged."""
+AGED: Final = 10.0
+"""Robot seconds after which any newer sighting is preferred."""
+OUT_OF_SLOT: Final = 0.15
+"""Metres from its slot from which on a placed item lies there no more."""
+PUT_DOWN_SIGMA: Final = 0.01
+"""Metres: how well the place of an item that was put down is known."""
+
+# The tag on the item's face that looks along its x: x_tag = y_item, y_tag = z_item, z_tag = x_item.
+_TAG_TURN: Final = from_axes((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
+
+
+class Beliefs:
+    """The facts of one robot at one site. ``version`` rises with each change.
+
+    Args:
+        site: items, furniture and depots.
+        remembered: what a journal gave back.
+    """
+
+    def __init__(self, site: Site, remembered: Remembered | None = None) -> None:
+        self.site = site
+        self.version = 1
+        kept = remembered or Remembered()
+        self._items: dict[int, ItemFact] = {fact.item: fact for fact in kept.items}
+        self._held: dict[Side, HeldItem] = {held.side: held for held in kept.held}
+        self._placed: dict[int, Placed] = {placed.item: placed for placed in kept.placed}
+        self._removed: set[int] = set()
+        self._clutter: tuple[tuple[str, Box], ...] = ()
+        self._clutter_named = 0
+        self._furniture = tuple(
+            SceneObject(name=f"{each.name}_{i}", kind="furniture", box=box.box())
+            for each in site.furniture
+            for i, box in enumerate(each.boxes)
+        )
+
+    def item(self, number: int) -> ItemFact | None:
+        """Return what is known of the item, or None."""
+        return self._items.get(number)
+
+    def in_hand(self, side: Side) -> HeldItem | None:
+        """Return what is in the hand, or None."""
+        return self._held.get(side)
+
+    def hand_of(self, number: int) -> Side | None:
+        """Return the hand that the item is in, or None."""
+        return next((side for side, held in sorted(self._held.items()) if held.item == number), None)
+
+    def slot_of(self, number: int) -> Placed | None:
+        """Return where the item was put down, or None."""
+        return self._placed.get(number)
+
+    def in_slot(self, depot: str, slot: int) -> int | None:
+        """Return the item that lies in the slot, or None."""
+        return next(
+            (item for item, at in sorted(self._placed.items()) if (at.depot, at.slot) == (depot, slot)), None
+        )
+
+    def see(self, sighting: Sighting) -> bool:
+        """Take in a sighting; say whether it changed anything.
+
+        Newer replaces older, unless it is much worse, the item has not moved, and the older one is fresh. An
+        item in a hand is where the hand is: sightings of it are passed over.
+        """
+        item = self.site.item(sighting.item)
+        if item is None or self.hand_of(sighting.item) is not None or not self._better(sighting):
+            return False
+        self._items[sighting.item] = ItemFact(
+            item=sighting.item,
+            size=item.size,
+            tag_in_map=sighting.tag_in_map,
+            seen=sighting.stamp,
+            quality=sighting.quality,
+            position_sigma=sighting.position_sigma,
+        )
+        box = item_box(sighting.tag_in_map, item.size)
+        self._removed.discard(sighting.item)
+        self._clutter = clutter.without_item(self._clutter, box)
+        if self._left_its_slot(sighting.item, box.pose.position):
+            del self._placed[sighting.item]
+        self.version += 1
+        return True
+
+    def miss(self, number: int, stamp: RobotTime) -> bool:
+        """Forget where the item stands: a picture of ``stamp`` proves it gone. Say whether it was known."""
+        fact = self._items.get(number)
+        if fact is None or self.hand_of(number) is not None:
+            return False
+        if fact.seen.boot == stamp.boot and fact.seen.seconds >= stamp.seconds:
+            return False
+        del self._items[number]
+        self._placed.pop(number, None)
+        self.version += 1
+        return True
+
+    def look(self, seen: Clutter) -> bool:
+        """Take in the clutter of a look; say whether it changed anything."""
+        measured = []
+        standing = self._standing()
+        for box in seen.boxes:
+            if any(clutter.contains(item, box.pose.position, clutter.ITEM_MARGIN) for item in standing):
+                continue
+            self._clutter_named += 1
+            measured.append((f"clutter_{self._clutter_named}", box))
+        after = clutter.after_look(self._clutter, seen.view, measured)
+        if after == self._clutter:
+            return False
+        self._clutter = after
+        self.version += 1
+        return True
+
+    def add(self, number: int) -> None:
+        """Make the item an obstacle where it was last seen."""
+        self._removed.discard(number)
+        self.version += 1
+
+    def remove(self, number: int) -> None:
+        """Make the item no obstacle, until it is added or seen again."""
+        self._removed.add(number)
+        self.version += 1
+
+    def attach(self, number: int, side: Side, item_in_tool: Pose, now: RobotTime) -> None:
+        """Put the item into the hand."""
+        size = self._size(number)
+        self._held[side] = HeldItem(side=side, item=number, item_in_tool=item_in_tool)
+        self._placed.pop(number, None)
+        self._removed.discard(number)
+        known = self._items.get(number) or ItemFact(
+            item=number, size=size, tag_in_map=Pose(), seen=now, quality=0.0, position_sigma=0.0
+        )
+        self._items[number] = known.model_copy(update={"held": side})
+        self.version += 1
+
+    def detach(
+        self, number: int, item_in_map_now: Pose | None, placed: Placed | None, now: RobotTime
+    ) -> None:
+        """Take the item out of its hand: put down at a pose, or lost (then nobody knows where it is)."""
+        side = self.hand_of(number)
+        if side is not None:
+            del self._held[side]
+        if item_in_map_now is None:
+            self._items.pop(number, None)
+        else:
+            size = self._size(number)
+            self._items[number] = ItemFact(
+                item=number,
+                size=size,
+                tag_in_map=tag_of_item(item_in_map_now, size[0]),
+                seen=now,
+                quality=0.5,
+                position_sigma=PUT_DOWN_SIGMA,
+            )
+        if placed is not None:
+            self._placed[number] = placed
+        self.version += 1
+
+    def state(self, now: RobotTime) -> WorldState:
+        """Return the facts."""
+        return WorldState(
+            stamp=now,
+            version=self.version,
+            items=tuple(self._items[number] for number in sorted(self._items)),
+            held=tuple(self._held[side] for side in sorted(self._held)),
+            placed=tuple(self._placed.values()),
+        )
+
+    def scene(self, now: RobotTime) -> PlanningScene:
+        """Return what arms must not hit."""
+        things = [SceneObject(name=name, kind="clutter", box=box) for name, box in self._clutter]
+        for number in sorted(self._items):
+            fact, side = self._items[number], self.hand_of(number)
+            if side is None and number in self._removed:
+                continue
+            box = (
+                item_box(fact.tag_in_map, fact.size)
+                if side is None
+                else Box(size=fact.size, pose=self._held[side].item_in_tool)
+            )
+            things.append(
+                SceneObject(name=f"item_{number}", kind="item", box=box, item=number, attached_to=side)
+            )
+        return PlanningScene(stamp=now, version=self.version, objects=(*self._furniture, *things))
+
+    def remembered(self, written_at: float) -> Remembered:
+        """Return what a journal must keep; ``written_at`` is UTC seconds."""
+        numbers = {held.item for held in self._held.values()} | set(self._placed)
+        return Remembered(
+            written_at=written_at,
+            held=tuple(self._held[side] for side in sorted(self._held)),
+            placed=tuple(self._placed.values()),
+            items=tuple(self._items[number] for number in sorted(numbers) if number in self._items),
+        )
+
+    def _better(self, sighting: Sighting) -> bool:
+        old = self._items.get(sighting.item)
+        if old is None or old.seen.boot != sighting.stamp.boot:
+            return True
+        age = sighting.stamp.seconds - old.seen.seconds
+        if age < 0.0:
+            return False
+        before, after = (item_box(tag, old.size).pose for tag in (old.tag_in_map, sighting.tag_in_map))
+        moved = distance(before, after) > MOVED
+        return moved or age > AGED or sighting.quality >= MUCH_WORSE * old.quality
+
+    def _left_its_slot(self, number: int, centre: Vector3) -> bool:
+        placed = self._placed.get(number)
+        depot = None if placed is None else self.site.depot(placed.depot)
+        if placed is None or depot is None or placed.slot >= len(depot.slots):
+            return False
+        slot = depot.slots[placed.slot].position
+        return math.dist(slot[:2], centre[:2]) > OUT_OF_SLOT or abs(centre[2] - slot[2]) > 2 * OUT_OF_SLOT
+
+    def _standing(self) -> tuple[Box, ...]:
+        """Return the boxes of the items that stand somewhere, by item."""
+        return tuple(
+            item_box(self._items[number].tag_in_map, self._items[number].size)
+            for number in sorted(self._items)
+            if self.hand_of(number) is None
+        )
+
+    def _size(self, number: int) -> Vector3:
+        item = self.site.item(number)
+        if item is None:
+            raise KeyError(f"no item {number} at site {self.site.name}")
+        return item.size
+
+
+def item_box(tag_in_map: Pose, size: Vector3) -> Box:
+    """Return the item's box behind a tag; a tag that lies flat gives a cube that holds the item."""
+    try:
+        return Box(size=size, pose=item_in_map(tag_in_map, size[0]))
+    except ValueError:
+        edge = max(size)
+        out = rotate(tag_in_map.orientation, (0.0, 0.0, -edge / 2.0))
+        x, y, z = tag_in_map.position
+        middle = (x + out[0], y + out[1], z + out[2])
+        return Box(size=(edge, edge, edge), pose=Pose(position=middle, orientation=about((0, 0, 1), 0.0)))
+
+
+def tag_of_item(item_in_map_now: Pose, depth: float) -> Pose:
+    """Return the tag on the face along the item's x; ``depth`` is the item's edge along x (m)."""
+    return compose(item_in_map_now, Pose(position=(depth / 2.0, 0.0, 0.0), orientation=_TAG_TURN))

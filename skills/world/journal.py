@@ -1,0 +1,87 @@
+"""What no sensor can restore, on disk: which item is in which hand, and what lies in which slot.
+
+One JSON line a change, each a whole picture of it, synced before anybody hears of the change. The last line
+that can be read counts, so a line torn by a crash loses nothing but itself; opening the journal rewrites it
+to that one line, through a file beside it that takes its place.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Final
+
+from pydantic import ValidationError
+
+from skills.ports.message import Message
+from skills.ports.world import HeldItem, ItemFact, Placed
+
+COMPACT_AFTER: Final = 1000
+"""Lines after which the file is rewritten."""
+
+
+class Remembered(Message):
+    """All that the journal keeps; ``items`` are the facts of what is held or placed."""
+
+    written_at: float = 0.0
+    """UTC seconds."""
+    held: tuple[HeldItem, ...] = ()
+    placed: tuple[Placed, ...] = ()
+    items: tuple[ItemFact, ...] = ()
+
+
+class Journal:
+    """The file.
+
+    Args:
+        path: where it is, or is to be; its folder must exist.
+
+    Raises:
+        OSError: when it can't be read or written.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self.remembered = _last(path)
+        self._lines = 0
+        self._compact()
+
+    def write(self, remembered: Remembered) -> None:
+        """Keep this; it is on the disk when the call returns."""
+        self.remembered = remembered
+        if self._lines >= COMPACT_AFTER:
+            self._compact()
+            return
+        with self._path.open("a", encoding="utf-8") as file:
+            file.write(remembered.model_dump_json() + "\n")
+            file.flush()
+            os.fsync(file.fileno())
+        self._lines += 1
+
+    def _compact(self) -> None:
+        beside = self._path.with_name(self._path.name + ".new")
+        with beside.open("w", encoding="utf-8") as file:
+            file.write(self.remembered.model_dump_json() + "\n")
+            file.flush()
+            os.fsync(file.fileno())
+        beside.replace(self._path)
+        folder = os.open(self._path.parent, os.O_RDONLY)
+        try:
+            os.fsync(folder)
+        finally:
+            os.close(folder)
+        self._lines = 1
+
+
+def _last(path: Path) -> Remembered:
+    """Return the last line that can be read; nothing, where there is none."""
+    try:
+        lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+    except FileNotFoundError:
+        return Remembered()
+    for line in reversed(lines):
+        try:
+            return Remembered.model_validate_json(line)
+        except ValidationError:
+            continue
+    return Remembered()

@@ -1,0 +1,83 @@
+"""The keeper: the one owner of ``world/state`` and ``world/scene``."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks
+from skills.ports.keys import Latest
+from skills.ports.message import RobotTime
+from skills.ports.site import Site
+from skills.ports.world import CLUTTER, SCENE, SIGHTINGS, WORLD
+from skills.world.beliefs import Beliefs
+from skills.world.journal import Journal
+
+REPEAT: Final = 1.0
+"""Robot seconds between two publications when nothing changes: for those who came late."""
+
+
+class Keeper:
+    """A ``Node``: merges what perception tells, and publishes on each change and every second.
+
+    Args:
+        bus: where perception, arms and trees are.
+        clocks: robot time; UTC for the journal.
+        site: furniture, items, depots.
+        journal: keeps what no sensor can restore; None keeps nothing (lockstep).
+    """
+
+    name: Final = "world/keeper"
+
+    def __init__(self, bus: Bus, clocks: Clocks, site: Site, journal: Journal | None = None) -> None:
+        self._bus, self._clocks, self._journal = bus, clocks, journal
+        self.beliefs = Beliefs(site, None if journal is None else journal.remembered)
+        self._sightings = Latest(bus, SIGHTINGS)
+        self._clutter = Latest(bus, CLUTTER)
+        self._published = 0
+        self._published_at: RobotTime | None = None
+
+    @property
+    def clocks(self) -> Clocks:
+        """The clocks that facts are stamped by."""
+        return self._clocks
+
+    def step(self) -> bool:
+        """Take in what was seen; publish what changed."""
+        seen, looks = self._sightings.take(), self._clutter.take()
+        if seen or looks:
+            before = self.beliefs.remembered(0.0)
+            for message in seen:
+                for sighting in message.sightings:
+                    self.beliefs.see(sighting)
+                for number in message.absent:
+                    self.beliefs.miss(number, message.stamp)
+            for look in looks:
+                self.beliefs.look(look)
+            if self.beliefs.remembered(0.0) != before:
+                self.keep()
+        self.publish()
+        return False
+
+    def keep(self) -> None:
+        """Write what must be kept to the journal, before anybody hears of it."""
+        if self._journal is not None:
+            self._journal.write(self.beliefs.remembered(self._clocks.utc()))
+
+    def publish(self) -> None:
+        """Publish, if something changed or a second has passed."""
+        now = self._clocks.robot()
+        if now is None or (self.beliefs.version == self._published and not self._due(now)):
+            return
+        WORLD.publish(self._bus, self.beliefs.state(now))
+        SCENE.publish(self._bus, self.beliefs.scene(now))
+        self._published, self._published_at = self.beliefs.version, now
+
+    def close(self) -> None:
+        """End the subscriptions."""
+        self._sightings.close()
+        self._clutter.close()
+
+    def _due(self, now: RobotTime) -> bool:
+        last = self._published_at
+        return last is None or last.boot != now.boot or now.seconds >= last.seconds + REPEAT

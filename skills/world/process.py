@@ -1,0 +1,33 @@
+"""The nodes of the world's process."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks
+from skills.ports.node import Node
+from skills.ports.site import Site
+from skills.server import ActionServer
+from skills.world.edit import Edit
+from skills.world.journal import Journal
+from skills.world.keeper import Keeper
+
+
+def nodes(
+    bus: Bus, clocks: Clocks, site: Site, journal: Path | None = None, *, charge: bool = False
+) -> tuple[Node, ...]:
+    """Return the keeper and the edits' server.
+
+    Args:
+        bus: where perception, arms and trees are.
+        clocks: robot time and UTC.
+        site: what is known beforehand.
+        journal: the file that keeps what no sensor can restore; None in lockstep.
+        charge: the server's, for lockstep.
+
+    Raises:
+        OSError: when the journal can't be read or written.
+    """
+    keeper = Keeper(bus, clocks, site, None if journal is None else Journal(journal))
+    return (keeper, ActionServer(bus, clocks, Edit(keeper), charge=charge))

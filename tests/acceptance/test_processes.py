@@ -1,0 +1,196 @@
+"""The whole system as processes: a fetch, what clients get wrong, deaths, second ones, and Ctrl-C."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from executive.cli.exit_codes import ExitCode
+from executive.demo import Caller
+from executive.options import RunOptions
+from executive.settings import ROLES, Role
+from executive.systems import ProcessSystem, SystemFailure, wait_for
+from sim.scenario import load_scenario
+from sim.truth import lies_on
+from skills.ports.geometry import FloorPose
+from skills.ports.keys import Latest, Nothing
+from skills.ports.tasks import REQUEST, TASK_ANSWERS, TASK_LIST, TaskAnswer, TaskList, TaskState
+from skills.site import load
+from tests.acceptance.live import (
+    COMMAND,
+    ENVIRONMENT,
+    ROOT,
+    children,
+    go_on,
+    kill,
+    left_behind,
+    own_bus,
+    play,
+    written,
+)
+
+pytestmark = [pytest.mark.processes, pytest.mark.xdist_group("processes")]
+
+BEFORE_THE_TABLE = FloorPose(x=-0.55, y=0.50, yaw=0.0)
+WRONG = {
+    "not JSON": (b'{"task": "fetch", "item"', ""),
+    "not UTF-8": (b"\xff\xfe\x00", ""),
+    "an unknown item": (b'{"task": "fetch", "item": 500}', "item"),
+    "an unknown field": (b'{"task": "fetch", "item": 29, "colour": "red"}', "colour"),
+    "no item": (b'{"task": "fetch"}', "item"),
+    "not a number": (b'{"task": "fetch", "item": NaN}', "item"),
+    "out of range": (b'{"task": "fetch", "item": -1}', "item"),
+    "an unknown destination": (b'{"task": "fetch", "item": 29, "to": "moon"}', "to"),
+    "an unknown arm": (b'{"task": "fetch", "item": 29, "arm": "third"}', "arm"),
+    "an unknown task": (b'{"task": "dance"}', "task"),
+    "too much": (b'{"task": "fetch", "item": 29, "to": "%s"}' % (b"x" * 65 * 1024), ""),
+}
+
+
+@pytest.fixture(scope="module")
+def live(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ProcessSystem]:
+    """Return one system for all that leaves it as it was."""
+    scenario = load_scenario("Demo").starting_at(BEFORE_THE_TABLE)
+    path = written(scenario, tmp_path_factory.mktemp("scenario"))
+    with ProcessSystem(RunOptions(bus=own_bus(), scenario=path, speed=None)) as system:
+        yield system
+        groups = list(system.pids().values())
+    assert left_behind(groups) == ()
+
+
+def query(system: ProcessSystem, payload: bytes) -> TaskAnswer:
+    answer = wait_for(system, system.bus.query(REQUEST, payload, timeout=5.0), 5.0)
+    assert answer is not None
+    return TaskAnswer.model_validate_json(answer)
+
+
+def tasks(system: ProcessSystem) -> TaskList:
+    answer = wait_for(system, TASK_LIST.query(system.bus, Nothing()), 5.0)
+    assert answer is not None
+    return TaskList.model_validate_json(answer)
+
+
+def put(system: ProcessSystem, answers: Latest[TaskAnswer], payload: bytes) -> TaskAnswer:
+    """Put a request and wait for what is told to those who only put."""
+    answers.take()
+    system.bus.publish(REQUEST, payload)
+    got: list[TaskAnswer] = []
+
+    def answered() -> bool:
+        got.extend(answers.take())
+        return bool(got)
+
+    go_on(system, answered, within=5.0)
+    return got[0]
+
+
+def test_a_fetch_asked_for_by_a_plain_put_goes_on_whatever_else_is_asked(live: ProcessSystem) -> None:
+    caller, answers = Caller(live, lambda _: None), Latest(live.bus, TASK_ANSWERS, depth=64)
+    go_on(live, lambda: live.bus.listened(REQUEST), within=5.0)
+    taken = put(live, answers, b'{"task": "fetch", "item": 29, "id": "mine"}')
+    assert taken.accepted, taken
+    assert taken.client_id == "mine"
+
+    for what, (payload, path) in WRONG.items():
+        for answer in (query(live, payload), put(live, answers, payload)):
+            assert not answer.accepted, what
+            assert answer.problems[0].path.startswith(path), what
+            assert answer.problems[0].expected, what
+    (only,) = tasks(live).tasks
+    assert only.state is TaskState.RUNNING
+
+    assert caller.follow(taken.task, within=200.0).state is TaskState.SUCCEEDED
+    assert lies_on(caller.truth(), load("lab"), 29, "depot")
+
+
+@pytest.mark.parametrize("role", ["hardware", "executive"])
+def test_a_second_one_for_the_same_robot_refuses(live: ProcessSystem, tmp_path: Path, role: Role) -> None:
+    code, words = play(role, live._options, tmp_path)
+    assert code == ExitCode.REFUSED, words
+    assert f"{role}: there is such a process for test/tiago" in words
+    assert "already" in words
+    assert "Traceback" not in words
+    live.advance()
+
+
+def test_a_second_system_at_the_same_endpoint_refuses(live: ProcessSystem) -> None:
+    argv = [*COMMAND, "up", "--connect", live._options.bus.endpoint]
+    done = subprocess.run(
+        argv, check=False, env=ENVIRONMENT, cwd=ROOT, capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == ExitCode.REFUSED, done.stdout + done.stderr
+    assert "another system runs there" in done.stdout
+    live.advance()
+
+
+@pytest.mark.parametrize("role", ROLES)
+def test_a_process_that_dies_is_named_and_the_rest_ends(role: Role) -> None:
+    ends = {}
+
+    def one_dies() -> None:
+        with ProcessSystem(RunOptions(bus=own_bus(), scenario="Defaults")) as system:
+            ends.update({child.role: child.process for child in system.supervisor.children})
+            kill(ends[role].pid)
+            go_on(system, lambda: False, within=10.0)
+
+    with pytest.raises(SystemFailure) as caught:
+        one_dies()
+    assert str(caught.value).startswith(f"the {role} process ended (signal 9)")
+    codes = {name: end.returncode for name, end in ends.items()}
+    assert codes == {name: -9 if name == role else 0 for name in ROLES}
+    assert left_behind(end.pid for end in ends.values()) == ()
+
+
+def test_a_process_that_can_not_start_is_named_with_its_last_words(tmp_path: Path) -> None:
+    scenario = tmp_path / "wrong.yaml"
+    scenario.write_text("name: wrong\nstart: {x: 0.0, y: 0.0, yaw: 0.0}\n")
+    system = ProcessSystem(RunOptions(bus=own_bus(), scenario=str(scenario)))
+    scenario.write_text("name: wrong\nstart: nowhere\n")  # after it was checked: the hardware finds it so
+    with pytest.raises(SystemFailure, match=r"the hardware process ended \(exit code 1\); its last words"):
+        system.__enter__()
+
+
+@pytest.mark.parametrize("when", ["starting", "ready"])
+def test_ctrl_c_ends_all(tmp_path: Path, when: str) -> None:
+    said = tmp_path / "said.txt"
+    bus = own_bus()
+    argv = [*COMMAND, "up", "--connect", bus.endpoint, "--scenario", "Defaults"]
+    with said.open("w") as stream:
+        up = subprocess.Popen(
+            argv, env=ENVIRONMENT, cwd=ROOT, stdout=stream, stderr=stream, start_new_session=True
+        )
+    try:
+        deadline = time.monotonic() + 60.0
+        started: dict[int, str] = {}
+        while time.monotonic() < deadline and not (
+            "ready" in said.read_text() if when == "ready" else len(started) >= 3
+        ):
+            started = children(up.pid)
+            time.sleep(0.02)
+        started = children(up.pid)
+        assert len(started) >= (len(ROLES) if when == "ready" else 3), said.read_text()
+        up.send_signal(signal.SIGINT)
+        assert up.wait(30.0) == ExitCode.INTERRUPTED, said.read_text()
+        assert "stopped" in said.read_text()
+        assert left_behind([up.pid, *started]) == ()
+    finally:
+        up.kill()
+        up.wait()
+
+
+def test_without_a_parent_all_processes_end() -> None:
+    """The command itself is killed: nobody is left to end what it started."""
+    bus = own_bus()
+    argv = [*COMMAND, "up", "--connect", bus.endpoint, "--scenario", "Defaults"]
+    up = subprocess.Popen(argv, env=ENVIRONMENT, cwd=ROOT, stdout=subprocess.PIPE, start_new_session=True)
+    assert up.stdout is not None
+    assert b"ready" in up.stdout.readline()
+    started = children(up.pid)
+    kill(up.pid)
+    up.wait()
+    assert left_behind([up.pid, *started], within=10.0) == ()

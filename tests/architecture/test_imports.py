@@ -1,0 +1,43 @@
+"""What each process loads, proven by starting it: import contracts can't see what comes in sideways."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+HEAVY = ("numpy", "cv2", "ompl", "pinocchio", "coal", "pybullet", "ruckig", "yaml")
+CASES = {
+    "trees load no vendor but py_trees": ("trees.registry", "discover()", (*HEAVY, "zenoh")),
+    "the executive loads nothing heavy": (
+        "executive.service",
+        "Executive",
+        tuple(name for name in HEAVY if name != "yaml"),
+    ),
+    "the executive's loop loads nothing heavy": (
+        "skills.wire.loop",
+        "run",
+        tuple(name for name in HEAVY if name != "yaml"),
+    ),
+    "the vocabulary loads pydantic alone": (
+        "skills.ports.tasks",
+        "TASK_STATUS",
+        (*HEAVY, "zenoh", "py_trees"),
+    ),
+    "the base loads no camera and no arm": (
+        "skills.base.process",
+        "build",
+        ("cv2", "ompl", "pinocchio", "pybullet"),
+    ),
+    "perception loads no arm": ("skills.perception.process", "nodes", ("ompl", "pinocchio", "pybullet")),
+}
+
+
+@pytest.mark.parametrize(("module", "use", "forbidden"), CASES.values(), ids=CASES.keys())
+def test_a_process_loads_no_more_than_it_needs(module: str, use: str, forbidden: tuple[str, ...]) -> None:
+    program = f"import sys, json, {module} as m; m.{use}; print(json.dumps(sorted(sys.modules)))"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    loaded = {name.split(".")[0] for name in json.loads(done.stdout.splitlines()[-1])}
+    assert sorted(loaded & set(forbidden)) == []

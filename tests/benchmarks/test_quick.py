@@ -1,0 +1,103 @@
+"""The short forms run, and say what the table needs. What they measure is not judged."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from benchmarks import arm_planning, reaction, stillness, ticks
+from benchmarks.rows import Row
+from skills.ports.action import GoalState, GoalStatus
+from skills.ports.geometry import FloorPose
+from skills.ports.hardware import JointStates, Odometry
+from skills.ports.keys import JOINT_STATES, ODOMETRY
+from skills.ports.message import RobotTime
+from skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus
+from skills.wire.memory import MemoryBus
+
+
+def told(rows: list[Row]) -> dict[str, Row]:
+    assert all(math.isfinite(row.value) and row.value >= 0.0 for row in rows)
+    named = {row.what: row for row in rows}
+    assert len(named) == len(rows), "each line has a name of its own"
+    return named
+
+
+def test_ticks() -> None:
+    rows = told(list(ticks.rows(quick=True)))
+    assert rows["tick of the fetch tree, p99"].aim == 1.0
+
+
+def test_arm_planning() -> None:
+    assert "planning home, CPU p95" in told(arm_planning.rows(quick=True))
+
+
+@pytest.mark.processes
+def test_reaction() -> None:
+    rows = told(list(reaction.rows(quick=True)))
+    assert rows["from a skill's end to the next goal, p99"].aim == 2.0
+
+
+class Scene:
+    """A robot with one joint and one finger; ten messages of each state of affairs."""
+
+    def __init__(self) -> None:
+        self.bus = MemoryBus()
+        self.stillness = stillness.Stillness(self.bus)
+        self._now = 0
+        self.joints(0.0)
+        status = TaskStatus(task="t", kind="fetch", request={}, state=TaskState.RUNNING, accepted_at=0.0)
+        TASK_STATUS.publish(self.bus, status)
+        self.stillness.step()
+
+    def goal(self, action: str, state: GoalState) -> None:
+        status = GoalStatus(goal_id=action, state=state, sequence=1)
+        self.bus.publish(f"skill/{action}/status", status.model_dump_json().encode())
+
+    def base(self, linear: float) -> None:
+        at = FloorPose(x=0.0, y=0.0, yaw=0.0)
+        ODOMETRY.publish(self.bus, Odometry(stamp=self.stamp, base_in_odom=at, linear=linear, angular=0.0))
+
+    def joints(self, joint: float, finger: float = 0.0, count: int = 1) -> None:
+        for _ in range(count):
+            self._now += 1
+            JOINT_STATES.publish(
+                self.bus,
+                JointStates(
+                    stamp=self.stamp,
+                    names=("arm_1", "gripper_finger"),
+                    positions=(0.0, 0.0),
+                    velocities=(joint, finger),
+                    efforts=(0.0, 0.0),
+                ),
+            )
+        self.stillness.step()
+
+    @property
+    def stamp(self) -> RobotTime:
+        return RobotTime(boot="b", seconds=self._now / 100.0)
+
+
+def test_the_reason_for_standing_is_the_goal_under_way() -> None:
+    scene = Scene()
+    scene.joints(0.0, count=10)
+    scene.goal("arm_left/move", GoalState.RUNNING)
+    scene.joints(0.0, count=20)
+    scene.joints(0.5, count=30)
+    scene.goal("arm_left/move", GoalState.SUCCEEDED)
+    scene.goal("perception/look", GoalState.RUNNING)
+    scene.joints(0.0, count=40)
+    assert scene.stillness.seconds == pytest.approx(
+        {"no goal": 0.1, "arm_left/move": 0.2, "moving": 0.3, "perception/look": 0.4}
+    )
+    assert scene.stillness.idle_share == pytest.approx(0.3)
+    assert scene.stillness.moved_at == pytest.approx(0.32)
+
+
+def test_the_base_and_the_fingers_move_the_robot_too() -> None:
+    scene = Scene()
+    scene.joints(0.0, finger=0.005, count=10)
+    scene.base(0.2)
+    scene.joints(0.0, count=10)
+    assert scene.stillness.seconds == pytest.approx({"moving": 0.2})

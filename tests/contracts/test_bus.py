@@ -1,0 +1,149 @@
+"""What every bus keeps to: the one in memory and the one over zenoh run the same suite."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import pytest
+
+from skills.ports.bus import Bus
+from skills.wire.memory import MemoryBus, MemoryHub
+from skills.wire.zenoh_bus import ZenohBus, open_session, router_config
+from tests.fakes.ports import free_endpoint
+
+
+@dataclass
+class Pair:
+    """Two ends of one bus, and a way to wait that suits it."""
+
+    a: Bus
+    b: Bus
+    until: Callable[[Callable[[], bool]], bool]
+
+
+@pytest.fixture(params=["memory", "zenoh"])
+def pair(request: pytest.FixtureRequest) -> Iterator[Pair]:
+    if request.param == "memory":
+        hub = MemoryHub()
+        yield Pair(MemoryBus(hub), MemoryBus(hub), lambda condition: condition())
+        return
+    endpoint = free_endpoint()
+    router = open_session(router_config(endpoint), endpoint)
+    a, b = ZenohBus(endpoint, "lab/robot"), ZenohBus(endpoint, "lab/robot")
+
+    def until(condition: Callable[[], bool]) -> bool:
+        deadline = time.monotonic() + 5.0
+        while not (held := condition()) and time.monotonic() < deadline:
+            a.waker.wait(0.005)
+        return held
+
+    yield Pair(a, b, until)
+    a.close()
+    b.close()
+    router.close()
+
+
+def collect(pair: Pair, key: str, count: int, send: Callable[[], None]) -> list[tuple[str, bytes]]:
+    inbox = pair.a.subscribe(key)
+    assert pair.until(lambda: pair.b.listened(key.replace("**", "x").replace("*", "x")))
+    send()
+    got: list[tuple[str, bytes]] = []
+
+    def arrived() -> bool:
+        got.extend((sample.key, sample.payload) for sample in inbox.drain())
+        return len(got) >= count
+
+    pair.until(arrived)
+    return got
+
+
+def test_what_is_put_arrives_in_order(pair: Pair) -> None:
+    sent = [("task/x", bytes([number])) for number in range(50)]  # readings of ``hw/`` may be dropped
+    got = collect(pair, "task/x", 50, lambda: [pair.b.publish(key, body) for key, body in sent] and None)
+    assert got == sent
+
+
+def test_a_star_is_one_part_of_a_key(pair: Pair) -> None:
+    def send() -> None:
+        for key in ("hw/gripper/left/state", "hw/gripper/left/deep/state", "hw/gripper/x/state"):
+            pair.b.publish(key, b"")
+
+    inbox = pair.a.subscribe("hw/gripper/*/state")
+    assert pair.until(lambda: pair.b.listened("hw/gripper/x/state"))
+    send()
+    got: list[str] = []
+
+    def arrived() -> bool:
+        got.extend(sample.key for sample in inbox.drain())
+        return len(got) >= 2
+
+    pair.until(arrived)
+    assert got == ["hw/gripper/left/state", "hw/gripper/x/state"]
+
+
+def test_a_picture_arrives_whole(pair: Pair) -> None:
+    body = bytes(range(256)) * 20_000
+    assert collect(pair, "hw/camera", 1, lambda: pair.b.publish("hw/camera", body)) == [("hw/camera", body)]
+
+
+def test_a_closed_inbox_gets_nothing(pair: Pair) -> None:
+    inbox = pair.a.subscribe("hw/x")
+    assert pair.until(lambda: pair.b.listened("hw/x"))
+    inbox.close()
+    assert pair.until(lambda: not pair.b.listened("hw/x"))
+
+
+def test_a_full_inbox_loses_the_oldest(pair: Pair) -> None:
+    inbox = pair.a.subscribe("task/x", depth=2)
+    last = pair.a.subscribe("task/end")
+    assert pair.until(lambda: pair.b.listened("task/x") and pair.b.listened("task/end"))
+    for number in range(5):
+        pair.b.publish("task/x", bytes([number]))
+    pair.b.publish("task/end", b"")
+    assert pair.until(lambda: bool(last.drain()))
+    time.sleep(0.1)  # over zenoh each subscription has a thread of its own: the end may overtake
+    assert [sample.payload for sample in inbox.drain()] == [bytes([3]), bytes([4])]
+
+
+def test_a_query_is_answered(pair: Pair) -> None:
+    desk = pair.a.serve("skill/x/goal")
+
+    def asked() -> bool:
+        pending = pair.b.query("skill/x/goal", b"ask")
+        pair.until(lambda: bool(answer(desk)) or pending.done())
+        pair.until(pending.done)
+        return pending.poll() == b"answer to ask"
+
+    def answer(desk: object) -> list[None]:
+        return [request.reply(b"answer to " + request.payload) for request in desk.drain()]  # type: ignore[attr-defined]
+
+    assert pair.until(asked)
+
+
+def test_a_query_that_nobody_serves_ends_empty(pair: Pair) -> None:
+    pending = pair.b.query("no/one", b"", timeout=0.5)
+    assert pair.until(pending.done)
+    assert pending.poll() is None
+
+
+def test_names_are_alive_while_announced(pair: Pair) -> None:
+    pair.a.announce("skill/look")
+    assert pair.until(lambda: "skill/look" in pair.b.alive())
+    pair.a.close()  # type: ignore[attr-defined]
+    assert pair.until(lambda: "skill/look" not in pair.b.alive())
+
+
+def test_a_session_that_has_just_been_opened_knows_who_is_present() -> None:
+    endpoint = free_endpoint()
+    router = open_session(router_config(endpoint), endpoint)
+    first = ZenohBus(endpoint, "lab/robot")
+    first.announce("role/hardware")
+    for _ in range(10):
+        second = ZenohBus(endpoint, "lab/robot")
+        assert second.present("role/hardware", timeout=2.0)
+        second.close()
+    assert not first.present("role/executive", timeout=0.1)
+    first.close()
+    router.close()

@@ -1,0 +1,145 @@
+"""The examples do what docs/extending.md says that they do."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+from py_trees.common import Status
+from pydantic import TypeAdapter
+
+from executive.testing import TreeBench
+from skills.gripper.grip import Gripping
+from skills.ports.actions.gripper import Grip, GripGoal, grip
+from skills.ports.geometry import FloorPose, Pose, from_axes
+from skills.ports.hardware import BaseVelocity, Odometry
+from skills.ports.keys import BASE_VELOCITY, CLOCK, ODOMETRY, Latest
+from skills.ports.message import RobotTime
+from skills.ports.tasks import Problem
+from skills.server import ActionServer
+from skills.site import load
+from skills.testing.mock_description import mock_description
+from skills.wire.clocks import SteppedClocks
+from skills.wire.memory import MemoryBus, MemoryHub
+from trees import tasks
+from trees.client import ActionClient
+from trees.registry import discover
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+SITE = load("lab")
+TAG = Pose(position=(0.9, 0.1, 0.74), orientation=from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0)))
+
+
+def example(name: str) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(f"example_{name}", EXAMPLES / f"{name}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # annotations are looked up there
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture
+def look_around(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Have the example stand among the tasks, as if its file lay in their folder."""
+    monkeypatch.setitem(sys.modules, "trees.tasks.look_around", example("look_around"))
+    folders = [*tasks.__path__, str(EXAMPLES)]
+    found = {"fetch", "look_around"}
+    listed = importlib.import_module("trees.registry").pkgutil.iter_modules
+    monkeypatch.setattr(
+        "trees.registry.pkgutil.iter_modules",
+        lambda _: [module for module in listed(folders) if module.name in found],
+    )
+
+
+@pytest.mark.usefixtures("look_around")
+def test_a_task_is_found_by_being_there() -> None:
+    assert sorted(discover()) == ["fetch", "look_around"]
+
+
+@pytest.mark.usefixtures("look_around")
+def test_the_task_looks_as_often_as_it_was_asked_to() -> None:
+    bench = TreeBench(SITE, items={29: TAG})
+    assert bench.run("look_around", {"views": 3}) is Status.SUCCESS
+    assert bench.robot.calls_of("perception/look") == 3
+    assert bench.robot.calls_of("base/rotate") == 2
+    assert bench.context.progress.fraction == 1.0
+
+
+def test_nothing_in_a_site_contradicts_the_task() -> None:
+    module = example("look_around")
+    found = module.problems(module.LookAroundRequest(), SITE)
+    assert TypeAdapter(tuple[Problem, ...]).validate_python(found) == ()
+
+
+class Wheels:
+    """Odometry of a base that does what it is told at once."""
+
+    def __init__(self, bus: MemoryBus, clocks: SteppedClocks) -> None:
+        self._bus, self._clocks, self._told = bus, clocks, Latest(bus, BASE_VELOCITY)
+        self.x = 0.0
+
+    def step(self) -> None:
+        told = self._told.refresh() or BaseVelocity(linear=0.0, angular=0.0)
+        self.x += told.linear * 0.02
+        stamp = RobotTime(boot=self._clocks.boot, seconds=self._clocks.seconds)
+        pose = FloorPose(x=self.x, y=0.0, yaw=0.0)
+        ODOMETRY.publish(self._bus, Odometry(stamp=stamp, base_in_odom=pose, linear=told.linear, angular=0.0))
+
+
+@pytest.mark.parametrize(("cancel_at", "state"), [(None, "SUCCEEDED"), (40, "CANCELED")])
+def test_the_skill_backs_off_or_stops(cancel_at: int | None, state: str) -> None:
+    module, hub, clocks = example("back_off"), MemoryHub(), SteppedClocks("bench")
+    bus = MemoryBus(hub)
+    wheels = Wheels(MemoryBus(hub), clocks)
+    server = ActionServer(MemoryBus(hub), clocks, module.BackOff(MemoryBus(hub), clocks))
+    bus.announce("tester")
+    client = ActionClient(bus, clocks, module.BACK_OFF, "tester")
+    wheels.step()
+    handle = client.start(module.BackOffGoal(distance=0.2), "task/back off/1")
+    for step in range(400):
+        clocks.advance(0.02)
+        wheels.step()
+        server.step()
+        client.poll()
+        if step == cancel_at:
+            handle.cancel()
+        if handle.ended:
+            break
+    assert handle.state == state
+    assert wheels.x == pytest.approx(-0.2 if cancel_at is None else -0.08, abs=0.02)
+
+
+@pytest.mark.parametrize(
+    ("between", "state", "kind"), [(0.06, "SUCCEEDED", None), (0.0, "FAILED", "GRASP_EMPTY")]
+)
+def test_the_skill_of_the_gripper_works_with_another_robot(
+    between: float, state: str, kind: str | None
+) -> None:
+    hub, clocks = MemoryHub(), SteppedClocks("one-gripper")
+    bus, description = MemoryBus(hub), mock_description()
+    robot = example("one_gripper").OneGripper(
+        MemoryBus(hub), description, boot="one-gripper", between=between
+    )
+    skill = Gripping(MemoryBus(hub), clocks, description.end_effector("left"))
+    server = ActionServer(MemoryBus(hub), clocks, skill)
+    bus.announce("tester")
+    client, clock = ActionClient(bus, clocks, grip("left"), "tester"), Latest(bus, CLOCK)
+    handle = client.start(GripGoal(grip=Grip.GRASP, width=0.06), "task/close/1")
+    for _ in range(800):
+        clocks.advance(0.01)
+        robot.step()
+        server.step()
+        client.poll()
+        if handle.ended:
+            break
+    assert handle.state == state
+    assert (None if handle.failure is None else handle.failure.kind) == kind
+    heard = clock.refresh()
+    assert heard is not None
+    assert heard.stamp.boot == "one-gripper"
+    assert heard.stamp.seconds == pytest.approx(clocks.seconds)

@@ -1,0 +1,54 @@
+"""Router, mocked robot and executive in one process: ``mock_system.py PORT SECONDS_A_SKILL PARTS``."""
+
+from __future__ import annotations
+
+import sys
+import time
+
+from executive.service import Executive
+from executive.task_queue import start_id
+from skills.ports.geometry import Pose, from_axes
+from skills.ports.hardware import Clock
+from skills.ports.keys import CLOCK
+from skills.ports.message import RobotTime
+from skills.site import load
+from skills.testing.mock_robot import MockRobot
+from skills.wire.clocks import ProcessClocks
+from skills.wire.zenoh_bus import ZenohBus, open_session, router_config
+from trees.registry import discover
+
+
+def main(port: str, duration: str, parts: str) -> None:
+    """Run until killed; prints "ready" when all is there."""
+    endpoint = f"tcp/127.0.0.1:{port}"
+    router = open_session(router_config(endpoint), endpoint)  # noqa: F841 - lives as long as we do
+    site = load("lab")
+    bus, robot_bus = ZenohBus(endpoint, "lab/tiago"), ZenohBus(endpoint, "lab/tiago")
+    clocks, robot_clocks = ProcessClocks(bus), ProcessClocks(robot_bus)
+    began, tick = time.monotonic(), 0
+    nodes = []
+    if "robot" in parts:
+        items = {
+            29: Pose(position=(0.5, 0.5, 0.74), orientation=from_axes((0, -1, 0), (0, 0, 1), (-1, 0, 0)))
+        }
+        nodes.append(MockRobot(robot_bus, robot_clocks, site, items=items, duration=float(duration)))
+    if "executive" in parts:
+        nodes.append(Executive(bus, clocks, site, discover(), start=start_id(time.time()), version="test"))
+    sys.stdout.write("ready\n")
+    sys.stdout.flush()
+    while True:
+        tick += 1
+        if "robot" in parts:
+            stamp = RobotTime(boot="mock", seconds=time.monotonic() - began)
+            CLOCK.publish(robot_bus, Clock(stamp=stamp, tick=tick))
+        clocks.refresh()
+        robot_clocks.refresh()
+        more = [node.step() for node in nodes]
+        if not any(more):
+            bus.waker.wait(0.005)
+        if tick % 100 == 0 and "robot" in parts:
+            nodes[0].tell()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

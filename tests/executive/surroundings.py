@@ -1,0 +1,159 @@
+"""A small task over the bus in memory: a leaf that waits for a word, and one that moves a fake skill."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import Literal
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.composites import Sequence
+from pydantic import Field
+
+from executive.service import Executive
+from skills.ports.bus import Inbox
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.message import Message
+from skills.ports.site import Site
+from skills.ports.skill import ActionType
+from skills.ports.tasks import (
+    REQUEST,
+    TASK_CANCEL,
+    TASK_STATUS,
+    TREE,
+    CancelTask,
+    ControlAnswer,
+    Problem,
+    TaskAnswer,
+    TaskStatus,
+    TreeSnapshot,
+)
+from skills.ports.world import WORLD, WorldState
+from skills.site import load
+from skills.wire.clocks import SteppedClocks
+from skills.wire.memory import MemoryHub
+from trees.client import GoalHandle
+from trees.context import TreeContext
+from trees.task import TaskType
+
+
+class WaitRequest(Message):
+    task: Literal["wait"] = "wait"
+    item: int = Field(ge=0, le=586)
+    to: str = "depot"
+    arm: Literal["left", "right"] | None = None
+    weight: float = Field(default=1.0, gt=0.0, le=5.0)
+    spots: tuple[str, ...] = ()
+
+
+class Empty(Message):
+    pass
+
+
+NUDGE = ActionType("test/nudge", Empty, Empty, Empty, timeout=60.0)
+
+
+class WaitForWorld(Behaviour):
+    """Ends with what the world's version says: 1 success, 2 failure, 3 raises; waits while it is 0."""
+
+    def __init__(self, context: TreeContext) -> None:
+        super().__init__("wait for the world")
+        self.context = context
+
+    def update(self) -> Status:
+        world = self.context.knowledge.world
+        version = 0 if world is None else world.version
+        self.context.enter("waiting", 0.5)
+        self.feedback_message = f"version {version}"
+        if version == 3:
+            raise RuntimeError("a mistake")
+        if version == 2:
+            self.context.failed(Failure(kind=FailureKind.GRASP_EMPTY, message="closed on nothing"))
+        return {0: Status.RUNNING, 1: Status.SUCCESS}.get(version, Status.FAILURE)
+
+
+class Nudge(Behaviour):
+    """Starts a goal of a fake skill; cancels it when stopped."""
+
+    def __init__(self, context: TreeContext) -> None:
+        super().__init__("nudge")
+        self.context = context
+        self.handle: GoalHandle[Empty, Empty, Empty] | None = None
+
+    def initialise(self) -> None:
+        client = self.context.clients.of(NUDGE)
+        self.handle = client.start(Empty(), f"{self.context.task}/nudge/1")
+
+    def update(self) -> Status:
+        assert self.handle is not None
+        return Status.SUCCESS if self.handle.ended else Status.RUNNING
+
+    def terminate(self, new_status: Status) -> None:
+        if new_status is Status.INVALID and self.handle is not None:
+            self.handle.cancel()
+
+
+def problems(request: WaitRequest, site: Site) -> tuple[Problem, ...]:
+    names = tuple(depot.name for depot in site.depots)
+    if request.to not in names:
+        return (Problem(path="to", expected=" or ".join(names), found=request.to),)
+    return ()
+
+
+def build(request: WaitRequest, context: TreeContext) -> Behaviour:
+    root = Sequence("wait", memory=True)
+    if request.weight == 2.0:
+        root.add_child(Nudge(context))
+    if request.weight == 3.0:
+        raise RuntimeError("can't build")
+    root.add_child(WaitForWorld(context))
+    return root
+
+
+WAIT = TaskType("wait", "Wait for the world.", WaitRequest, problems, build)
+
+
+@dataclass
+class Surroundings:
+    """An executive over the bus in memory, and a client's eyes and hands."""
+
+    hub: MemoryHub = field(default_factory=MemoryHub)
+    clocks: SteppedClocks = field(default_factory=SteppedClocks)
+
+    def __post_init__(self) -> None:
+        self.bus = self.hub.endpoint()
+        self.statuses: Inbox = self.bus.subscribe(TASK_STATUS.key)
+        self.trees: Inbox = self.bus.subscribe(TREE.key)
+        self.executive = Executive(self.hub.endpoint(), self.clocks, load("lab"), {"wait": WAIT})
+
+    def step(self, times: int = 1, seconds: float = 0.01) -> None:
+        for _ in range(times):
+            self.clocks.advance(seconds)
+            self.executive.step()
+
+    def ask(self, document: object) -> TaskAnswer:
+        payload = document if isinstance(document, bytes) else json.dumps(document).encode()
+        pending = self.bus.query(REQUEST, payload)
+        self.step()
+        answer = pending.poll()
+        assert answer is not None
+        return TaskAnswer.model_validate_json(answer)
+
+    def cancel(self, task: str) -> ControlAnswer:
+        pending = TASK_CANCEL.query(self.bus, CancelTask(task=task))
+        self.step()
+        answer = pending.poll()
+        assert answer is not None
+        return ControlAnswer.model_validate_json(answer)
+
+    def world(self, version: int) -> None:
+        stamp = self.clocks.robot()
+        assert stamp is not None
+        WORLD.publish(self.bus, WorldState(stamp=stamp, version=version))
+
+    def told(self) -> list[TaskStatus]:
+        return [TASK_STATUS.decode(sample.payload) for sample in self.statuses.drain()]
+
+    def shown(self) -> list[TreeSnapshot]:
+        return [TREE.decode(sample.payload) for sample in self.trees.drain()]

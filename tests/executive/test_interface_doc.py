@@ -1,0 +1,62 @@
+"""docs/interface.md says what the code says."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from executive.interface_doc import fill, marked, tables
+from executive.schemas import CLIENT_MESSAGES, interface_schema, separate_schemas
+from skills.ports import keys, tasks, world
+from skills.ports.failure import FailureKind
+from skills.ports.keys import Service, Topic
+from trees.registry import discover
+
+PAGE = Path(__file__).parents[2] / "docs" / "interface.md"
+
+
+def test_the_page_is_up_to_date() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    assert fill(page) == page, "run: python -m executive.interface_doc docs/interface.md"
+
+
+def test_the_page_has_every_table() -> None:
+    assert sorted(marked(PAGE.read_text(encoding="utf-8"))) == sorted(tables())
+
+
+def test_every_key_kind_and_task_is_in_it() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    found = [
+        entry.key
+        for module in (keys, tasks, world)
+        for entry in vars(module).values()
+        if isinstance(entry, Topic | Service)
+    ]
+    names = [*found, tasks.REQUEST, keys.RGBD, *FailureKind, *discover()]
+    assert [name for name in names if name not in page] == []
+
+
+def test_links_lead_somewhere() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    heads = {line[4:].lower() for line in page.splitlines() if line.startswith("### ")}
+    links = {part.split(")")[0] for part in page.split("](#")[1:]}
+    assert links - heads == set()
+
+
+def test_schemas_hold_what_clients_send_and_read() -> None:
+    schema = interface_schema(discover())
+    definitions = schema["$defs"]
+    assert isinstance(definitions, dict)
+    assert {model.__name__ for model in CLIENT_MESSAGES} <= set(definitions)
+    request = json.dumps(definitions["FetchRequest"])
+    assert '"const": "fetch"' in request
+    assert '"id"' in request
+
+
+def test_each_separate_schema_is_whole() -> None:
+    for name, document in separate_schemas(discover()).items():
+        definitions = document["$defs"]
+        assert isinstance(definitions, dict)
+        text = json.dumps(document)
+        used = {part.split('"')[0] for part in text.split("#/$defs/")[1:]}
+        assert used <= set(definitions), name

@@ -1,0 +1,96 @@
+"""Scenarios: those that come along are right, and mistakes are told with file, path and expectation."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sim.scenario import ScenarioError, TrueItem, load_scenario, scenario_names
+from sim.scene import build_scene
+from skills.ports.geometry import FloorPose
+from skills.site import load
+
+
+@pytest.mark.parametrize("name", scenario_names())
+def test_each_packaged_scenario_fits_its_site(name: str) -> None:
+    scenario = load_scenario(name)
+    assert scenario.name == name
+    assert build_scene(load(scenario.site), scenario)
+
+
+def test_the_demo_has_what_is_promised() -> None:
+    demo = load_scenario("Demo")
+    assert len(demo.items) >= 8
+    assert {29, 42} <= {item.tag for item in demo.items}
+    assert abs(demo.noise.odometry_scale) >= 0.02
+    assert demo.noise.laser_sigma >= 0.010
+    assert demo.noise.depth_sigma > 0.0
+    assert len({item.support for item in demo.items}) >= 2
+
+
+@pytest.mark.parametrize(
+    ("text", "path", "said"),
+    [
+        ("name: [", "", "not YAML"),
+        ("- 1", "", "a mapping"),
+        ("name: x", "start", "expected and is missing"),
+        ("{name: x, start: {x: 0, y: 0, yaw: 0}, colour: red}", "colour", "no such field"),
+        ("{name: x, start: {x: a, y: 0, yaw: 0}}", "start.x", "valid number"),
+        ("{name: x, start: {x: .nan, y: 0, yaw: 0}}", "start.x", "finite"),
+        (
+            "{name: x, start: {x: 0, y: 0, yaw: 0}, items: [{tag: 29, support: table, x: 0, y: 0, mass: 2}]}",
+            "items.0.mass",
+            "less than or equal to 0.2",
+        ),
+    ],
+)
+def test_a_mistake_is_told_with_file_and_path(tmp_path: Path, text: str, path: str, said: str) -> None:
+    file = tmp_path / "mine.yaml"
+    file.write_text(text)
+    with pytest.raises(ScenarioError) as caught:
+        load_scenario(file)
+    assert str(caught.value).startswith(str(file))
+    assert path in str(caught.value)
+    assert said in str(caught.value)
+
+
+def test_an_unknown_name_is_answered_with_the_names_there_are() -> None:
+    with pytest.raises(ScenarioError, match="Defaults, Demo, OneOfEverything"):
+        load_scenario("Dmo")
+
+
+def test_a_missing_file_is_named(tmp_path: Path) -> None:
+    with pytest.raises(ScenarioError, match=r"none\.yaml: can't be read"):
+        load_scenario(tmp_path / "none.yaml")
+
+
+def test_a_tag_may_be_there_once() -> None:
+    demo = load_scenario("Demo")
+    doubled = {**demo.model_dump(), "items": [demo.item(29), demo.item(29)]}
+    with pytest.raises(ValueError, match="twice: 29"):
+        type(demo).model_validate(doubled)
+
+
+@pytest.mark.parametrize(
+    ("item", "said"),
+    [
+        (TrueItem(tag=500, support="table", x=1.0, y=0.5), "items.0.tag: one of 3, 7"),
+        (TrueItem(tag=29, support="sofa", x=1.0, y=0.5), "items.0.support: no furniture 'sofa'"),
+        (TrueItem(tag=29, support="table", x=-1.0, y=0.5), "is not above table"),
+    ],
+)
+def test_what_the_site_has_no_place_for_is_refused(item: TrueItem, said: str) -> None:
+    scenario = load_scenario("Defaults").model_copy(update={"items": (item,)})
+    with pytest.raises(ScenarioError, match=r"mine\.yaml") as caught:
+        build_scene(load("lab"), scenario, source="mine.yaml")
+    assert said in str(caught.value)
+
+
+def test_variants_leave_the_original_alone() -> None:
+    demo = load_scenario("Demo")
+    moved = demo.with_item(TrueItem(tag=29, support="shelf_board", x=-1.0, y=2.7))
+    assert moved.item(29).support == "shelf_board"
+    assert demo.item(29).support == "table"
+    assert len(demo.without_item(29).items) == len(demo.items) - 1
+    assert demo.starting_at(FloorPose(x=0.0, y=-2.0, yaw=0.0)).start.y == -2.0

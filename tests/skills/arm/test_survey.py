@@ -1,0 +1,67 @@
+"""The survey: from which base poses could the hand do it?"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from skills.arm.bodies import load_hulls
+from skills.arm.planning.settings import PlannerSettings
+from skills.arm.problem import Arm
+from skills.arm.survey import Survey
+from skills.kinematics.hulls import RobotHulls
+from skills.ports.actions.arm import Candidate, SurveyGoal, SurveyResult
+from skills.ports.geometry import FloorPose, Pose, from_rpy
+from skills.ports.skill import Command, Outcome, Slice
+from tests.fakes.arm_rig import ArmRig, box, panda
+
+TARGET = Candidate(pose=Pose(position=(0.45, 0.0, 0.4), orientation=from_rpy(np.pi, 0.0, 0.0)))
+HERE = FloorPose(x=0.0, y=0.0, yaw=0.0)
+FAR = FloorPose(x=-3.0, y=0.0, yaw=0.0)
+BESIDE = FloorPose(x=0.45, y=-0.45, yaw=np.pi / 2)
+
+
+@pytest.fixture(scope="module")
+def hulls() -> RobotHulls:
+    return load_hulls(panda())
+
+
+def survey(
+    hulls: RobotHulls, goal: SurveyGoal, *, wall: bool = False, cancel_after: int = -1
+) -> Outcome[SurveyResult]:
+    rig = ArmRig(panda(), "arm", hulls=hulls)
+    skill = Survey(rig.bus, rig.clocks, Arm(hulls, panda(), "arm"), PlannerSettings())
+    if wall:
+        rig.set_scene(box("wall", (0.1, 2.0, 2.0), (0.45, 0.0, 1.0)))
+    else:
+        rig.set_scene()
+    rig.rounds(1)
+    run = skill.run(goal, "t/survey/1")
+    yielded, slices = next(run), 0
+    while True:
+        slices += isinstance(yielded, Slice)
+        try:
+            yielded = run.send(Command.CANCEL if slices == cancel_after else Command.GO_ON)
+        except StopIteration as stop:
+            outcome: Outcome[SurveyResult] = stop.value
+            return outcome
+
+
+def test_a_base_out_of_reach_is_left_out(hulls: RobotHulls) -> None:
+    outcome = survey(hulls, SurveyGoal(bases=(FAR, HERE, BESIDE), candidates=(TARGET,)))
+    assert outcome.result == SurveyResult(bases=(1, 2))
+
+
+def test_it_ends_when_enough_are_found(hulls: RobotHulls) -> None:
+    outcome = survey(hulls, SurveyGoal(bases=(HERE, BESIDE), candidates=(TARGET,), enough=1))
+    assert outcome.result == SurveyResult(bases=(0,))
+
+
+def test_what_stands_in_the_way_counts(hulls: RobotHulls) -> None:
+    outcome = survey(hulls, SurveyGoal(bases=(HERE, BESIDE), candidates=(TARGET,)), wall=True)
+    assert outcome.result == SurveyResult(bases=())
+
+
+def test_a_cancel_is_obeyed_between_two_slices(hulls: RobotHulls) -> None:
+    outcome = survey(hulls, SurveyGoal(bases=(FAR,) * 50, candidates=(TARGET,)), cancel_after=2)
+    assert outcome.canceled

@@ -1,0 +1,257 @@
+"""Driving on the planar fake: there, round things, and not when it must not."""
+
+import math
+from collections.abc import Callable
+
+import pytest
+
+from skills.base.wheels import stopping_speed
+from skills.ports.actions.arm import ArmState
+from skills.ports.actions.base import BASE_STATUS, BaseState, DriveGoal, DriveResult, RotateGoal
+from skills.ports.failure import FailureKind
+from skills.ports.geometry import FloorPose, floor_distance, wrap
+from skills.ports.keys import Latest
+from skills.ports.site import SiteBox
+from skills.ports.skill import Command, Outcome
+from skills.site import load
+from tests.fakes.base_rig import Rig, make_rig
+
+LAB = load("lab")
+
+
+def pose(x: float, y: float, yaw: float = 0.0) -> FloorPose:
+    return FloorPose(x=x, y=y, yaw=yaw)
+
+
+def go(
+    rig: Rig, *goals: FloorPose, command: Callable[[float], Command] = lambda _: Command.GO_ON
+) -> Outcome[DriveResult]:
+    goal = DriveGoal(poses=goals, serves_item=29)
+    assert rig.base.drive.check(goal) is None
+    return rig.run(rig.base.drive.run(goal, "g"), command)
+
+
+SOUTH = pose(-1.0, -1.6)
+
+
+@pytest.mark.parametrize(
+    ("deceleration", "latency", "remaining"), [(0.5, 0.05, 1.0), (1.05, 0.0, 0.3), (0.5, 0.1, 0.001)]
+)
+def test_from_the_stopping_speed_the_base_stops_in_time(
+    deceleration: float, latency: float, remaining: float
+) -> None:
+    speed = stopping_speed(remaining, deceleration, latency)
+    assert speed * latency + speed * speed / (2 * deceleration) == pytest.approx(remaining)
+
+
+def test_it_arrives_where_it_should_and_says_so() -> None:
+    rig = make_rig(LAB, LAB.home)
+    states = Latest(rig.bus, BASE_STATUS, depth=1000)
+    goal = LAB.spots[2].pose
+    outcome = go(rig, goal)
+    assert outcome.result is not None
+    assert floor_distance(rig.robot.truth, goal) < 0.015
+    assert abs(wrap(rig.robot.truth.yaw - goal.yaw)) < 0.015
+    told = [status.state for status in states.take()]
+    assert list(dict.fromkeys(told)) == [BaseState.BASE_TO_GOAL, BaseState.BASE_GOAL_OK]
+    assert states.value is not None
+    assert states.value.serves_item == 29
+
+
+@pytest.mark.parametrize(("way", "bound"), [(2.0, 4.0), (4.0, 6.0)])
+def test_straight_ahead_takes_little_more_than_the_drives_limits_allow(way: float, bound: float) -> None:
+    rig = make_rig(LAB, pose(-2.2, 1.7))
+    start = rig.now
+    assert go(rig, pose(-2.2 + way, 1.7)).result is not None
+    assert rig.now - start < bound + 0.5
+
+
+def test_the_first_pose_with_a_way_is_taken() -> None:
+    rig = make_rig(LAB, SOUTH)
+    outcome = go(rig, pose(1.0, 0.5), pose(-0.5, -1.7))
+    assert outcome.result is not None
+    assert outcome.result.pose == 1
+
+
+def test_without_any_way_it_says_why_for_each_pose_and_stays() -> None:
+    rig = make_rig(LAB, SOUTH)
+    outcome = go(rig, pose(1.0, 0.5), pose(8.0, 0.0))
+    assert outcome.failure is not None
+    assert outcome.failure.kind is FailureKind.BASE_NO_PATH
+    assert len(outcome.failure.causes) == 2
+    assert "goal_clearance_m" in outcome.failure.causes[0].evidence
+    assert rig.robot.driven == 0.0
+
+
+def test_a_short_way_straight_back_is_backed_up() -> None:
+    rig = make_rig(LAB, SOUTH)
+    start = rig.now
+    assert go(rig, pose(-1.3, -1.6)).result is not None
+    assert rig.now - start < 3.0
+
+
+def test_something_that_turns_up_on_the_way_is_gone_round_without_touching_it() -> None:
+    rig = make_rig(LAB, SOUTH)
+    stone = SiteBox(size=(0.3, 0.3, 0.5), centre=(1.0, -1.6, 0.25))
+    closest = [math.inf]
+
+    def appear(seconds: float) -> Command:
+        if seconds > 1.5 and stone not in rig.robot.boxes:
+            rig.robot.boxes.append(stone)
+        closest[0] = min(closest[0], rig.robot.clearance())
+        return Command.GO_ON
+
+    outcome = go(rig, pose(2.0, -1.6), command=appear)
+    assert outcome.result is not None
+    assert outcome.result.replans >= 1
+    assert closest[0] > rig.robot.description.footprint_radius
+
+
+def test_before_a_barrier_it_gives_up_and_names_what_stands_there() -> None:
+    rig = make_rig(LAB, SOUTH)
+    barrier = SiteBox(size=(1.5, 0.3, 0.5), centre=(2.0, -1.8, 0.25))
+
+    def appear(seconds: float) -> Command:
+        if seconds > 1.0 and barrier not in rig.robot.boxes:
+            rig.robot.boxes.append(barrier)
+        return Command.GO_ON
+
+    outcome = go(rig, pose(2.25, -2.45), command=appear)
+    assert outcome.failure is not None
+    assert outcome.failure.kind is FailureKind.BASE_BLOCKED
+    assert "obstacle_x_m" in outcome.failure.evidence
+    assert rig.robot.linear == 0.0
+
+
+def test_cancelled_it_brakes_and_only_then_ends() -> None:
+    rig = make_rig(LAB, SOUTH)
+    states = Latest(rig.bus, BASE_STATUS)
+    outcome = go(rig, pose(2.0, -1.6), command=lambda t: Command.CANCEL if t > 2.0 else Command.GO_ON)
+    assert outcome.canceled
+    assert (rig.robot.linear, rig.robot.angular) == (0.0, 0.0)
+    status = states.refresh()
+    assert status is not None
+    assert status.state is BaseState.BASE_IDLE
+
+
+def test_paused_it_stands_and_resumed_it_arrives() -> None:
+    rig = make_rig(LAB, SOUTH)
+    script = [(1.5, Command.PAUSE), (6.0, Command.RESUME)]
+    stood = []
+
+    def command(seconds: float) -> Command:
+        if 5.0 < seconds < 6.0:
+            stood.append(rig.robot.linear)
+        if script and seconds > script[0][0]:
+            return script.pop(0)[1]
+        return Command.GO_ON
+
+    assert go(rig, pose(2.0, -1.6), command=command).result is not None
+    assert set(stood) == {0.0}
+
+
+def stop(rig: Rig) -> None:
+    rig.robot.stopped = True
+
+
+def silence(rig: Rig) -> None:
+    rig.robot.laser_on = False
+
+
+def stretch(rig: Rig) -> None:
+    rig.extent = 0.9
+
+
+def move_arm(rig: Rig) -> None:
+    rig.arm_state = ArmState.ARM_RUNNING
+
+
+def lose(rig: Rig) -> None:
+    rig.base.localiser.localised = False
+
+
+def test_a_bumper_pressed_on_the_way_stops_it_but_not_one_pressed_before() -> None:
+    rig = make_rig(LAB, SOUTH)
+    rig.robot.pressed = ("behind",)
+    rig.wait(0.3)
+    assert go(rig, pose(-0.5, -1.6)).result is not None
+
+    def touch(seconds: float) -> Command:
+        if seconds > 1.5:
+            rig.robot.pressed = ("behind", "ahead")
+        return Command.GO_ON
+
+    outcome = go(rig, pose(2.0, -1.6), command=touch)
+    assert outcome.failure is not None
+    assert outcome.failure.kind is FailureKind.BASE_BLOCKED
+    assert outcome.failure.evidence["bumper"] == "ahead"
+
+
+FAULTS = [
+    (stop, FailureKind.HARDWARE_STOPPED),
+    (silence, FailureKind.LASER_SILENT),
+    (stretch, FailureKind.BASE_HELD),
+    (move_arm, FailureKind.BASE_HELD),
+    (lose, FailureKind.NOT_LOCALISED),
+]
+
+
+@pytest.mark.parametrize(("fault", "kind"), FAULTS)
+def test_a_fault_on_the_way_brings_it_to_rest(fault: Callable[[Rig], None], kind: FailureKind) -> None:
+    rig = make_rig(LAB, SOUTH)
+
+    def command(seconds: float) -> Command:
+        if seconds > 1.5:
+            fault(rig)
+        return Command.GO_ON
+
+    outcome = go(rig, pose(2.0, -1.6), command=command)
+    assert outcome.failure is not None
+    assert outcome.failure.kind is kind
+    assert rig.robot.linear == 0.0
+
+
+@pytest.mark.parametrize(("fault", "kind"), FAULTS)
+def test_with_a_fault_it_does_not_even_begin(fault: Callable[[Rig], None], kind: FailureKind) -> None:
+    rig = make_rig(LAB, SOUTH)
+    fault(rig)
+    rig.wait(0.7)
+    for refusal in (
+        rig.base.drive.check(DriveGoal(poses=(SOUTH,))),
+        rig.base.rotate.check(RotateGoal(angle=1.0)),
+    ):
+        assert refusal is not None
+        assert refusal.kind is kind
+
+
+def test_an_arm_that_was_never_heard_keeps_the_base_where_it_is() -> None:
+    rig = make_rig(LAB, SOUTH)
+    fresh = make_rig(LAB, SOUTH, localised=False)
+    assert rig.base.drive.check(DriveGoal(poses=(SOUTH,))) is None
+    refusal = fresh.base.drive.check(DriveGoal(poses=(SOUTH,)))
+    assert refusal is not None
+    assert refusal.kind is FailureKind.NOT_LOCALISED
+
+
+def test_only_one_skill_has_the_wheels() -> None:
+    rig = make_rig(LAB, SOUTH)
+    run = rig.base.rotate.run(RotateGoal(angle=1.0), "g")
+    next(run)
+    refusal = rig.base.drive.check(DriveGoal(poses=(SOUTH,)))
+    assert refusal is not None
+    assert refusal.kind is FailureKind.BUSY
+    run.close()
+    assert rig.base.drive.check(DriveGoal(poses=(SOUTH,))) is None
+
+
+def test_closed_on_the_way_it_leaves_a_stop_behind() -> None:
+    rig = make_rig(LAB, SOUTH)
+    run = rig.base.drive.run(DriveGoal(poses=(pose(2.0, -1.6),)), "g")
+    next(run)
+    for _ in range(100):
+        rig.tick()
+        run.send(Command.GO_ON)
+    assert rig.robot.linear > 0.2
+    run.close()
+    rig.wait(3.0)
+    assert rig.robot.linear == 0.0

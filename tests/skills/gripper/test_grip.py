@@ -1,0 +1,194 @@
+"""Opening, closing and grasping, with a gripper that is told what lies between its pads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import pytest
+
+from skills.gripper.process import nodes
+from skills.ports.action import (
+    GoalCommand,
+    GoalState,
+    GoalStatus,
+    SendGoal,
+    command_service,
+    goal_service,
+    status_topic,
+)
+from skills.ports.actions.gripper import Grip, GripGoal, GripResult
+from skills.ports.bus import Pending
+from skills.ports.failure import FailureKind
+from skills.ports.hardware import Answer, GripperCommand, GripperMotion, GripperState
+from skills.ports.keys import Latest, gripper_command, gripper_state
+from skills.ports.message import RobotTime
+from skills.ports.skill import Command
+from skills.testing.mock_description import mock_description
+from skills.wire.clocks import SteppedClocks
+from skills.wire.memory import MemoryBus
+
+ACTION = "gripper_left/grip"
+SPEED = 0.05
+
+
+@dataclass
+class Fingers:
+    """Pads 5 cm/s fast; ``between`` stops them at its width, ``jammed`` where they are."""
+
+    bus: MemoryBus
+    clocks: SteppedClocks
+    between: float = 0.0
+    jammed: bool = False
+    width: float = 0.045
+    commands: list[GripperCommand] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self._desk = self.bus.serve(gripper_command("left").key)
+
+    def step(self) -> None:
+        for request in self._desk.drain():
+            self.commands.append(GripperCommand.model_validate_json(request.payload))
+            request.reply(Answer(accepted=True).model_dump_json().encode())
+        motion, force, command_id = GripperMotion.IDLE, 0.0, ""
+        if self.commands:
+            command = self.commands[-1]
+            command_id = command.id
+            wanted = max(command.width, self.between)
+            step = SPEED * 0.02
+            if abs(wanted - self.width) > step and not self.jammed:
+                self.width += step if wanted > self.width else -step
+                motion = GripperMotion.MOVING
+            else:
+                self.width = self.width if self.jammed else wanted
+                stalled = abs(self.width - command.width) > 0.002
+                motion = GripperMotion.STALLED if stalled else GripperMotion.AT_WIDTH
+                force = command.force if stalled else 0.0
+        state = GripperState(
+            stamp=RobotTime(boot="test", seconds=self.clocks.seconds),
+            side="left",
+            command_id=command_id,
+            motion=motion,
+            width=self.width,
+            force=force,
+        )
+        gripper_state("left").publish(self.bus, state)
+
+
+class Rig:
+    def __init__(self) -> None:
+        self.bus, self.clocks = MemoryBus(), SteppedClocks("test")
+        self.fingers = Fingers(self.bus, self.clocks)
+        (self.server,) = nodes(self.bus, self.clocks, mock_description(), "left")
+        self.status = Latest(self.bus, status_topic(ACTION))
+
+    def rounds(self, count: int) -> None:
+        for _ in range(count):
+            self.clocks.advance(0.02)
+            self.fingers.step()
+            self.server.step()
+
+    def send(self, goal: GripGoal) -> Pending:
+        sent = SendGoal(goal_id="t/grip/1", client="", goal=goal.model_dump(mode="json"))
+        return goal_service(ACTION).query(self.bus, sent)
+
+    def run(self, goal: GripGoal) -> GoalStatus:
+        self.send(goal)
+        return self.end()
+
+    def end(self) -> GoalStatus:
+        for _ in range(500):
+            self.rounds(1)
+            status = self.status.refresh()
+            if status is not None and status.state.terminal:
+                return status
+        raise AssertionError(self.status.value)
+
+
+@pytest.fixture
+def rig() -> Rig:
+    return Rig()
+
+
+def result(status: GoalStatus) -> GripResult:
+    assert status.result is not None, status.failure
+    return GripResult.model_validate(status.result)
+
+
+def kind(status: GoalStatus) -> FailureKind:
+    assert status.failure is not None
+    return status.failure.kind
+
+
+def test_it_opens_all_the_way_and_to_a_width(rig: Rig) -> None:
+    assert result(rig.run(GripGoal(grip=Grip.OPEN))).width == pytest.approx(0.09)
+    assert rig.fingers.commands[-1].width == pytest.approx(0.09)
+
+
+def test_it_closes_on_nothing(rig: Rig) -> None:
+    closed = result(rig.run(GripGoal(grip=Grip.CLOSE)))
+    assert closed.width == pytest.approx(0.0)
+    assert not closed.full
+
+
+def test_a_grasp_of_something_of_the_width_expected_is_full(rig: Rig) -> None:
+    rig.fingers.between, rig.fingers.width = 0.06, 0.09
+    held = result(rig.run(GripGoal(grip=Grip.GRASP, width=0.06, force=10.0)))
+    assert held.full
+    assert held.force == pytest.approx(10.0)
+
+
+def test_a_grasp_of_nothing_is_empty(rig: Rig) -> None:
+    assert kind(rig.run(GripGoal(grip=Grip.GRASP, width=0.06))) is FailureKind.GRASP_EMPTY
+
+
+def test_a_grasp_of_something_else_is_empty(rig: Rig) -> None:
+    rig.fingers.between = 0.02
+    assert kind(rig.run(GripGoal(grip=Grip.GRASP, width=0.06))) is FailureKind.GRASP_EMPTY
+
+
+@pytest.mark.parametrize("action", [Grip.OPEN, Grip.CLOSE])
+def test_pads_that_do_not_move_are_stuck(rig: Rig, action: Grip) -> None:
+    rig.fingers.jammed = True
+    assert kind(rig.run(GripGoal(grip=action))) is FailureKind.GRIPPER_STUCK
+
+
+def test_a_check_moves_nothing_and_tells_whether_the_hand_is_full(rig: Rig) -> None:
+    rig.fingers.between, rig.fingers.width = 0.06, 0.09
+    rig.run(GripGoal(grip=Grip.GRASP, width=0.06))
+    commands = len(rig.fingers.commands)
+    goal = GripGoal(grip=Grip.CHECK, width=0.06)
+    goal_service(ACTION).query(
+        rig.bus, SendGoal(goal_id="t/check/1", client="", goal=goal.model_dump(mode="json"))
+    )
+    rig.rounds(5)
+    status = rig.status.refresh()
+    assert status is not None
+    assert result(status).full
+    assert len(rig.fingers.commands) == commands
+
+
+def test_a_cancel_holds_where_the_pads_are(rig: Rig) -> None:
+    rig.fingers.width = 0.0
+    rig.send(GripGoal(grip=Grip.OPEN))
+    rig.rounds(10)
+    goal_command = GoalCommand(goal_id="t/grip/1", command=Command.CANCEL)
+    command_service(ACTION).query(rig.bus, goal_command)
+    assert rig.end().state is GoalState.CANCELED
+    assert 0.0 < rig.fingers.width < 0.05
+
+
+@pytest.mark.parametrize(
+    "goal",
+    [
+        GripGoal(grip=Grip.OPEN, width=0.5),
+        GripGoal(grip=Grip.GRASP, width=0.0),
+        GripGoal(grip=Grip.GRASP, width=0.05, force=1e4),
+    ],
+    ids=["too wide", "no width", "too strong"],
+)
+def test_goals_beyond_the_gripper_are_rejected(rig: Rig, goal: GripGoal) -> None:
+    sent = rig.send(goal)
+    rig.rounds(1)
+    answer = sent.poll()
+    assert answer is not None
+    assert GoalStatus.model_validate_json(answer).state is GoalState.REJECTED

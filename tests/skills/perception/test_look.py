@@ -1,0 +1,217 @@
+"""Look, over the bus in memory, with a head that moves and a camera that paints what is there."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from skills import site
+from skills.perception.look import Look
+from skills.ports.actions.perception import LookGoal, LookResult
+from skills.ports.failure import FailureKind
+from skills.ports.geometry import FloorPose, Pose, angle_between, compose, distance, invert
+from skills.ports.image import RgbdImage
+from skills.ports.keys import RGBD, Latest
+from skills.ports.message import RobotTime
+from skills.ports.skill import Command, Outcome
+from skills.ports.world import CLUTTER, SIGHTINGS, WORLD, Box, ItemFact, WorldState
+from skills.wire.workers import InlineCompute
+from tests.skills.perception.pictures import Face, header, picture
+from tests.skills.perception.solids import scene
+from tests.skills.perception.stage import DESCRIPTION, Stage
+from tests.skills.world.facts import tag
+
+LAB = site.load("lab")
+ROBOT = FloorPose(x=-0.55, y=0.5, yaw=0.1)
+TAG = tag(0.55, 0.55, math.pi - 0.3)
+
+
+def paint(tag_in_map: Pose | None) -> Callable[[Pose, RobotTime], RgbdImage]:
+    rng = np.random.default_rng(1)
+
+    def painter(camera_in_map: Pose, now: RobotTime) -> RgbdImage:
+        faces: tuple[Face, ...] = ()
+        if tag_in_map is not None:
+            in_camera = compose(invert(camera_in_map), tag_in_map)
+            x, y, z = in_camera.position
+            if abs(x) < 0.45 * z and abs(y) < 0.25 * z:
+                faces = (Face(29, in_camera, 0.048),)
+        return picture(faces, rng, samples=4, seconds=now.seconds)
+
+    return painter
+
+
+def drive(
+    stage: Stage,
+    goal: LookGoal,
+    command_at: dict[int, Command] | None = None,
+    world: tuple[ItemFact, ...] = (),
+    limit: int = 1500,
+) -> Outcome[LookResult]:
+    look = Look(stage.bus, stage.clocks, DESCRIPTION, LAB, InlineCompute(stage.clocks))
+    WORLD.publish(stage.bus, WorldState(stamp=stage.now, version=1, items=world))
+    assert look.check(goal) is None
+    run = look.run(goal, "t/look/1")
+    stage.step()
+    next(run)
+    for step in range(limit):
+        stage.step()
+        try:
+            run.send((command_at or {}).get(step, Command.GO_ON))
+        except StopIteration as stop:
+            assert not stage.bus.listened(RGBD), "rendering goes on though nobody looks"
+            outcome: Outcome[LookResult] = stop.value
+            return outcome
+    raise AssertionError("the look did not end")
+
+
+def test_the_tag_is_told_in_the_map_from_a_moved_head() -> None:
+    stage = Stage(paint(TAG), ROBOT)
+    heard = Latest(stage.bus, SIGHTINGS)
+    outcome = drive(stage, LookGoal(item=29, tilts=(-0.45,)))
+    assert outcome.result is not None
+    (seen,) = outcome.result.sightings
+    assert outcome.result.found
+    assert distance(seen.tag_in_map, TAG) < 0.003
+    assert angle_between(seen.tag_in_map.orientation, TAG.orientation) < math.radians(2)
+    assert stage.head == pytest.approx((0.0, -0.45), abs=1e-3)
+    assert [message.sightings for message in heard.take()] == [(seen,)]
+
+
+def test_pictures_are_taken_only_with_the_head_at_rest() -> None:
+    stage = Stage(paint(TAG), ROBOT)
+    drive(stage, LookGoal(tilts=(-0.2, -0.45), pictures=2))
+    for goal, begun in zip(stage.goals, (0, 2), strict=True):
+        assert goal.points[-1].time > 0.3
+        assert begun < len(stage.painted)
+    assert stage.speed == pytest.approx((0.0, 0.0))
+    assert len(stage.painted) >= 4
+
+
+def test_it_ends_early_once_the_item_is_seen() -> None:
+    stage = Stage(paint(TAG), ROBOT)
+    outcome = drive(stage, LookGoal(item=29, tilts=(-0.45, -0.9, 0.2)))
+    assert outcome.result is not None
+    assert outcome.result.found
+    assert len(stage.goals) == 1
+
+
+def test_all_tilts_are_tried_and_not_finding_is_a_success() -> None:
+    stage = Stage(paint(None), ROBOT)
+    outcome = drive(stage, LookGoal(item=29, tilts=(-0.2, -0.6)))
+    assert outcome.result is not None
+    assert not outcome.result.found
+    assert len(stage.goals) == 2
+
+
+def test_looking_at_a_point_brings_it_to_the_middle() -> None:
+    stage = Stage(paint(TAG), ROBOT)
+    outcome = drive(stage, LookGoal(item=29, at=TAG.position, pictures=2))
+    assert outcome.result is not None
+    (seen,) = outcome.result.sightings
+    x, y, z = seen.tag_in_camera.position
+    assert abs(x / z) < 0.01
+    assert abs(y / z) < 0.01
+
+
+def test_clutter_is_measured_beside_a_known_item() -> None:
+    table = LAB.furniture[1].boxes[0].box()
+    can = Box(size=(0.08, 0.08, 0.15), pose=Pose(position=(0.7, 0.4, 0.785)))
+    rng = np.random.default_rng(1)
+
+    def painter(camera_in_map: Pose, now: RobotTime) -> RgbdImage:
+        return scene(header(now.seconds), camera_in_map, (table, can), rng)
+
+    stage = Stage(painter, ROBOT)
+    heard = Latest(stage.bus, CLUTTER)
+    outcome = drive(stage, LookGoal(tilts=(-0.5,), clutter=True))
+    assert outcome.result is not None
+    assert outcome.result.clutter == 1
+    (message,) = heard.take()
+    assert message.boxes[0].pose.position == pytest.approx(can.pose.position, abs=0.03)
+
+
+def test_an_item_that_is_gone_is_told_as_absent_and_a_hidden_one_is_not() -> None:
+    table = LAB.furniture[1].boxes[0].box()
+    can = Box(size=(0.1, 0.2, 0.2), pose=Pose(position=(0.6, 0.3, 0.81)))
+    rng = np.random.default_rng(1)
+
+    def painter(camera_in_map: Pose, now: RobotTime) -> RgbdImage:
+        return scene(header(now.seconds), camera_in_map, (table, can), rng)
+
+    stage = Stage(painter, ROBOT)
+    heard = Latest(stage.bus, SIGHTINGS)
+    facts = tuple(
+        ItemFact(
+            item=item,
+            size=(0.06, 0.06, 0.06),
+            tag_in_map=at,
+            seen=RobotTime(boot="b", seconds=0.5),
+            quality=0.5,
+            position_sigma=0.01,
+        )
+        for item, at in ((29, TAG), (42, tag(0.70, 0.25)))
+    )
+    drive(stage, LookGoal(tilts=(-0.5,), pictures=2), world=facts)
+    assert [message.absent for message in heard.take()] == [(29,)]
+
+
+def test_a_camera_that_is_silent_is_told() -> None:
+    outcome = drive(Stage(paint(TAG), ROBOT, camera_works=False), LookGoal())
+    assert outcome.failure is not None
+    assert outcome.failure.kind is FailureKind.CAMERA_SILENT
+
+
+def test_a_robot_that_does_not_know_where_it_is_does_not_look() -> None:
+    stage = Stage(paint(TAG), ROBOT, localised=False)
+    outcome = drive(stage, LookGoal())
+    assert outcome.failure is not None
+    assert outcome.failure.kind is FailureKind.NOT_LOCALISED
+    assert stage.goals == []
+
+
+def test_a_stop_of_the_hardware_ends_it() -> None:
+    stage = Stage(paint(TAG), ROBOT)
+    look = Look(stage.bus, stage.clocks, DESCRIPTION, LAB, InlineCompute(stage.clocks))
+    stage.stop()
+    run = look.run(LookGoal(), "t/look/1")
+    next(run)
+    with pytest.raises(StopIteration) as ended:
+        run.send(Command.GO_ON)
+    assert ended.value.value.failure.kind is FailureKind.HARDWARE_STOPPED
+
+
+def test_a_refused_head_goal_is_told() -> None:
+    outcome = drive(Stage(paint(TAG), ROBOT, refuse="no such group"), LookGoal())
+    assert outcome.failure is not None
+    assert "no such group" in outcome.failure.message
+
+
+@pytest.mark.parametrize("step", [2, 20, 70, 90])
+def test_a_cancel_at_any_moment_ends_with_the_head_at_rest(step: int) -> None:
+    stage = Stage(paint(TAG), ROBOT)
+    outcome = drive(stage, LookGoal(tilts=(-0.8,), pictures=5), {step: Command.CANCEL})
+    assert outcome.canceled
+    stage.step()
+    assert stage.speed == pytest.approx((0.0, 0.0))
+
+
+@pytest.mark.parametrize("step", [20, 80])
+def test_a_pause_halts_the_head_and_a_resume_goes_on(step: int) -> None:
+    stage = Stage(paint(TAG), ROBOT)
+    started = stage.clocks.seconds
+    outcome = drive(stage, LookGoal(item=29), {step: Command.PAUSE, step + 600: Command.RESUME})
+    assert stage.clocks.seconds - started > 6.0
+    assert outcome.result is not None
+    assert outcome.result.found
+
+
+def test_goals_that_can_not_be_are_refused_at_once() -> None:
+    stage = Stage(paint(None), ROBOT)
+    look = Look(stage.bus, stage.clocks, DESCRIPTION, LAB, InlineCompute(stage.clocks))
+    unknown, nowhere = look.check(LookGoal(item=500)), look.check(LookGoal(tilts=()))
+    assert unknown is not None
+    assert unknown.kind is FailureKind.ITEM_UNKNOWN
+    assert nowhere is not None
+    assert nowhere.kind is FailureKind.INVALID_GOAL

@@ -1,0 +1,38 @@
+"""The process's nodes: the look is served on the bus, and a worker can be handed its jobs."""
+
+import pickle
+
+import numpy as np
+
+from skills import site
+from skills.perception.clutter import Known
+from skills.perception.jobs import ClutterJob, Shot, TagJob, find_clutter, find_tags
+from skills.perception.process import nodes
+from skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service
+from skills.ports.geometry import FloorPose, Pose
+from skills.ports.image import encode
+from skills.wire.workers import InlineCompute
+from tests.skills.perception.pictures import Face, picture, tag_at
+from tests.skills.perception.stage import DESCRIPTION, Stage
+
+
+def test_the_look_is_served() -> None:
+    stage = Stage(lambda _pose, _now: picture((), np.random.default_rng(1)))
+    (server,) = nodes(stage.bus, stage.clocks, DESCRIPTION, site.load("lab"), InlineCompute(stage.clocks))
+    sent = SendGoal(goal_id="t/look/1", client="", goal={"tilts": [-0.4]})
+    pending = goal_service("perception/look").query(stage.bus, sent)
+    server.step()
+    payload = pending.poll()
+    assert payload is not None
+    assert GoalStatus.model_validate_json(payload).state is GoalState.RUNNING
+
+
+def test_jobs_and_their_results_survive_the_way_to_a_worker_and_back() -> None:
+    image = picture((Face(29, tag_at(1.0, 0.2, 0.4), 0.048),), np.random.default_rng(1), samples=3)
+    shot = Shot(encode(image), Pose(), FloorPose(x=0, y=0, yaw=0))
+    tags = pickle.loads(pickle.dumps(TagJob(shot, ((29, 0.048),))))  # noqa: S301
+    clutter = pickle.loads(pickle.dumps(ClutterJob(shot, Known((), ()), (), np.zeros((0, 3)))))  # noqa: S301
+    found = find_tags(tags)
+    assert [each.item for each in found.sightings] == [29]
+    assert pickle.loads(pickle.dumps(found)) == found  # noqa: S301
+    find_clutter(clutter)

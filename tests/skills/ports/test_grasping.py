@@ -1,0 +1,99 @@
+"""The arithmetic of a pick and a place, against numbers worked out by hand and the paper's equations."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from skills.ports.geometry import Pose, about, compose, from_axes, multiply, rotate, transform
+from skills.ports.grasping import face, face_towards, grasp, item_in_map, outward, place, proximity_poses
+
+FACES_SOUTH = from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0))
+TAG = Pose(position=(1.0, 2.0, 0.74), orientation=FACES_SOUTH)
+DEPTH = 0.06
+
+
+def homogeneous(pose: Pose) -> np.ndarray:
+    columns = [rotate(pose.orientation, axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    matrix = np.eye(4)
+    matrix[:3, :3] = np.array(columns).T
+    matrix[:3, 3] = pose.position
+    return matrix
+
+
+def test_equation_1_the_pre_grasp_lies_10_cm_along_the_tags_z() -> None:
+    expected = homogeneous(TAG) @ np.array([0.0, 0.0, 0.1, 1.0])
+    assert grasp(TAG, DEPTH, 0.5).pre_grasp.position == pytest.approx(tuple(expected[:3]))
+
+
+def test_the_grasp_is_at_the_items_centre() -> None:
+    assert grasp(TAG, DEPTH, 0.5).grasp.position == pytest.approx((1.0, 2.03, 0.74))
+
+
+def test_equation_2_the_retraction_is_10_cm_out_of_the_face_and_10_cm_up() -> None:
+    picked = grasp(TAG, DEPTH, 0.5)
+    moved = np.subtract(picked.retraction.position, picked.grasp.position)
+    assert moved == pytest.approx((0.0, -0.1, 0.1))
+
+
+def test_equation_3_after_placing_the_hand_goes_10_cm_back() -> None:
+    put = place((0.0, 0.0, 0.71), math.pi / 2, grasp(TAG, DEPTH, 0.5).item_in_tool, 0.06)
+    assert np.subtract(put.retraction.position, put.place.position) == pytest.approx((0.0, 0.1, 0.0))
+
+
+@pytest.mark.parametrize("pitch", [0.0, 0.4, 1.2])
+def test_the_hand_points_at_the_face_and_down_by_its_pitch(pitch: float) -> None:
+    out_of_the_hand = rotate(grasp(TAG, DEPTH, pitch).grasp.orientation, (1.0, 0.0, 0.0))
+    assert out_of_the_hand == pytest.approx((0.0, math.cos(pitch), -math.sin(pitch)))
+
+
+@pytest.mark.parametrize("pitch", [0.0, 0.4, 1.2])
+def test_the_fingers_close_along_the_tags_x(pitch: float) -> None:
+    closing = rotate(grasp(TAG, DEPTH, pitch).grasp.orientation, (0.0, 1.0, 0.0))
+    assert abs(np.dot(closing, (1.0, 0.0, 0.0))) == pytest.approx(1.0)
+
+
+def test_a_tag_stuck_on_askew_leaves_the_hand_level() -> None:
+    askew = Pose(position=TAG.position, orientation=multiply(FACES_SOUTH, about((0, 0, 1), 0.3)))
+    closing = rotate(grasp(askew, DEPTH, 0.7).grasp.orientation, (0.0, 1.0, 0.0))
+    assert closing[2] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_tag_that_lies_flat_is_refused() -> None:
+    with pytest.raises(ValueError, match="upright"):
+        outward(Pose())
+
+
+def test_what_is_put_down_stands_upright_in_its_slot() -> None:
+    held = grasp(TAG, DEPTH, 0.7).item_in_tool
+    put = place((3.0, 1.0, 0.71), 0.4, held, 0.06, clearance=0.0)
+    item = compose(put.place, held)
+    assert item.position == pytest.approx((3.0, 1.0, 0.74))
+    assert rotate(item.orientation, (0.0, 0.0, 1.0)) == pytest.approx((0.0, 0.0, 1.0))
+
+
+@pytest.mark.parametrize(
+    ("turns", "position"),
+    [(0, (1.0, 2.0, 0.74)), (1, (1.03, 2.03, 0.74)), (2, (1.0, 2.06, 0.74)), (-1, (0.97, 2.03, 0.74))],
+)
+def test_the_tag_stands_on_all_four_sides(turns: int, position: tuple[float, float, float]) -> None:
+    other = face(TAG, DEPTH, turns)
+    assert other.position == pytest.approx(position)
+    assert item_in_map(other, DEPTH).position == pytest.approx(item_in_map(TAG, DEPTH).position)
+
+
+@pytest.mark.parametrize("heading", [-2.0, -1.0, 0.3, 1.5, 3.0])
+def test_the_face_towards_a_heading_is_within_45_degrees_of_it(heading: float) -> None:
+    out = outward(face_towards(TAG, DEPTH, heading))
+    assert math.cos(heading) * out[0] + math.sin(heading) * out[1] >= math.cos(math.pi / 4) - 1e-9
+
+
+def test_from_every_stand_the_target_is_where_the_hand_works() -> None:
+    stands = proximity_poses((1.0, 2.0, 0.7), -math.pi / 2, (0.6, 0.2), -0.8)
+    first = stands[0]
+    base = Pose(position=(first.x, first.y, 0.0), orientation=about((0, 0, 1), first.yaw))
+    assert transform(base, (0.6, 0.2, 0.7)) == pytest.approx((1.0, 2.0, 0.7))
+    pointing = first.yaw - 0.8
+    assert math.remainder(pointing - math.pi / 2, 2 * math.pi) == pytest.approx(0.0, abs=1e-9)

@@ -1,0 +1,110 @@
+"""The client adapter against a server that answers late, twice, in the wrong order, anew, or never."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from skills.ports.action import GoalState, GoalStatus, goal_service, result_service, status_topic
+from skills.ports.actions.base import ROTATE, RotateGoal, RotateResult
+from skills.ports.bus import Desk
+from skills.ports.failure import FailureKind
+from skills.wire.clocks import SteppedClocks
+from skills.wire.memory import MemoryBus, MemoryHub
+from trees.client import ANSWER_WITHIN, UNSURE_AFTER, ActionClient, GoalHandle
+
+RESULT = RotateResult(turned=1.0).model_dump(mode="json")
+
+
+class Rig:
+    """A client, and a server whose every word the test says."""
+
+    def __init__(self) -> None:
+        self.clocks = SteppedClocks()
+        hub = MemoryHub()
+        self.bus = MemoryBus(hub)
+        self.bus.announce(f"skill/{ROTATE.name}")
+        self.goals: Desk = self.bus.serve(goal_service(ROTATE.name).key)
+        self.questions: Desk = self.bus.serve(result_service(ROTATE.name).key)
+        self.client = ActionClient(MemoryBus(hub), self.clocks, ROTATE, "me")
+        self.handle = self.client.start(RotateGoal(angle=1.0), "t/turn/1")
+
+    def say(self, state: GoalState, sequence: int, goal_id: str = "t/turn/1") -> GoalStatus:
+        result = RESULT if state is GoalState.SUCCEEDED else None
+        return GoalStatus(goal_id=goal_id, state=state, sequence=sequence, result=result)
+
+    def publish(self, state: GoalState, sequence: int, goal_id: str = "t/turn/1") -> None:
+        status_topic(ROTATE.name).publish(self.bus, self.say(state, sequence, goal_id))
+
+    def answer(self, desk: Desk, status: GoalStatus) -> int:
+        asked = desk.drain()
+        for request in asked:
+            request.reply(status.model_dump_json().encode())
+        return len(asked)
+
+    def wait(self, seconds: float, each: Callable[[], object] = lambda: None) -> GoalHandle:  # type: ignore[type-arg]
+        for _ in range(round(seconds / 0.05)):
+            self.clocks.advance(0.05)
+            each()
+            self.client.poll()
+        return self.handle
+
+
+@pytest.fixture
+def rig() -> Rig:
+    return Rig()
+
+
+def test_a_published_end_is_taken(rig: Rig) -> None:
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
+    rig.publish(GoalState.SUCCEEDED, 2)
+    assert rig.wait(0.05).result == RotateResult(turned=1.0)
+
+
+def test_an_older_status_that_comes_later_is_ignored(rig: Rig) -> None:
+    rig.publish(GoalState.SUCCEEDED, 2)
+    rig.publish(GoalState.RUNNING, 1)
+    assert rig.wait(0.05).state is GoalState.SUCCEEDED
+
+
+def test_a_late_result_of_an_old_goal_never_reaches_a_new_one(rig: Rig) -> None:
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
+    rig.publish(GoalState.SUCCEEDED, 2, goal_id="t/turn/0")
+    assert rig.wait(0.05).state is GoalState.RUNNING
+
+
+def test_an_end_that_got_lost_is_asked_for(rig: Rig) -> None:
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
+    handle = rig.wait(UNSURE_AFTER + 0.3, lambda: rig.answer(rig.questions, rig.say(GoalState.SUCCEEDED, 2)))
+    assert handle.state is GoalState.SUCCEEDED
+
+
+def test_a_server_that_has_forgotten_the_goal_fails_it(rig: Rig) -> None:
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
+    handle = rig.wait(UNSURE_AFTER + 0.3, lambda: rig.answer(rig.questions, rig.say(GoalState.UNKNOWN, 3)))
+    assert handle.failure is not None
+    assert handle.failure.kind is FailureKind.SKILL_LOST
+
+
+def test_nobody_there_fails_the_goal_in_time(rig: Rig) -> None:
+    rig.goals.close()
+    rig.bus.close()
+    handle = rig.wait(ANSWER_WITHIN + 0.5)
+    assert handle.failure is not None
+    assert handle.failure.kind is FailureKind.SKILL_LOST
+
+
+def test_an_unanswered_goal_is_sent_again_under_its_own_id(rig: Rig) -> None:
+    rig.goals.close()
+    goals = rig.bus.serve(goal_service(ROTATE.name).key)
+    assert rig.wait(0.5, lambda: rig.answer(goals, rig.say(GoalState.RUNNING, 1))).state is GoalState.RUNNING
+
+
+def test_a_goal_that_takes_too_long_is_cancelled_and_fails(rig: Rig) -> None:
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
+    rig.wait(ROTATE.timeout + 0.1, lambda: rig.answer(rig.questions, rig.say(GoalState.RUNNING, 1)))
+    rig.publish(GoalState.CANCELED, 5)
+    handle = rig.wait(0.1)
+    assert handle.failure is not None
+    assert handle.failure.kind is FailureKind.TIMED_OUT

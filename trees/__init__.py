@@ -1,0 +1,1 @@
+"""What to do: behaviours, subtrees and tasks."""

@@ -1,0 +1,1 @@
+"""Kinds of behaviours that leaves and subtrees are made of."""

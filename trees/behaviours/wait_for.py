@@ -1,0 +1,47 @@
+"""Wait, in robot time, until something holds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from skills.ports.clocks import robot_seconds
+from skills.ports.failure import Failure
+from trees.context import TreeContext
+
+
+class WaitFor(Behaviour):
+    """RUNNING until ``holds``, at most ``patience`` robot seconds; then FAILURE with ``otherwise``."""
+
+    def __init__(
+        self,
+        name: str,
+        context: TreeContext,
+        holds: Callable[[], bool],
+        otherwise: Callable[[], Failure],
+        *,
+        patience: float,
+    ) -> None:
+        """See the class."""
+        super().__init__(name)
+        self._context, self._holds, self._otherwise, self._patience = context, holds, otherwise, patience
+        self._since = 0.0
+        self.failure: Failure | None = None
+
+    def initialise(self) -> None:
+        """Note the time."""
+        self._since = robot_seconds(self._context.clocks)
+
+    def update(self) -> Status:
+        """Ask, and watch the time."""
+        if self._holds():
+            self.feedback_message = "yes"
+            return Status.SUCCESS
+        self.failure = self._otherwise()
+        self.feedback_message = self.failure.message
+        if robot_seconds(self._context.clocks) - self._since < self._patience:
+            return Status.RUNNING
+        self._context.failed(self.failure)
+        return Status.FAILURE

@@ -1,0 +1,84 @@
+"""What the leaves of one task hand to each other.
+
+py_trees' own blackboard is one for the whole process and untyped; a task's board is typed, and gone with it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from skills.ports.geometry import FloorPose, Pose
+from skills.ports.grasping import FINGER_ROOM, Grasp, Place, face_towards
+from skills.ports.site import Depot, SiteItem, Slot
+from skills.ports.world import ItemFact, Side
+from trees.context import TreeContext
+
+
+@dataclass(eq=False)
+class FetchBoard:
+    """A fetch: what is asked for, and what has been decided so far."""
+
+    item: int
+    destination: str
+    wanted_arm: Side | None = None
+    side: Side | None = None
+    sides: tuple[Side, ...] = ()
+    """The arms that may be used, the preferred one first."""
+    stands: tuple[FloorPose, ...] = ()
+    """Base poses from which the arm has been found to reach, the preferred one first."""
+    facing: float | None = None
+    """Heading (rad) out of the item's face that the hand goes for; the one seen until a stand is chosen."""
+    slot: int | None = None
+    spot: int = 0
+    """Index of the next search spot."""
+    grasps: tuple[Grasp, ...] = ()
+    grasp: Grasp | None = None
+    places: tuple[Place, ...] = ()
+    place: Place | None = None
+
+    def chosen_side(self) -> Side:
+        """Return the arm; the request's leaves have bound it before anything moves."""
+        assert self.side is not None, "the request binds the arm first"
+        return self.side
+
+    def chosen_grasp(self) -> Grasp:
+        """Return the grasp; the pre-grasp has bound it."""
+        assert self.grasp is not None, "the pre-grasp binds the grasp first"
+        return self.grasp
+
+    def chosen_place(self) -> Place:
+        """Return the place poses; the motion above the slot has bound them."""
+        assert self.place is not None, "the motion above the slot binds the place first"
+        return self.place
+
+    def site_item(self, context: TreeContext) -> SiteItem:
+        """Return what the site says of the item; the request has checked that it is known."""
+        known = context.site.item(self.item)
+        assert known is not None, "the request is checked against the site first"
+        return known
+
+    def depot(self, context: TreeContext) -> Depot:
+        """Return the destination; the request has checked that it is known."""
+        known = context.site.depot(self.destination)
+        assert known is not None, "the request is checked against the site first"
+        return known
+
+    def chosen_slot(self, context: TreeContext) -> Slot:
+        """Return the slot; the request's leaves have bound it."""
+        assert self.slot is not None, "the request binds the slot first"
+        return self.depot(context).slots[self.slot]
+
+    def face_in_map(self, fact: ItemFact) -> Pose:
+        """Return the tag on the face that the hand goes for."""
+        if self.facing is None:
+            return fact.tag_in_map
+        return face_towards(fact.tag_in_map, fact.size[0], self.facing)
+
+    def open_width(self, context: TreeContext) -> float:
+        """Return the metres to which the hand opens for the item: room for the fingers and no more."""
+        return self.site_item(context).size[1] + 2 * FINGER_ROOM
+
+    def fact(self, context: TreeContext) -> ItemFact | None:
+        """Return what is believed of the item, or None."""
+        world = context.knowledge.world
+        return None if world is None else world.item(self.item)

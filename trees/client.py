@@ -1,0 +1,217 @@
+"""The one client adapter: owns start, poll, cancel and time-out of a goal, so that a leaf holds none of it.
+
+An unanswered query is asked again with the same id (the server starts it once). A server that is gone, or
+that has forgotten the goal, fails it as SKILL_LOST. A late result of an old goal never reaches a new one:
+each handle listens for its own id only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final, Generic
+
+from pydantic import JsonValue, ValidationError
+
+from skills.ports.action import (
+    AskResult,
+    GoalCommand,
+    GoalState,
+    GoalStatus,
+    SendGoal,
+    command_service,
+    goal_service,
+    result_service,
+    status_topic,
+)
+from skills.ports.bus import Bus, Pending
+from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.skill import ActionType, Command, F, G, R
+
+RETRY_PERIOD: Final = 0.1
+"""Host seconds before an unanswered query is asked again."""
+UNSURE_AFTER: Final = 1.0
+"""Host seconds without a word after which a running goal is asked about: a status may have been lost."""
+ANSWER_WITHIN: Final = 3.0
+"""Host seconds within which a server must answer, or be listed as alive."""
+
+
+class GoalHandle(Generic[G, F, R]):
+    """One goal, from sending to its end."""
+
+    def __init__(self, client: ActionClient[G, F, R], goal: G, goal_id: str, timeout: float) -> None:
+        """Send the goal. ``timeout``: robot seconds."""
+        self.goal_id = goal_id
+        self.state: GoalState | None = None
+        self.feedback: F | None = None
+        self.result: R | None = None
+        self.failure: Failure | None = None
+        self._client = client
+        self._document: dict[str, JsonValue] = goal.model_dump(mode="json")
+        self._deadline = robot_seconds(client.clocks) + timeout
+        self._sequence = -1
+        self._timed_out = False
+        self._canceling = False
+        self._pending: Pending | None = None
+        self._cancel_pending: Pending | None = None
+        self._asked_at = float("-inf")
+        self._heard_at = self._told_at = client.clocks.monotonic()
+        self._when_ended: Callable[[], None] | None = None
+        self._ask()
+
+    @property
+    def ended(self) -> bool:
+        """Whether the goal has reached its end."""
+        return self.state is not None and self.state.terminal
+
+    def cancel(self) -> None:
+        """Have the skill come to rest; the handle ends when it has."""
+        if not self.ended:
+            self._canceling = True
+            self._push_cancel()
+
+    def when_ended(self, call: Callable[[], None]) -> None:
+        """Have ``call`` made once the goal has ended, for those who have stopped polling it."""
+        self._when_ended = call
+
+    def conclude(self) -> None:
+        """Make the call asked for by ``when_ended``, once."""
+        if self.ended and self._when_ended is not None:
+            call, self._when_ended = self._when_ended, None
+            call()
+
+    def poll(self) -> None:
+        """Take in what has arrived, ask again where nothing did, and watch the time."""
+        if self.ended:
+            return
+        if self._read_answers():
+            return
+        now = self._client.clocks.monotonic()
+        if self._client.alive():
+            self._heard_at = max(self._heard_at, now) if self.state is not None else self._heard_at
+        if now - self._heard_at > ANSWER_WITHIN:
+            self._lose(f"no answer from {self._client.action.name} for {ANSWER_WITHIN:.0f} s")
+            return
+        unsure = self.state is None or not self._client.alive() or now - self._told_at > UNSURE_AFTER
+        if unsure and self._pending is None and now - self._asked_at > RETRY_PERIOD:
+            self._ask()
+        if not self._timed_out and robot_seconds(self._client.clocks) > self._deadline:
+            self._timed_out = True
+            self.cancel()
+        if self._canceling and self._cancel_pending is None and self.state is not GoalState.CANCELING:
+            self._push_cancel()
+
+    def take(self, status: GoalStatus) -> None:
+        """Take in one status of the server, unless it is older than what is known or of another goal."""
+        if status.goal_id != self.goal_id or self.ended or status.sequence <= self._sequence:
+            return
+        if status.state is GoalState.UNKNOWN:
+            if self.state is not None:
+                self._lose(
+                    f"{self._client.action.name} has forgotten goal {self.goal_id}: it was started anew"
+                )
+            return
+        self._sequence, self.state = status.sequence, status.state
+        self._heard_at = self._told_at = self._client.clocks.monotonic()
+        action = self._client.action
+        if status.feedback is not None:
+            self.feedback = action.feedback.model_validate(status.feedback)
+        if status.result is not None:
+            self.result = action.result.model_validate(status.result)
+        self.failure = status.failure
+        if self._timed_out and status.state is GoalState.CANCELED:
+            self.state = GoalState.FAILED
+            self.failure = self._fail(FailureKind.TIMED_OUT, f"{action.name} did not end in time")
+
+    def _read_answers(self) -> bool:
+        for pending in (self._pending, self._cancel_pending):
+            answer = None if pending is None else pending.poll()
+            if answer is None:
+                continue
+            self._told_at = self._client.clocks.monotonic()
+            try:
+                self.take(GoalStatus.model_validate_json(answer))
+            except ValidationError as error:
+                self._lose(f"{self._client.action.name} answered what is no status: {error}")
+        if self._pending is not None and self._pending.done():
+            self._pending = None
+        if self._cancel_pending is not None and self._cancel_pending.done():
+            self._cancel_pending = None
+        return self.ended
+
+    def _ask(self) -> None:
+        client = self._client
+        self._asked_at = client.clocks.monotonic()
+        if self.state is None:
+            # The document was dumped from a model; checking it again, value by value, takes long.
+            sent = SendGoal.model_construct(goal_id=self.goal_id, client=client.owner, goal=self._document)
+            self._pending = goal_service(client.action.name).query(client.bus, sent)
+        else:
+            self._pending = result_service(client.action.name).query(
+                client.bus, AskResult(goal_id=self.goal_id)
+            )
+
+    def _push_cancel(self) -> None:
+        command = GoalCommand(goal_id=self.goal_id, command=Command.CANCEL)
+        self._cancel_pending = command_service(self._client.action.name).query(self._client.bus, command)
+
+    def _lose(self, message: str) -> None:
+        self.state = GoalState.FAILED
+        self.failure = self._fail(FailureKind.SKILL_LOST, message)
+
+    def _fail(self, kind: FailureKind, message: str) -> Failure:
+        return Failure(kind=kind, message=message, where=self._client.action.name)
+
+
+class ActionClient(Generic[G, F, R]):
+    """Starts goals of one action and keeps their handles until they have ended.
+
+    Args:
+        bus: where the server is.
+        clocks: robot time for time-outs, host time for lost answers.
+        action: the contract.
+        owner: the announced name of this process; when it is gone, the server cancels its goals.
+    """
+
+    def __init__(self, bus: Bus, clocks: Clocks, action: ActionType[G, F, R], owner: str) -> None:
+        self.bus, self.clocks, self.action, self.owner = bus, clocks, action, owner
+        self._statuses = bus.subscribe(status_topic(action.name).key)
+        self._open: dict[str, GoalHandle[G, F, R]] = {}
+
+    def start(self, goal: G, goal_id: str, *, timeout: float | None = None) -> GoalHandle[G, F, R]:
+        """Send a goal under a new id; ``timeout`` in robot seconds (the action's own unless given)."""
+        handle = GoalHandle(self, goal, goal_id, self.action.timeout if timeout is None else timeout)
+        self._open[goal_id] = handle
+        return handle
+
+    def poll(self) -> bool:
+        """Move all open goals on; return whether any of them changed."""
+        before = {goal_id: (handle.state, handle.feedback) for goal_id, handle in self._open.items()}
+        for sample in self._statuses.drain():
+            try:
+                status = GoalStatus.model_validate_json(sample.payload)
+            except ValidationError:
+                continue
+            handle = self._open.get(status.goal_id)
+            if handle is not None:
+                handle.take(status)
+        for handle in self._open.values():
+            handle.poll()
+        changed = any((h.state, h.feedback) != before[goal_id] for goal_id, h in self._open.items())
+        for handle in self._open.values():
+            handle.conclude()
+        self._open = {goal_id: handle for goal_id, handle in self._open.items() if not handle.ended}
+        return changed
+
+    @property
+    def quiet(self) -> bool:
+        """Whether no goal is open."""
+        return not self._open
+
+    def alive(self) -> bool:
+        """Whether a server of this action is announced."""
+        return f"skill/{self.action.name}" in self.bus.alive()
+
+    def close(self) -> None:
+        """End the subscription."""
+        self._statuses.close()

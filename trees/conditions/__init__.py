@@ -1,0 +1,1 @@
+"""Conditions: what is believed of the world, one question each."""

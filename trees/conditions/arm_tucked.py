@@ -1,0 +1,28 @@
+"""Is an arm within the robot's footprint, and at rest?"""
+
+from __future__ import annotations
+
+from skills.ports.actions.arm import ArmState
+from skills.ports.actions.base import ARM_MARGIN
+from skills.ports.world import Side
+from trees.behaviours.check import Check
+from trees.context import TreeContext
+
+
+def at_rest(context: TreeContext, side: Side) -> bool:
+    """Say whether the arm tells that it stands still: the base waits for it (000, III-C)."""
+    status = context.knowledge.arm(side)
+    return status is not None and status.state in {ArmState.ARM_IDLE, ArmState.ARM_SUCCESS}
+
+
+def tucked(context: TreeContext, side: Side) -> bool:
+    """Say whether the arm is at rest and no farther out than the base allows when it moves."""
+    status, description = context.knowledge.arm(side), context.knowledge.description
+    if status is None or description is None:
+        return False
+    return at_rest(context, side) and status.extent <= description.footprint_radius + ARM_MARGIN
+
+
+def arm_tucked(context: TreeContext, side: Side, where: str) -> Check:
+    """Return the condition "the arm is tucked in"; ``where`` in the tree makes its name unique."""
+    return Check(f"{where}: {side} arm tucked?", lambda: tucked(context, side))

@@ -1,0 +1,17 @@
+"""Is it known where the item is?"""
+
+from __future__ import annotations
+
+from trees.behaviours.check import Check
+from trees.board import FetchBoard
+from trees.context import TreeContext
+
+
+def item_located(context: TreeContext, board: FetchBoard, name: str = "item located?") -> Check:
+    """Return the condition "the item's tag has been seen, and the item is in no hand"."""
+
+    def holds() -> bool:
+        fact = board.fact(context)
+        return fact is not None and fact.held is None
+
+    return Check(name, holds)

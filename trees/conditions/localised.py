@@ -1,0 +1,11 @@
+"""Does the robot know where it is?"""
+
+from __future__ import annotations
+
+from trees.behaviours.check import Check
+from trees.context import TreeContext
+
+
+def localised(context: TreeContext) -> Check:
+    """Return the condition "the robot is localised"."""
+    return Check("localised?", lambda: context.knowledge.robot_localised)

@@ -1,0 +1,99 @@
+"""What the trees know: the beliefs that the skills publish, the site, and the robot's description."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from skills.ports.actions.arm import ArmStatus, arm_status
+from skills.ports.bus import Bus, Pending
+from skills.ports.clocks import Clocks
+from skills.ports.hardware import RobotDescription, StopState
+from skills.ports.keys import DESCRIPTION, STOP_STATE, Latest, Nothing
+from skills.ports.site import Site
+from skills.ports.world import ROBOT_POSE, SIDES, WORLD, RobotPose, Side, WorldState
+
+ASK_AGAIN: Final = 0.5
+"""Host seconds between two questions for the robot's description."""
+
+
+class Knowledge:
+    """Reads ``world/...`` and what the arms and the hardware tell; the trees' conditions read this alone.
+
+    Args:
+        bus: where the skills are.
+        clocks: host time, for asking again.
+        site: what was known beforehand.
+    """
+
+    def __init__(self, bus: Bus, clocks: Clocks, site: Site) -> None:
+        self.site = site
+        self.description: RobotDescription | None = None
+        self._bus, self._clocks = bus, clocks
+        self._world = Latest(bus, WORLD)
+        self._robot = Latest(bus, ROBOT_POSE)
+        self._stop = Latest(bus, STOP_STATE)
+        self._arms = {side: Latest(bus, arm_status(f"arm_{side}")) for side in SIDES}
+        self._asked: Pending | None = None
+        self._asked_at = float("-inf")
+
+    def refresh(self) -> bool:
+        """Take in what has arrived; return whether a belief that a condition reads has changed."""
+        before = (self.world, self.robot_localised, self.stopped, *(self.arm(side) for side in SIDES))
+        self._world.refresh()
+        self._robot.refresh()
+        self._stop.refresh()
+        for latest in self._arms.values():
+            latest.refresh()
+        if self.description is None:
+            self._ask_for_description()
+        return before != (self.world, self.robot_localised, self.stopped, *(self.arm(side) for side in SIDES))
+
+    @property
+    def world(self) -> WorldState | None:
+        """The keeper's facts, or None before they came."""
+        return self._world.value
+
+    @property
+    def robot(self) -> RobotPose | None:
+        """The robot's pose, or None before it came."""
+        return self._robot.value
+
+    @property
+    def robot_localised(self) -> bool:
+        """Whether the robot knows where it is."""
+        return self.robot is not None and self.robot.localised
+
+    @property
+    def stopped(self) -> StopState:
+        """Whether the hardware's stop is set, and by whom."""
+        return self._stop.value or StopState(stopped=False)
+
+    def arm(self, side: Side) -> ArmStatus | None:
+        """Return what the arm tells, or None before it did."""
+        return self._arms[side].value
+
+    def missing(self) -> tuple[str, ...]:
+        """Return the names of what has not been heard yet and no task can do without."""
+        parts = {
+            "hw/description": self.description,
+            "world/state": self.world,
+            "world/robot": self.robot,
+            **{f"skill/arm_{side}/state": self.arm(side) for side in SIDES},
+        }
+        return tuple(name for name, value in parts.items() if value is None)
+
+    def close(self) -> None:
+        """End the subscriptions."""
+        self._world.close()
+        self._robot.close()
+        self._stop.close()
+        for latest in self._arms.values():
+            latest.close()
+
+    def _ask_for_description(self) -> None:
+        now = self._clocks.monotonic()
+        answer = None if self._asked is None else self._asked.poll()
+        if answer is not None:
+            self.description = DESCRIPTION.decode_answer(answer)
+        elif (self._asked is None or self._asked.done()) and now - self._asked_at > ASK_AGAIN:
+            self._asked, self._asked_at = DESCRIPTION.query(self._bus, Nothing()), now

@@ -1,0 +1,1 @@
+"""Leaves that act: one goal of one skill each."""

@@ -1,0 +1,29 @@
+"""Drive the base to the first of some poses that it can get to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from skills.ports.actions.base import DRIVE, DriveFeedback, DriveGoal, DriveResult
+from skills.ports.failure import Failure
+from skills.ports.geometry import FloorPose
+from trees.behaviours.act import Act
+from trees.context import TreeContext
+
+Drive = Act[DriveGoal, DriveFeedback, DriveResult]
+
+
+def drive(
+    name: str,
+    context: TreeContext,
+    poses: Callable[[], tuple[FloorPose, ...] | Failure],
+    *,
+    serves_item: int | None = None,
+) -> Drive:
+    """Return the leaf; ``serves_item`` says for which item, if any (000, III-B)."""
+
+    def goal() -> DriveGoal | Failure:
+        found = poses()
+        return found if isinstance(found, Failure) else DriveGoal(poses=found, serves_item=serves_item)
+
+    return Act(name, context, DRIVE, goal, resources=("base",))

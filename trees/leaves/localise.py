@@ -1,0 +1,12 @@
+"""Find out where the robot is, from the laser."""
+
+from __future__ import annotations
+
+from skills.ports.actions.base import LOCALISE, LocaliseFeedback, LocaliseGoal, LocaliseResult
+from trees.behaviours.act import Act
+from trees.context import TreeContext
+
+
+def localise(context: TreeContext) -> Act[LocaliseGoal, LocaliseFeedback, LocaliseResult]:
+    """Return the leaf; the start pose is nobody's to know beforehand, so there is no hint."""
+    return Act("localise", context, LOCALISE, LocaliseGoal, resources=("base",))

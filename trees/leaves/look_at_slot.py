@@ -1,0 +1,21 @@
+"""Look at the slot before something is put there: what else stands on the depot goes into the scene."""
+
+from __future__ import annotations
+
+from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
+from trees.behaviours.act import Act
+from trees.board import FetchBoard
+from trees.context import TreeContext
+
+
+def look_at_slot(
+    name: str, context: TreeContext, board: FetchBoard
+) -> Act[LookGoal, LookFeedback, LookResult]:
+    """Return the leaf."""
+    return Act(
+        name,
+        context,
+        LOOK,
+        lambda: LookGoal(at=board.chosen_slot(context).position, clutter=True),
+        resources=("head",),
+    )

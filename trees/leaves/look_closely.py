@@ -1,0 +1,45 @@
+"""Look at the item from near by: its pose for the grasp, and the clutter around it for the arm."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
+from skills.ports.failure import Failure, FailureKind
+from trees.behaviours.act import Act
+from trees.board import FetchBoard
+from trees.context import TreeContext
+
+PICTURES: Final = 3
+"""Pictures whose tag poses are averaged before a grasp."""
+
+
+def look_closely(
+    name: str, context: TreeContext, board: FetchBoard
+) -> Act[LookGoal, LookFeedback, LookResult]:
+    """Return the leaf: FAILURE when the item is not where it was believed to be."""
+
+    def goal() -> LookGoal | Failure:
+        fact = board.fact(context)
+        if fact is None:
+            return Failure(kind=FailureKind.ITEM_NOT_FOUND, message=f"item {board.item} has not been seen")
+        return LookGoal(at=fact.tag_in_map.position, pictures=PICTURES, clutter=True)
+
+    def judge(result: LookResult) -> Failure | None:
+        if any(sighting.item == board.item for sighting in result.sightings):
+            return None
+        return Failure(
+            kind=FailureKind.ITEM_NOT_FOUND,
+            message=f"item {board.item} is not where it was seen before",
+            evidence={"item": board.item, "pictures": PICTURES},
+        )
+
+    return Act(
+        name,
+        context,
+        LOOK,
+        goal,
+        resources=("head",),
+        judge=judge,
+        believed=lambda result: context.believes(s for s in result.sightings if s.item == board.item),
+    )

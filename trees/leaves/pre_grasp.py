@@ -1,0 +1,48 @@
+"""Bring the hand before the item: document 000, III-D.1 a and eq. 1."""
+
+from __future__ import annotations
+
+from skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.geometry import Pose
+from skills.ports.grasping import PITCHES, Grasp, grasp
+from trees.behaviours.act import Act
+from trees.board import FetchBoard
+from trees.context import TreeContext
+from trees.leaves.move_hand import move_hand
+
+
+def grasp_candidates(tag_in_map: Pose, depth: float) -> tuple[Candidate, ...]:
+    """Return the ways to grasp an item ``depth`` metres thick: one for each pitch of the hand."""
+    return tuple(_candidate(each) for each in _grasps(tag_in_map, depth))
+
+
+def _grasps(tag_in_map: Pose, depth: float) -> tuple[Grasp, ...]:
+    return tuple(grasp(tag_in_map, depth, pitch) for pitch in PITCHES)
+
+
+def _candidate(way: Grasp) -> Candidate:
+    return Candidate(pose=way.pre_grasp, followed_by=(way.grasp, way.retraction))
+
+
+def pre_grasp(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeedback, MoveResult]:
+    """Return the leaf: offers a pre-grasp for each pitch of the hand; binds the grasp that was taken."""
+
+    def goal() -> MoveGoal | Failure:
+        fact = board.fact(context)
+        if fact is None or fact.held is not None:
+            return Failure(
+                kind=FailureKind.ITEM_NOT_FOUND, message=f"item {board.item} is not known to stand"
+            )
+        board.grasps = _grasps(board.face_in_map(fact), fact.size[0])
+        return MoveGoal(
+            candidates=tuple(_candidate(each) for each in board.grasps),
+            touch_item=board.item,
+            hand_width=board.open_width(context),
+        )
+
+    def judge(result: MoveResult) -> Failure | None:
+        board.grasp = board.grasps[result.candidate]
+        return None
+
+    return move_hand("pre-grasp", context, board, goal, judge)

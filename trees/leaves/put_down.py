@@ -1,0 +1,21 @@
+"""Lower the item into its slot: document 000, III-D.2 a."""
+
+from __future__ import annotations
+
+from skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
+from trees.behaviours.act import Act
+from trees.board import FetchBoard
+from trees.context import TreeContext
+from trees.leaves.move_hand import move_hand
+
+
+def put_down(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeedback, MoveResult]:
+    """Return the leaf: the item may touch what it is put on."""
+
+    def goal() -> MoveGoal:
+        pose = board.chosen_place().place
+        return MoveGoal(
+            candidates=(Candidate(pose=pose),), straight=True, touch_item=board.item, touch_support=True
+        )
+
+    return move_hand("put down", context, board, goal)

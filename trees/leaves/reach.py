@@ -1,0 +1,19 @@
+"""Move the hand straight to the item: document 000, III-D.1 c."""
+
+from __future__ import annotations
+
+from skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
+from trees.behaviours.act import Act
+from trees.board import FetchBoard
+from trees.context import TreeContext
+from trees.leaves.move_hand import move_hand
+
+
+def reach(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeedback, MoveResult]:
+    """Return the leaf: the hand may touch the item, and nothing else."""
+
+    def goal() -> MoveGoal:
+        pose = board.chosen_grasp().grasp
+        return MoveGoal(candidates=(Candidate(pose=pose),), straight=True, touch_item=board.item)
+
+    return move_hand("grasp", context, board, goal)

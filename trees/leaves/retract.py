@@ -1,0 +1,21 @@
+"""Draw the item away from where it stood: document 000, III-D.1 e and eq. 2."""
+
+from __future__ import annotations
+
+from skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
+from trees.behaviours.act import Act
+from trees.board import FetchBoard
+from trees.context import TreeContext
+from trees.leaves.move_hand import move_hand
+
+
+def retract(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeedback, MoveResult]:
+    """Return the leaf: while it is lifted, the item may touch what it stood on."""
+
+    def goal() -> MoveGoal:
+        pose = board.chosen_grasp().retraction
+        return MoveGoal(
+            candidates=(Candidate(pose=pose),), straight=True, touch_item=board.item, touch_support=True
+        )
+
+    return move_hand("retract", context, board, goal)

@@ -1,0 +1,99 @@
+"""Find out from where an arm could reach: the base is sent only where it helps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+from skills.ports.actions.arm import Candidate, SurveyFeedback, SurveyGoal, SurveyResult, survey
+from skills.ports.actions.base import ARM_MARGIN
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.floor_plan import FloorPlan
+from skills.ports.geometry import FloorPose
+from skills.ports.world import Side
+from trees.behaviours.act import Act
+from trees.board import FetchBoard
+from trees.context import TreeContext
+
+
+@dataclass(frozen=True)
+class Reach:
+    """Base poses to look at, and what the hand shall do from one of them.
+
+    ``facing`` (rad) is the heading out of the item's face that the hand goes for, ``hand_width`` (m) how wide
+    it is open then; None where the hand holds the item.
+    """
+
+    bases: tuple[FloorPose, ...]
+    candidates: tuple[Candidate, ...]
+    facing: float | None = None
+    hand_width: float | None = None
+
+
+ENOUGH: Final = 4
+"""Stands among which the base may choose the one it gets to."""
+
+
+def survey_stands(
+    name: str,
+    context: TreeContext,
+    board: FetchBoard,
+    side: Side,
+    reach: Callable[[], Reach | Failure],
+    *,
+    touch_support: bool = False,
+    here_first: bool = False,
+) -> Act[SurveyGoal, SurveyFeedback, SurveyResult]:
+    """Return the leaf: SUCCESS binds the arm and the base poses from which it reaches.
+
+    ``reach`` says which poses are worth a look, and what is to be done. With ``here_first`` the
+    place where the robot stands comes before them, and suffices.
+    """
+    asked: list[FloorPose] = []
+    facing: list[float | None] = [None]
+
+    def goal() -> SurveyGoal | Failure:
+        if side not in board.sides:
+            return Failure(kind=FailureKind.INVALID_GOAL, message=f"the {side} arm is not to be used")
+        found = reach()
+        if isinstance(found, Failure):
+            return found
+        facing[0] = found.facing
+        here = _here(context) if here_first else ()
+        asked[:] = [*here, *_where_there_is_room(context, found.bases)]
+        if not asked:
+            return Failure(kind=FailureKind.BASE_NO_PATH, message="nowhere near is room for the base")
+        return SurveyGoal(
+            bases=tuple(asked),
+            candidates=found.candidates,
+            hand_width=found.hand_width,
+            touch_item=board.item,
+            touch_support=touch_support,
+            enough=1 if here_first else ENOUGH,
+        )
+
+    def judge(result: SurveyResult) -> Failure | None:
+        if not result.bases:
+            return Failure(
+                kind=FailureKind.ITEM_UNREACHABLE,
+                message=f"the {side} arm reaches from none of {len(asked)} base poses",
+                evidence={"side": side, "bases": len(asked)},
+            )
+        board.side, board.facing = side, facing[0]
+        board.stands = tuple(asked[index] for index in result.bases)
+        return None
+
+    return Act(name, context, survey(f"arm_{side}"), goal, judge=judge)
+
+
+def _here(context: TreeContext) -> tuple[FloorPose, ...]:
+    robot = context.knowledge.robot
+    return () if robot is None else (robot.base_in_map,)
+
+
+def _where_there_is_room(context: TreeContext, bases: tuple[FloorPose, ...]) -> list[FloorPose]:
+    description = context.knowledge.description
+    radius = 0.0 if description is None else description.footprint_radius
+    plan = FloorPlan(context.site)
+    return [pose for pose in bases if plan.has_room(pose.x, pose.y, radius + ARM_MARGIN)]

@@ -1,0 +1,23 @@
+"""Bring an arm to its posture for driving."""
+
+from __future__ import annotations
+
+from skills.ports.actions.arm import MoveFeedback, MoveGoal, MoveResult, move
+from skills.ports.world import Side
+from trees.behaviours.act import Act
+from trees.conditions.arm_tucked import at_rest
+from trees.context import TreeContext
+
+
+def tuck_arm(name: str, context: TreeContext, side: Side) -> Act[MoveGoal, MoveFeedback, MoveResult]:
+    """Return the leaf: the arm goes to its posture ``carry`` with something in the hand, else ``home``."""
+    group = f"arm_{side}"
+
+    def goal() -> MoveGoal:
+        world = context.knowledge.world
+        holds = world is not None and world.in_hand(side) is not None
+        return MoveGoal(posture="carry" if holds else "home")
+
+    return Act(
+        name, context, move(group), goal, resources=(group,), believed=lambda _: at_rest(context, side)
+    )

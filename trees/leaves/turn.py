@@ -1,0 +1,18 @@
+"""Turn on the spot, a step of the search."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+from skills.ports.actions.base import ROTATE, RotateFeedback, RotateGoal, RotateResult
+from trees.behaviours.act import Act
+from trees.context import TreeContext
+
+STEP: Final = -math.radians(30.0)
+"""Clockwise, as in document 000, III-A.2."""
+
+
+def turn(name: str, context: TreeContext) -> Act[RotateGoal, RotateFeedback, RotateResult]:
+    """Return the leaf."""
+    return Act(name, context, ROTATE, lambda: RotateGoal(angle=STEP), resources=("base",))

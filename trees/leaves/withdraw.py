@@ -1,0 +1,19 @@
+"""Draw the empty hand back from the item put down: document 000, III-D.2 c and eq. 3."""
+
+from __future__ import annotations
+
+from skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
+from trees.behaviours.act import Act
+from trees.board import FetchBoard
+from trees.context import TreeContext
+from trees.leaves.move_hand import move_hand
+
+
+def withdraw(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeedback, MoveResult]:
+    """Return the leaf: 10 cm back, and until then the hand may touch the item."""
+
+    def goal() -> MoveGoal:
+        pose = board.chosen_place().retraction
+        return MoveGoal(candidates=(Candidate(pose=pose),), straight=True, touch_item=board.item)
+
+    return move_hand("withdraw", context, board, goal)

@@ -1,0 +1,1 @@
+"""Subtrees: one step of a task each."""

@@ -1,0 +1,85 @@
+"""Pick the item up: document 000, III-D.1, Fig. 5 and 6, eq. 1 and 2."""
+
+from __future__ import annotations
+
+import math
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from skills.ports.actions.gripper import Grip, GripGoal, GripResult
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.grasping import face, outward, proximity_poses
+from skills.ports.world import Side
+from trees.board import FetchBoard
+from trees.context import TreeContext
+from trees.leaves.edit_scene import add_to_scene, attach
+from trees.leaves.grip import grip_with
+from trees.leaves.look_closely import look_closely
+from trees.leaves.pre_grasp import grasp_candidates, pre_grasp
+from trees.leaves.reach import reach
+from trees.leaves.retract import retract
+from trees.leaves.survey import Reach
+from trees.subtrees.home import tuck
+from trees.subtrees.stand import stand_near, unknown
+
+
+def pick(context: TreeContext, board: FetchBoard) -> Behaviour:
+    """Return the subtree: SUCCESS when the hand is full and tucked in."""
+    width, open_width = board.site_item(context).size[1], board.open_width(context)
+    return Sequence(
+        "pick item",
+        memory=True,
+        children=[
+            approach_item(context, board),
+            pre_grasp(context, board),
+            grip_with("open", context, board, lambda: GripGoal(grip=Grip.OPEN, width=open_width)),
+            add_to_scene(context, board),
+            reach(context, board),
+            grip_with("close", context, board, lambda: GripGoal(grip=Grip.GRASP, width=width)),
+            attach(context, board),
+            retract(context, board),
+            _verify(context, board, width),
+            tuck(context, "after pick"),
+        ],
+    )
+
+
+def approach_item(context: TreeContext, board: FetchBoard) -> Behaviour:
+    """Return the subtree that brings the base into the item's neighbourhood (000, III-A.3)."""
+
+    def reach(side: Side, quarter_turns: int) -> Reach | Failure:
+        fact, description = board.fact(context), context.knowledge.description
+        if fact is None or fact.held is not None or description is None:
+            return unknown(board.item)
+        tag, hand = face(fact.tag_in_map, fact.size[0], quarter_turns), description.end_effector(side)
+        out = outward(tag)
+        facing = math.atan2(out[1], out[0])
+        return Reach(
+            bases=proximity_poses(tag.position, facing, hand.work_point, hand.work_heading),
+            candidates=grasp_candidates(tag, fact.size[0]),
+            facing=facing,
+            hand_width=board.open_width(context),
+        )
+
+    return stand_near(
+        "item",
+        context,
+        board,
+        reach,
+        faces=(0, 1, -1),
+        look=lambda name: look_closely(name, context, board),
+    )
+
+
+def _verify(context: TreeContext, board: FetchBoard, width: float) -> Behaviour:
+    def judge(result: GripResult) -> Failure | None:
+        if result.full:
+            return None
+        return Failure(
+            kind=FailureKind.GRASP_LOST,
+            message=f"item {board.item} was attached, and the hand is empty",
+            evidence={"width_m": result.width, "force_n": result.force},
+        )
+
+    return grip_with("hand is full?", context, board, lambda: GripGoal(grip=Grip.CHECK, width=width), judge)

@@ -1,0 +1,116 @@
+"""Get the base to where the arm reaches: the paper's neighbourhood (000, III-A.3).
+
+See docs/decisions/003-survey-before-driving.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Final
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Selector, Sequence
+
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.world import SIDES, Side
+from trees.board import FetchBoard
+from trees.conditions.at_pose import at_any
+from trees.context import TreeContext
+from trees.leaves.drive import drive
+from trees.leaves.survey import Reach, survey_stands
+from trees.subtrees.home import tuck
+
+FACES: Final = {0: "", 1: ", left face", -1: ", right face"}
+"""Names of an item's faces by quarter turns, seen from above, from the one that is seen."""
+
+
+def stand_near(
+    what: str,
+    context: TreeContext,
+    board: FetchBoard,
+    reach: Callable[[Side, int], Reach | Failure],
+    *,
+    faces: tuple[int, ...] = (0,),
+    touch_support: bool = False,
+    look: Callable[[str], Behaviour] | None = None,
+) -> Behaviour:
+    """Return the subtree: SUCCESS when the base stands where the arm reaches.
+
+    Args:
+        what: "item" or "slot", a part of the nodes' names.
+        context: the task's surroundings.
+        board: gets the arm and the stands.
+        reach: for a side and a face, the base poses worth a look and what the hand shall do there.
+        faces: the faces of the item to go for, in quarter turns from the one that is seen.
+        touch_support: whether what is held will touch what it is put on.
+        look: makes the leaf that looks closely from there; what it shows may ask for another face, arm or
+            stand, so the survey is made once more, with the place where the robot stands first.
+    """
+    go = partial(_go, context=context, board=board, reach=reach, faces=faces, touch_support=touch_support)
+    if look is None:
+        return go(what)
+    return Sequence(
+        f"get near {what}",
+        memory=True,
+        children=[
+            go(what),
+            look(f"look closely at {what}"),
+            go(f"{what} again", here_first=True, then=look(f"look once more at {what}")),
+        ],
+    )
+
+
+def _go(
+    what: str,
+    *,
+    context: TreeContext,
+    board: FetchBoard,
+    reach: Callable[[Side, int], Reach | Failure],
+    faces: tuple[int, ...],
+    touch_support: bool,
+    here_first: bool = False,
+    then: Behaviour | None = None,
+) -> Behaviour:
+    """Survey with each arm and face, and drive unless the robot is there; ``then`` comes after driving."""
+    surveys = [
+        survey_stands(
+            f"survey {what}, {side} arm{FACES[turns]}",
+            context,
+            board,
+            side,
+            partial(reach, side, turns),
+            touch_support=touch_support,
+            here_first=here_first,
+        )
+        for turns in faces
+        for side in SIDES
+    ]
+    return Sequence(
+        f"approach {what}",
+        memory=True,
+        children=[
+            Selector(f"where to stand for {what}", memory=True, children=list(surveys)),
+            Selector(
+                f"near {what}",
+                memory=True,
+                children=[
+                    at_any(f"near {what}?", context, lambda: board.stands),
+                    Sequence(
+                        f"go to {what}",
+                        memory=True,
+                        children=[
+                            tuck(context, f"before {what}"),
+                            drive(f"drive to {what}", context, lambda: board.stands, serves_item=board.item),
+                            *(() if then is None else (then,)),
+                        ],
+                    ),
+                ],
+            ),
+        ],
+    )
+
+
+def unknown(item: int) -> Failure:
+    """Return the failure of a tree that was sent to an item nobody has seen."""
+    return Failure(kind=FailureKind.ITEM_NOT_FOUND, message=f"item {item} has not been seen")

@@ -1,0 +1,35 @@
+"""What a kind of task is: its request's model, the checks on a request, and the builder of its tree."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from py_trees.behaviour import Behaviour
+
+from skills.ports.message import Message
+from skills.ports.site import Site
+from skills.ports.tasks import Problem
+from trees.context import TreeContext
+
+Asked = TypeVar("Asked", bound=Message)
+
+
+@dataclass(frozen=True)
+class TaskType(Generic[Asked]):
+    """One file in ``trees/tasks/`` defines one of these, named ``TASK``.
+
+    Args:
+        name: the value of ``task`` in a request.
+        summary: one line for people.
+        request: the model of a request; has a field ``task``.
+        problems: what is wrong with a well-formed request, given the site; empty when nothing is.
+        build: makes the tree.
+    """
+
+    name: str
+    summary: str
+    request: type[Asked]
+    problems: Callable[[Asked, Site], tuple[Problem, ...]]
+    build: Callable[[Asked, TreeContext], Behaviour]
