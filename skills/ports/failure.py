@@ -24,13 +24,17 @@ class FailureKind(StrEnum):
     HARDWARE_LOST = "HARDWARE_LOST"
     HARDWARE_STOPPED = "HARDWARE_STOPPED"
     CAMERA_SILENT = "CAMERA_SILENT"
+    CAMERA_BLIND = "CAMERA_BLIND"
     LASER_SILENT = "LASER_SILENT"
     NOT_LOCALISED = "NOT_LOCALISED"
     ITEM_UNKNOWN = "ITEM_UNKNOWN"
     ITEM_NOT_FOUND = "ITEM_NOT_FOUND"
+    ITEM_GONE = "ITEM_GONE"
     ITEM_UNREACHABLE = "ITEM_UNREACHABLE"
     DESTINATION_UNKNOWN = "DESTINATION_UNKNOWN"
     DESTINATION_FULL = "DESTINATION_FULL"
+    DESTINATION_UNREACHABLE = "DESTINATION_UNREACHABLE"
+    SLOT_TAKEN = "SLOT_TAKEN"
     HAND_FULL = "HAND_FULL"
     BASE_NO_PATH = "BASE_NO_PATH"
     BASE_BLOCKED = "BASE_BLOCKED"
@@ -78,13 +82,19 @@ KINDS: Final = MappingProxyType(
         _K.HARDWARE_LOST: KindFacts("the hardware is silent", True, Helper.OPERATOR),
         _K.HARDWARE_STOPPED: KindFacts("the hardware's stop is set", False, Helper.OPERATOR),
         _K.CAMERA_SILENT: KindFacts("no picture came in time", True, Helper.AGAIN),
+        _K.CAMERA_BLIND: KindFacts("pictures come, but they are dark or stand still", True, Helper.AGAIN),
         _K.LASER_SILENT: KindFacts("no scan came in time", True, Helper.AGAIN),
         _K.NOT_LOCALISED: KindFacts("the robot does not know where it is", True, Helper.AGAIN),
         _K.ITEM_UNKNOWN: KindFacts("the site file knows no such item", False, Helper.CLIENT),
         _K.ITEM_NOT_FOUND: KindFacts("all search spots seen, the tag was not", False, Helper.OPERATOR),
+        _K.ITEM_GONE: KindFacts("the item is not where it was last seen", True, Helper.LOOK),
         _K.ITEM_UNREACHABLE: KindFacts("seen, but no arm gets there", False, Helper.OPERATOR),
         _K.DESTINATION_UNKNOWN: KindFacts("the site file knows no such depot", False, Helper.CLIENT),
         _K.DESTINATION_FULL: KindFacts("no slot of the depot is free", False, Helper.OPERATOR),
+        _K.DESTINATION_UNREACHABLE: KindFacts(
+            "the item is in the hand, but no arm gets it into a slot", False, Helper.OPERATOR
+        ),
+        _K.SLOT_TAKEN: KindFacts("something stands where the item was to be put", True, Helper.LOOK),
         _K.HAND_FULL: KindFacts("the hand holds another item", False, Helper.LET_GO),
         _K.BASE_NO_PATH: KindFacts("no free way to any of the goal's poses", True, Helper.BASE),
         _K.BASE_BLOCKED: KindFacts("something stands in the way", True, Helper.BASE),

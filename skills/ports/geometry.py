@@ -19,6 +19,8 @@ def _unit(quaternion: Quaternion) -> Quaternion:
     norm = math.sqrt(x * x + y * y + z * z + w * w)
     if abs(norm - 1.0) > 1e-3:  # noqa: PLR2004
         raise ValueError(f"a unit quaternion (x, y, z, w) was expected, this one has length {norm:.4f}")
+    if abs(norm - 1.0) < 1e-12:  # noqa: PLR2004 - as good as it gets; so that a message read again is the same
+        return quaternion
     return (x / norm, y / norm, z / norm, w / norm)
 
 

@@ -17,6 +17,8 @@ class TaskState(StrEnum):
 
     QUEUED = "QUEUED"
     RUNNING = "RUNNING"
+    PAUSING = "PAUSING"
+    PAUSED = "PAUSED"
     CANCELING = "CANCELING"
     SUCCEEDED = "SUCCEEDED"
     FAILED = "FAILED"
@@ -26,7 +28,12 @@ class TaskState(StrEnum):
     @property
     def terminal(self) -> bool:
         """Whether nothing comes after it."""
-        return self not in {TaskState.QUEUED, TaskState.RUNNING, TaskState.CANCELING}
+        return self not in _UNENDED
+
+
+_UNENDED: Final = frozenset(
+    (TaskState.QUEUED, TaskState.RUNNING, TaskState.PAUSING, TaskState.PAUSED, TaskState.CANCELING)
+)
 
 
 class Problem(Message):
@@ -54,6 +61,19 @@ class Progress(Message):
     fraction: Annotated[float, Field(ge=0.0, le=1.0)] = 0.0
 
 
+class Attempt(Message):
+    """Something that went wrong while the task ran, and what the tree did about it."""
+
+    at: RobotTime | None
+    failure: Failure
+    recovery: str = ""
+    """The recovery that took it, by the name of its node; empty when none did."""
+    times: int = 0
+    """How often that recovery has been tried by now, this time included."""
+    picture: str = ""
+    """Number of the camera's picture of that moment, asked for with ``task/picture``; empty without."""
+
+
 class TaskStatus(Message):
     """A task, whole; published on ``task/<id>/status`` and ``task/status`` at each change."""
 
@@ -63,6 +83,8 @@ class TaskStatus(Message):
     state: TaskState
     progress: Progress = Progress()
     failure: Failure | None = None
+    tried: tuple[Attempt, ...] = ()
+    """What went wrong so far, mended or not, in order; the newest 32."""
     accepted_at: float
     """UTC seconds."""
     started: RobotTime | None = None
@@ -73,6 +95,19 @@ class TaskList(Message):
     """Every task that the executive remembers, oldest first."""
 
     tasks: tuple[TaskStatus, ...]
+
+
+class NameTask(Message):
+    """Pause, resume or step the running task of this id."""
+
+    task: str
+
+
+class AskPicture(Message):
+    """The picture of an attempt of a task."""
+
+    task: str
+    picture: str
 
 
 class CancelTask(Message):
@@ -137,6 +172,12 @@ TASK_ANSWERS: Final = Topic("task/answers", TaskAnswer)
 """What was answered to each request, for clients that only put."""
 TASK_STATUS: Final = Topic("task/status", TaskStatus)
 TASK_CANCEL: Final = Service("task/cancel", CancelTask, ControlAnswer)
+TASK_PAUSE: Final = Service("task/pause", NameTask, ControlAnswer)
+TASK_RESUME: Final = Service("task/resume", NameTask, ControlAnswer)
+TASK_STEP: Final = Service("task/step", NameTask, ControlAnswer)
+"""A paused task goes on until one more leaf has ended, and is paused again."""
+TASK_PICTURE: Final = "task/picture"
+"""Asked with an AskPicture; answered with a JPEG, or with nothing when there is none."""
 TASK_LIST: Final = Service("task/list", Nothing, TaskList)
 TASK_INFO: Final = Service("task/info", Nothing, ExecutiveInfo)
 TREE: Final = Topic("tree/snapshot", TreeSnapshot)

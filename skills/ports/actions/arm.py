@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from skills.ports.geometry import FloorPose, Pose
 from skills.ports.keys import Topic
-from skills.ports.message import Message, RobotTime
+from skills.ports.message import Message, RobotTime, Vector3
 from skills.ports.skill import ActionType
 
 
@@ -41,16 +41,21 @@ class Candidate(Message):
 
 
 class MoveGoal(Message):
-    """Where the group shall go; exactly one of ``joints``, ``posture``, ``candidates``.
+    """Where the group shall go; exactly one of ``joints``, ``posture``, ``candidates``, ``by``.
 
     Candidates are tried in order: the first that has a collision-free position and path is taken. With
     ``straight`` the tool moves in a straight line. In straight lines the hand may touch
     ``touch_item``, and, with ``touch_support``, what it holds may touch what it stands on.
+
+    ``by`` is a retreat from whatever the hand is at: straight ways of the tool, in metres in its own frame
+    ((-0.1, 0, 0) draws the hand back), tried in order. On it the hand may touch every item, and what
+    it holds what that stands on.
     """
 
     joints: tuple[float, ...] | None = None
     posture: str | None = None
     candidates: tuple[Candidate, ...] = ()
+    by: tuple[Vector3, ...] = ()
     frame: Literal["map", "base"] = "map"
     straight: bool = False
     touch_item: int | None = None
@@ -62,9 +67,9 @@ class MoveGoal(Message):
 
     @model_validator(mode="after")
     def _one_target(self) -> MoveGoal:
-        named = sum((self.joints is not None, self.posture is not None, bool(self.candidates)))
-        if named != 1:
-            raise ValueError("exactly one of joints, posture and candidates was expected")
+        targets = (self.joints is not None, self.posture is not None, bool(self.candidates), bool(self.by))
+        if sum(targets) != 1:
+            raise ValueError("exactly one of joints, posture, candidates and by was expected")
         return self
 
 

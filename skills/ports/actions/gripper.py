@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
-from skills.ports.message import Message
+from skills.ports.keys import Topic
+from skills.ports.message import Message, RobotTime
 from skills.ports.skill import ActionType
 
 
@@ -45,6 +46,32 @@ class GripResult(Message):
     width: float
     force: float
     full: bool
+
+
+class HandState(StrEnum):
+    """What the hand is at, as the watch over it tells."""
+
+    OPEN = "OPEN"
+    """It squeezes nothing: opened, or moving."""
+    HOLDING = "HOLDING"
+    """It squeezes something."""
+    EMPTY = "EMPTY"
+    """It squeezes, and there is nothing between the pads, or no more what was."""
+
+
+class HandStatus(Message):
+    """At 10 Hz and on each change, also while no goal runs; width in metres, force in newtons."""
+
+    stamp: RobotTime
+    side: Literal["left", "right"]
+    state: HandState
+    width: float
+    force: float
+
+
+def hand_status(side: str) -> Topic[HandStatus]:
+    """Return the topic of what a hand is at."""
+    return Topic(f"skill/gripper_{side}/state", HandStatus)
 
 
 def grip(side: str) -> ActionType[GripGoal, GripFeedback, GripResult]:

@@ -43,4 +43,6 @@ class LookResult(Message):
     """Boxes of clutter measured."""
 
 
+PICTURE: Final = "skill/perception/picture"
+"""Asked with nothing; answered with the head camera's next picture as JPEG, or empty when none comes."""
 LOOK: Final = ActionType("perception/look", LookGoal, LookFeedback, LookResult, timeout=30.0)

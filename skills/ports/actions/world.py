@@ -17,6 +17,7 @@ class SceneEdit(StrEnum):
     ATTACH = "attach"
     DETACH = "detach"
     REMOVE = "remove"
+    FORGET = "forget"
 
 
 class EditGoal(Message):
@@ -26,6 +27,8 @@ class EditGoal(Message):
     ``side``, at ``item_in_tool``.
     DETACH: it was put down at ``item_in_map``, into ``slot`` of ``depot`` if that is given.
     REMOVE: it is no obstacle any more.
+    FORGET: where it stands is not believed any more, until it is seen again; what is in a hand can't be
+    forgotten.
     """
 
     edit: SceneEdit
