@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from py_trees.behaviour import Behaviour
+
 from skills.ports.clocks import Clocks
 from skills.ports.failure import Failure
 from skills.ports.site import Site
-from skills.ports.tasks import Progress
+from skills.ports.tasks import Attempt, Progress
 from skills.ports.world import Sighting, WorldState
 from trees.clients import Clients
 from trees.knowledge import Knowledge
@@ -31,6 +33,10 @@ class TreeContext:
     resources: Resources = field(default_factory=Resources)
     failures: list[Failure] = field(default_factory=list)
     """Each failure of a leaf, in order; also those that a recovery has mended."""
+    attempts: list[Attempt] = field(default_factory=list)
+    """What went wrong so far and what was done about it, in order; the newest 32."""
+    wind_down: Behaviour | None = None
+    """What is still done after a cancel, once all is at rest: the task's builder sets it when it was asked to."""
     _progress: Progress = field(default_factory=Progress)
 
     @property
