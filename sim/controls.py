@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Final, Protocol, TypeVar
 
 from pydantic import Field, ValidationError
 
-from sim.scenario import Name, Obstacle, Scenario, ScenarioError, TrueItem
+from sim.scenario import Scenario, ScenarioError
 from sim.scene import item_body, obstacle_body
+from sim.things import Name, Obstacle, TrueItem
 from sim.truth import TRUTH, read_truth
 from skills.ports.geometry import Pose
 from skills.ports.hardware import Answer

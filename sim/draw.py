@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
 
 from sim.plan import Plan, gap, plan_of
-from sim.scenario import FLOOR, Scenario, ScenarioError, SpawnSurface, TrueItem
+from sim.scenario import Scenario, ScenarioError, SpawnSurface
 from sim.scene import SceneBody, build_scene, furniture_bodies, item_body, item_name
+from sim.things import FLOOR, TrueItem
 from skills.ports.geometry import FloorPose
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Final
 
-from sim.scenario import BoxShape, CylinderShape
+from sim.things import BoxShape, CylinderShape
 
 if TYPE_CHECKING:
     from pathlib import Path

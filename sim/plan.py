@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import product
 from typing import TYPE_CHECKING
 
-from sim.scenario import CylinderShape
+from sim.things import CylinderShape
 from skills.ports.geometry import rotate
 
 if TYPE_CHECKING:

@@ -10,7 +10,8 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
-from sim.scenario import FLOOR, BoxShape, CylinderShape, Obstacle, Scenario, ScenarioError, TrueItem
+from sim.scenario import Scenario, ScenarioError
+from sim.things import FLOOR, BoxShape, CylinderShape, Obstacle, TrueItem
 from skills.ports.geometry import Pose, about
 from skills.ports.site import Site, SiteBox
 from skills.ports.world import Box

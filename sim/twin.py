@@ -18,8 +18,8 @@ import pybullet
 
 from sim.chatter import unheard
 from sim.meshes import write_shape
-from sim.scenario import BoxShape
 from sim.tags import write_item
+from sim.things import BoxShape
 from skills.ports.geometry import Pose, from_axes, rotate
 from skills.ports.packages import resolve
 

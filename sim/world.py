@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Final
 
 import pybullet
 
-from sim.scenario import BoxShape
 from sim.scene import SceneBody, build_scene
+from sim.things import BoxShape
 from skills.ports.geometry import Pose
 
 if TYPE_CHECKING:

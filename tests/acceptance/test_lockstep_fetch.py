@@ -6,7 +6,8 @@ import math
 
 import pytest
 
-from sim.scenario import TrueItem, load_scenario
+from sim.scenario import load_scenario
+from sim.things import TrueItem
 from skills.ports.failure import FailureKind
 from skills.ports.geometry import FloorPose, wrap, yaw_of
 from skills.ports.tasks import TaskState

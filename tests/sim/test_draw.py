@@ -10,7 +10,8 @@ import pytest
 
 from sim.draw import FINGER_GAP, FLOOR_MARGIN, Draw, draw_fetch
 from sim.physics import Physics
-from sim.scenario import BoxShape, Obstacle, Scenario, ScenarioError, SpawnSurface, load_scenario
+from sim.scenario import Scenario, ScenarioError, SpawnSurface, load_scenario
+from sim.things import BoxShape, Obstacle
 from sim.world import spawn
 from skills.site import load
 

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from sim.scenario import ScenarioError, TrueItem, load_scenario, scenario_names
+from sim.scenario import ScenarioError, load_scenario, scenario_names
 from sim.scene import build_scene
+from sim.things import TrueItem
 from skills.ports.geometry import FloorPose
 from skills.site import load
 

@@ -8,8 +8,9 @@ import pytest
 
 from sim.camera import Studio
 from sim.render import Done, Job
-from sim.scenario import ScenarioError, TrueItem, load_scenario
+from sim.scenario import ScenarioError, load_scenario
 from sim.station import Station, StationSettings
+from sim.things import TrueItem
 from skills.site import load
 from skills.wire.memory import MemoryBus
 from tests.sim.rooms import Room

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from sim.robot import compose_robot
-from sim.scenario import BoxShape
 from sim.scene import Label, SceneBody
 from sim.tags import tags_in_item
+from sim.things import BoxShape
 from sim.twin import Twin, View, looking_at
 from skills.ports.geometry import Pose, about, compose, invert, transform
 

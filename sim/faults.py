@@ -1,0 +1,318 @@
+"""Faults on purpose, as data: what goes wrong, when, for how long and how badly.
+
+A fault begins ``at`` a time of the robot's clock, or ``when`` something happens; with neither it begins at
+once. ``lasts`` is in robot seconds; without it the fault stays. Who carries them out: ``sim.trouble``.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Final, Literal
+
+from pydantic import Field, model_validator
+
+from sim.things import Angle, BoxShape, Colour, Coordinate, Friction, Name, Shape
+from skills.ports.message import Message, RobotTime
+
+Side = Literal["left", "right"]
+Tag = Annotated[int, Field(ge=0, le=586)]
+Seconds = Annotated[float, Field(ge=0.0, le=3600.0)]
+Duration = Annotated[float, Field(gt=0.0, le=3600.0)]
+Share = Annotated[float, Field(ge=0.0, le=1.0)]
+Step = Annotated[float, Field(ge=-5.0, le=5.0)]
+"""Metres by which something is displaced along one axis."""
+Bumper = Literal["front", "left", "back", "right"]
+
+PARCEL: Final = BoxShape(size=(0.07, 0.07, 0.07))
+
+
+class _Event(Message):
+    """Something that the sim sees happen; ``after`` robot seconds later the fault begins.
+
+    ``nth``: which time it happens, counted from the robot's boot or, for a fault that is asked for, from then;
+    1 is the first.
+    """
+
+    after: Seconds = 0.0
+    nth: Annotated[int, Field(ge=1, le=1000)] = 1
+
+
+class GripperClosed(_Event):
+    """The fingers have closed on something and squeeze it; without a side: of either hand."""
+
+    event: Literal["gripper_closed"] = "gripper_closed"
+    side: Side | None = None
+
+
+class ItemLifted(_Event):
+    """A tagged item, in the robot's hand, is more than 3 cm above where it stood; without a tag: any."""
+
+    event: Literal["item_lifted"] = "item_lifted"
+    tag: Tag | None = None
+
+
+class ArmMoving(_Event):
+    """An arm sets out on a motion; without a side: either arm."""
+
+    event: Literal["arm_moving"] = "arm_moving"
+    side: Side | None = None
+
+
+class BaseMoving(_Event):
+    """The base sets out."""
+
+    event: Literal["base_moving"] = "base_moving"
+
+
+class BaseAtRest(_Event):
+    """The base has driven or turned, and has stood still for 0.3 s."""
+
+    event: Literal["base_at_rest_after_moving"] = "base_at_rest_after_moving"
+
+
+class CameraUsed(_Event):
+    """Somebody begins to listen to the camera."""
+
+    event: Literal["camera_used"] = "camera_used"
+
+
+Event = Annotated[
+    GripperClosed | ItemLifted | ArmMoving | BaseMoving | BaseAtRest | CameraUsed,
+    Field(discriminator="event"),
+]
+
+
+class _Once(Message):
+    """A fault that happens in a moment."""
+
+    at: Seconds | None = None
+    """Robot seconds after the boot; one that has passed means at once."""
+    when: Event | None = None
+
+    @model_validator(mode="after")
+    def _one_time(self) -> _Once:
+        if self.at is not None and self.when is not None:
+            raise ValueError("either at or when was expected, not both")
+        return self
+
+
+class _Lasting(_Once):
+    """A fault that has an end, or none."""
+
+    lasts: Duration | None = None
+    """Robot seconds; without it: for good."""
+
+
+class CameraDark(_Lasting):
+    """The lens is covered: colours are black and no depth is measured."""
+
+    kind: Literal["camera_dark"] = "camera_dark"
+
+
+class CameraFrozen(_Lasting):
+    """The camera sends one picture again and again, with new stamps."""
+
+    kind: Literal["camera_frozen"] = "camera_frozen"
+
+
+class CameraSilent(_Lasting):
+    """The camera sends nothing."""
+
+    kind: Literal["camera_silent"] = "camera_silent"
+
+
+class LaserSilent(_Lasting):
+    """The laser sends nothing."""
+
+    kind: Literal["laser_silent"] = "laser_silent"
+
+
+class OdometryJump(_Once):
+    """The odometry takes a step that the base didn't: metres ahead and to the left, and rad to the left."""
+
+    kind: Literal["odometry_jump"] = "odometry_jump"
+    dx: Step = 0.0
+    dy: Step = 0.0
+    dyaw: Angle = 0.0
+
+
+class JointStall(_Lasting):
+    """Motors stop following: they hold their joint where it is or, ``limp``, exert nothing."""
+
+    kind: Literal["joint_stall"] = "joint_stall"
+    group: Name
+    joint: str | int | None = None
+    """Its name, or its place in the group (0 is the first); without it: all of the group."""
+    limp: bool = False
+
+
+class GripperStuck(_Lasting):
+    """The fingers stay where they are, whatever is commanded; without a side: the event's, or both hands."""
+
+    kind: Literal["gripper_stuck"] = "gripper_stuck"
+    side: Side | None = None
+
+
+class GripperWeak(_Lasting):
+    """The gripper has a share of the force asked for; without a side: the event's, or both hands."""
+
+    kind: Literal["gripper_weak"] = "gripper_weak"
+    side: Side | None = None
+    force: Share = 0.05
+
+
+class HandOpens(_Lasting):
+    """The fingers come apart, so that what they hold falls; without a side: the event's, or both hands."""
+
+    kind: Literal["hand_opens"] = "hand_opens"
+    side: Side | None = None
+    lasts: Duration | None = 0.5
+
+
+class HardwareSilent(_Lasting):
+    """The hardware hears nothing and tells nothing, not even its clock. Its physics goes on."""
+
+    kind: Literal["hardware_silent"] = "hardware_silent"
+
+
+class BumperPressed(_Lasting):
+    """A bumper reads pressed."""
+
+    kind: Literal["bumper"] = "bumper"
+    bumper: Bumper = "front"
+
+
+class StopSet(_Lasting):
+    """A person sets the hardware's stop; the same one releases it when ``lasts`` is over."""
+
+    kind: Literal["stop"] = "stop"
+    by: Annotated[str, Field(min_length=1, max_length=60)] = "a person"
+    reason: Annotated[str, Field(max_length=200)] = "the stop was pressed on purpose"
+
+
+class Place(Message):
+    """A place on a piece of furniture or on the floor."""
+
+    support: Name
+    x: Coordinate
+    y: Coordinate
+    yaw: Angle = 0.0
+
+
+class ItemMoves(_Once):
+    """Somebody moves an item: by a step in map, or ``to`` a place. Without a tag: the event's item."""
+
+    kind: Literal["item_moves"] = "item_moves"
+    tag: Tag | None = None
+    dx: Step = 0.0
+    dy: Step = 0.0
+    dyaw: Angle = 0.0
+    to: Place | None = None
+
+    @model_validator(mode="after")
+    def _which(self) -> ItemMoves:
+        _needs_tag(self.tag, self.when)
+        if self.to is not None and (self.dx or self.dy or self.dyaw):
+            raise ValueError("either to or dx, dy, dyaw was expected, not both")
+        return self
+
+
+class ItemGone(_Once):
+    """Somebody takes an item away. Without a tag: the event's item."""
+
+    kind: Literal["item_gone"] = "item_gone"
+    tag: Tag | None = None
+
+    @model_validator(mode="after")
+    def _which(self) -> ItemGone:
+        _needs_tag(self.tag, self.when)
+        return self
+
+
+class ObstacleAppears(_Lasting):
+    """A thing without a tag is put at x and y in map, or ``ahead`` of the base. In the end it goes away."""
+
+    kind: Literal["obstacle_appears"] = "obstacle_appears"
+    name: Name = "intruder"
+    shape: Shape = BoxShape(size=(0.4, 0.4, 1.0))
+    support: Name = "floor"
+    x: Coordinate | None = None
+    y: Coordinate | None = None
+    yaw: Angle = 0.0
+    """Heading in map, or relative to the base when it is put ``ahead``."""
+    ahead: Annotated[float, Field(ge=0.3, le=10.0)] | None = None
+    """Metres from the base's centre to the thing's, in the direction in which the base heads."""
+    mass: Annotated[float, Field(ge=0.0, le=50.0)] = 0.0
+    """In kg; 0 means that it can't be pushed."""
+    friction: Friction = 0.6
+    colour: Colour = (0.72, 0.20, 0.20)
+
+    @model_validator(mode="after")
+    def _where(self) -> ObstacleAppears:
+        placed = self.x is not None and self.y is not None
+        if placed == (self.ahead is not None) or (self.x is None) != (self.y is None):
+            raise ValueError("either x and y, or ahead, was expected")
+        return self
+
+
+class DepotTaken(_Lasting):
+    """A slot of a depot is taken: by an item with a tag, or by a parcel without one.
+
+    With ``lasts`` the parcel is taken away in the end; an item stays.
+    """
+
+    kind: Literal["depot_taken"] = "depot_taken"
+    depot: Name = "depot"
+    slot: Annotated[int, Field(ge=0, le=1000)] = 0
+    """0 is the first."""
+    tag: Tag | None = None
+    shape: Shape = PARCEL
+
+    @model_validator(mode="after")
+    def _ends(self) -> DepotTaken:
+        if self.tag is not None and self.lasts is not None:
+            raise ValueError("lasts is for a parcel; an item that was put there stays")
+        return self
+
+
+Fault = Annotated[
+    CameraDark
+    | CameraFrozen
+    | CameraSilent
+    | LaserSilent
+    | OdometryJump
+    | JointStall
+    | GripperStuck
+    | GripperWeak
+    | HandOpens
+    | HardwareSilent
+    | BumperPressed
+    | StopSet
+    | ItemMoves
+    | ItemGone
+    | ObstacleAppears
+    | DepotTaken,
+    Field(discriminator="kind"),
+]
+
+
+class FaultRequest(Message):
+    """Have a fault happen: at its time, or at once when it names none."""
+
+    fault: Fault
+
+
+class FaultEvent(Message):
+    """A fault began, ended, or could not be made (``refused``)."""
+
+    stamp: RobotTime
+    number: int
+    """Since the boot: those of the scenario first, in order, from 0; then those that were asked for."""
+    kind: str
+    phase: Literal["began", "ended", "refused"]
+    words: str
+    """For people: what struck where, or why it could not."""
+
+
+def _needs_tag(tag: int | None, when: object) -> None:
+    if tag is None and not isinstance(when, ItemLifted):
+        raise ValueError("tag: an item's tag was expected, or when: {event: item_lifted}")

@@ -1,0 +1,66 @@
+"""Things in the room, as scenarios and faults tell of them: tagged items and what nobody has a tag for."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Final, Literal
+
+from pydantic import Field
+
+from skills.ports.message import Message
+
+FLOOR: Final = "floor"
+"""The support of what stands on the ground; every other support is a piece of furniture of the site."""
+
+Name = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$", max_length=40)]
+Angle = Annotated[float, Field(ge=-2 * math.pi, le=2 * math.pi)]
+Coordinate = Annotated[float, Field(ge=-50.0, le=50.0)]
+Length = Annotated[float, Field(gt=0.0, le=20.0)]
+Friction = Annotated[float, Field(gt=0.0, le=1.0)]
+Colour = tuple[float, float, float]
+
+
+class TrueItem(Message):
+    """Where a tagged item truly stands when the run starts; its size comes from the site by its tag."""
+
+    tag: int = Field(ge=0, le=586)
+    support: Name
+    """The furniture on whose top it stands, or ``floor``."""
+    x: Coordinate
+    y: Coordinate
+    yaw: Angle = 0.0
+    mass: float = Field(default=0.1, ge=0.05, le=0.2)
+    friction: Friction = 0.9
+
+
+class BoxShape(Message):
+    """A cuboid: edges in metres along its own x, y, z."""
+
+    kind: Literal["box"] = "box"
+    size: tuple[Length, Length, Length]
+
+
+class CylinderShape(Message):
+    """An upright cylinder, in metres."""
+
+    kind: Literal["cylinder"] = "cylinder"
+    radius: Length
+    height: Length
+
+
+Shape = Annotated[BoxShape | CylinderShape, Field(discriminator="kind")]
+
+
+class Obstacle(Message):
+    """A thing without a tag that no site file knows: clutter on a table, or something left on the floor."""
+
+    name: Name
+    shape: Shape
+    support: Name = FLOOR
+    x: Coordinate
+    y: Coordinate
+    yaw: Angle = 0.0
+    mass: float = Field(default=0.3, ge=0.0, le=50.0)
+    """In kg; 0 means that it can't be pushed."""
+    friction: Friction = 0.6
+    colour: Colour = (0.55, 0.47, 0.38)
