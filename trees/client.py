@@ -24,9 +24,10 @@ from skills.ports.action import (
     status_topic,
 )
 from skills.ports.bus import Bus, Pending
-from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.clocks import Clocks
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.skill import ActionType, Command, F, G, R
+from trees.elapsed import Elapsed
 
 RETRY_PERIOD: Final = 0.1
 """Host seconds before an unanswered query is asked again."""
@@ -48,12 +49,14 @@ class GoalHandle(Generic[G, F, R]):
         self.failure: Failure | None = None
         self._client = client
         self._document: dict[str, JsonValue] = goal.model_dump(mode="json")
-        self._deadline = robot_seconds(client.clocks) + timeout
+        self._age, self._timeout = Elapsed(client.clocks), timeout
+        self._settling: Elapsed | None = None  # since it was told to come to rest
         self._sequence = -1
         self._timed_out = False
-        self._canceling = False
+        self._canceling = self._pausing = False
         self._pending: Pending | None = None
-        self._cancel_pending: Pending | None = None
+        self._question: Pending | None = None  # the last that asked after a goal that the server had known
+        self._command_pending: Pending | None = None
         self._asked_at = float("-inf")
         self._heard_at = self._told_at = client.clocks.monotonic()
         self._when_ended: Callable[[], None] | None = None
@@ -64,11 +67,48 @@ class GoalHandle(Generic[G, F, R]):
         """Whether the goal has reached its end."""
         return self.state is not None and self.state.terminal
 
+    @property
+    def action(self) -> str:
+        """The name of its action."""
+        return self._client.action.name
+
+    @property
+    def paused(self) -> bool:
+        """Whether its server has said that it is paused."""
+        return self.state is GoalState.PAUSED
+
     def cancel(self) -> None:
         """Have the skill come to rest; the handle ends when it has."""
         if not self.ended:
+            if not self._canceling:
+                self._settling = Elapsed(self._client.clocks)
             self._canceling = True
-            self._push_cancel()
+            self._push(Command.CANCEL)
+
+    def pause(self) -> None:
+        """Have the skill come to rest and wait; asked for again until the server says that it is so."""
+        if not self.ended and not self._canceling and not self._pausing:
+            self._pausing, self._settling = True, Elapsed(self._client.clocks)
+
+    def resume(self) -> None:
+        """Have the skill go on. The time in which it was paused is not of its time-out."""
+        if self._pausing and not self._canceling:
+            self._settling = None
+        self._pausing = False
+
+    def overdue(self, within_robot: float, within_host: float) -> bool:
+        """Say whether it was told to come to rest and has not in time.
+
+        ``within_robot``: robot seconds; ``within_host``: host seconds for which the robot's clock stands.
+        """
+        settling = None if self.ended else self._settling
+        return settling is not None and settling.beyond(within_robot, within_host)
+
+    def drop(self, message: str) -> None:
+        """Give it up: it has failed, and nothing that its server says later is heard."""
+        if not self.ended:
+            self.state = GoalState.FAILED
+            self.failure = self._fail(FailureKind.TIMED_OUT, message)
 
     def when_ended(self, call: Callable[[], None]) -> None:
         """Have ``call`` made once the goal has ended, for those who have stopped polling it."""
@@ -95,11 +135,8 @@ class GoalHandle(Generic[G, F, R]):
         unsure = self.state is None or not self._client.alive() or now - self._told_at > UNSURE_AFTER
         if unsure and self._pending is None and now - self._asked_at > RETRY_PERIOD:
             self._ask()
-        if not self._timed_out and robot_seconds(self._client.clocks) > self._deadline:
-            self._timed_out = True
-            self.cancel()
-        if self._canceling and self._cancel_pending is None and self.state is not GoalState.CANCELING:
-            self._push_cancel()
+        self._watch_time()
+        self._command()
 
     def take(self, status: GoalStatus) -> None:
         """Take in one status of the server, unless it is older than what is known or of another goal."""
@@ -107,9 +144,7 @@ class GoalHandle(Generic[G, F, R]):
             return
         if status.state is GoalState.UNKNOWN:
             if self.state is not None:
-                self._lose(
-                    f"{self._client.action.name} has forgotten goal {self.goal_id}: it was started anew"
-                )
+                self._forgotten()
             return
         self._sequence, self.state = status.sequence, status.state
         self._heard_at = self._told_at = self._client.clocks.monotonic()
@@ -123,20 +158,47 @@ class GoalHandle(Generic[G, F, R]):
             self.state = GoalState.FAILED
             self.failure = self._fail(FailureKind.TIMED_OUT, f"{action.name} did not end in time")
 
+    def _watch_time(self) -> None:
+        self._age.update(counts=not self._pausing)
+        if not self._timed_out and self._age.robot > self._timeout:
+            self._timed_out = True
+            self.cancel()
+        if self._settling is not None:
+            self._settling.update()
+            if self.paused and not self._canceling:
+                self._settling = None
+
+    def _command(self) -> None:
+        """Say what is wanted for as long as the server's state is another."""
+        if self._command_pending is not None:
+            return
+        if self._canceling:
+            if self.state is not GoalState.CANCELING:
+                self._push(Command.CANCEL)
+        elif self._pausing and self.state is GoalState.RUNNING:
+            self._push(Command.PAUSE)
+        elif not self._pausing and self.paused:
+            self._push(Command.RESUME)
+
     def _read_answers(self) -> bool:
-        for pending in (self._pending, self._cancel_pending):
+        for pending in (self._pending, self._command_pending):
             answer = None if pending is None else pending.poll()
             if answer is None:
                 continue
             self._told_at = self._client.clocks.monotonic()
             try:
-                self.take(GoalStatus.model_validate_json(answer))
+                status = GoalStatus.model_validate_json(answer)
+                # A server that was started anew counts its statuses anew. It was asked after it had known the
+                # goal, so that it is no old answer either.
+                if status.state is GoalState.UNKNOWN and pending is self._question and not self.ended:
+                    self._forgotten()
+                self.take(status)
             except ValidationError as error:
                 self._lose(f"{self._client.action.name} answered what is no status: {error}")
         if self._pending is not None and self._pending.done():
             self._pending = None
-        if self._cancel_pending is not None and self._cancel_pending.done():
-            self._cancel_pending = None
+        if self._command_pending is not None and self._command_pending.done():
+            self._command_pending = None
         return self.ended
 
     def _ask(self) -> None:
@@ -147,13 +209,15 @@ class GoalHandle(Generic[G, F, R]):
             sent = SendGoal.model_construct(goal_id=self.goal_id, client=client.owner, goal=self._document)
             self._pending = goal_service(client.action.name).query(client.bus, sent)
         else:
-            self._pending = result_service(client.action.name).query(
-                client.bus, AskResult(goal_id=self.goal_id)
-            )
+            asked = AskResult(goal_id=self.goal_id)
+            self._pending = self._question = result_service(client.action.name).query(client.bus, asked)
 
-    def _push_cancel(self) -> None:
-        command = GoalCommand(goal_id=self.goal_id, command=Command.CANCEL)
-        self._cancel_pending = command_service(self._client.action.name).query(self._client.bus, command)
+    def _push(self, command: Command) -> None:
+        asked = GoalCommand(goal_id=self.goal_id, command=command)
+        self._command_pending = command_service(self._client.action.name).query(self._client.bus, asked)
+
+    def _forgotten(self) -> None:
+        self._lose(f"{self._client.action.name} has forgotten goal {self.goal_id}: it was started anew")
 
     def _lose(self, message: str) -> None:
         self.state = GoalState.FAILED
@@ -207,6 +271,17 @@ class ActionClient(Generic[G, F, R]):
     def quiet(self) -> bool:
         """Whether no goal is open."""
         return not self._open
+
+    @property
+    def open(self) -> tuple[GoalHandle[G, F, R], ...]:
+        """The goals that have not ended, in the order in which they were started."""
+        return tuple(self._open.values())
+
+    def drop(self, handle: GoalHandle[G, F, R], message: str) -> None:
+        """Give a goal up that does not end: it has failed, and nothing more is heard of it."""
+        handle.drop(message)
+        handle.conclude()
+        self._open.pop(handle.goal_id, None)
 
     def alive(self) -> bool:
         """Whether a server of this action is announced."""

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TypeVar, cast
 
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.message import Message
 from skills.ports.skill import ActionType
-from trees.client import ActionClient
+from trees.client import ActionClient, GoalHandle
 
 G = TypeVar("G", bound=Message)
 F = TypeVar("F", bound=Message)
 R = TypeVar("R", bound=Message)
+
+AnyGoal = GoalHandle[Message, Message, Message]
+"""A goal of whichever action."""
 
 
 class Clients:
@@ -42,6 +46,20 @@ class Clients:
     def quiet(self) -> bool:
         """Whether no goal is open."""
         return all(client.quiet for client in self._clients.values())
+
+    @property
+    def open(self) -> tuple[AnyGoal, ...]:
+        """The goals that have not ended."""
+        return tuple(handle for client in self._clients.values() for handle in client.open)
+
+    def stuck(self, within_robot: float, within_host: float) -> tuple[AnyGoal, ...]:
+        """Return the goals that were told to come to rest and have not in time (``GoalHandle.overdue``)."""
+        return tuple(handle for handle in self.open if handle.overdue(within_robot, within_host))
+
+    def drop(self, handles: Iterable[AnyGoal], message: str) -> None:
+        """Give goals up that do not end, so that they hold nobody up and reach nobody any more."""
+        for handle in handles:
+            self._clients[handle.action].drop(handle, message)
 
     def close(self) -> None:
         """End all subscriptions."""

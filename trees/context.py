@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from typing import Final
 
 from py_trees.behaviour import Behaviour
 
 from skills.ports.clocks import Clocks
-from skills.ports.failure import Failure
+from skills.ports.failure import Failure, FailureKind
 from skills.ports.site import Site
 from skills.ports.tasks import Attempt, Progress
 from skills.ports.world import Sighting, WorldState
 from trees.clients import Clients
 from trees.knowledge import Knowledge
 from trees.resources import Resources
+
+ATTEMPTS: Final = 32
+"""Attempts that are kept."""
+CAUSES: Final = 8
+"""Earlier failures that a task's failure tells."""
 
 
 def _taken_in(world: WorldState, sighting: Sighting) -> bool:
@@ -36,7 +42,13 @@ class TreeContext:
     attempts: list[Attempt] = field(default_factory=list)
     """What went wrong so far and what was done about it, in order; the newest 32."""
     wind_down: Behaviour | None = None
-    """What is still done after a cancel, once all is at rest: the task's builder sets it when it was asked to."""
+    """What is still done after a cancel, once all is at rest; set by a builder that was asked for it."""
+    paused_for: float = 0.0
+    """Robot seconds that the task has stood paused so far: timers of a tree may leave them out."""
+    verdict: Failure | None = None
+    """Why the task's main part failed; what failed afterwards, on the way home, comes second."""
+    closing: Callable[[], dict[str, str]] | None = None
+    """Says at the end where everything is: evidence of the task's failure. The task's builder sets it."""
     _progress: Progress = field(default_factory=Progress)
 
     @property
@@ -63,12 +75,38 @@ class TreeContext:
         """Keep a leaf's failure."""
         self.failures.append(failure)
 
+    def last_failure(self) -> Failure:
+        """Return the newest failure: the reason of what has just failed."""
+        if self.failures:
+            return self.failures[-1]
+        return Failure(kind=FailureKind.SKILL_CRASHED, message="a part of the tree failed without a reason")
+
+    def attempted(self, failure: Failure) -> None:
+        """Note what went wrong; the recovery that takes it says so next."""
+        self.attempts = [*self.attempts[1 - ATTEMPTS :], Attempt(at=self.clocks.robot(), failure=failure)]
+
+    def recovering(self, recovery: str, times: int) -> None:
+        """Note which recovery takes what went wrong last, and how often it has been tried by now."""
+        last = self.attempts[-1].model_copy(update={"recovery": recovery, "times": times})
+        self.attempts = [*self.attempts[:-1], last]
+
     def failure(self) -> Failure | None:
-        """Return the last failure, with those before it as its causes, newest first; None without any."""
+        """Return why the task failed: its main part's failure or else the last; with what came before.
+
+        The causes are the newest different ones, newest first; the evidence says where everything is.
+        """
         if not self.failures:
             return None
-        *before, last = self.failures
-        return last.model_copy(update={"causes": (*last.causes, *reversed(before[-8:]))})
+        head = self.verdict or self.failures[-1]
+        seen, causes = {(head.kind, head.where)}, list[Failure]()
+        for each in reversed(self.failures):
+            if (each.kind, each.where) not in seen:
+                seen.add((each.kind, each.where))
+                causes.append(each)
+        closing = {} if self.closing is None else self.closing()
+        return head.model_copy(
+            update={"causes": (*head.causes, *causes[:CAUSES]), "evidence": {**head.evidence, **closing}}
+        )
 
     def enter(self, phase: str, fraction: float) -> None:
         """Say which phase the task is in and how far it is; it never runs backwards."""

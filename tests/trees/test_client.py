@@ -6,10 +6,19 @@ from collections.abc import Callable
 
 import pytest
 
-from skills.ports.action import GoalState, GoalStatus, goal_service, result_service, status_topic
+from skills.ports.action import (
+    GoalCommand,
+    GoalState,
+    GoalStatus,
+    command_service,
+    goal_service,
+    result_service,
+    status_topic,
+)
 from skills.ports.actions.base import ROTATE, RotateGoal, RotateResult
 from skills.ports.bus import Desk
 from skills.ports.failure import FailureKind
+from skills.ports.skill import Command
 from skills.wire.clocks import SteppedClocks
 from skills.wire.memory import MemoryBus, MemoryHub
 from trees.client import ANSWER_WITHIN, UNSURE_AFTER, ActionClient, GoalHandle
@@ -27,6 +36,7 @@ class Rig:
         self.bus.announce(f"skill/{ROTATE.name}")
         self.goals: Desk = self.bus.serve(goal_service(ROTATE.name).key)
         self.questions: Desk = self.bus.serve(result_service(ROTATE.name).key)
+        self.commands: Desk = self.bus.serve(command_service(ROTATE.name).key)
         self.client = ActionClient(MemoryBus(hub), self.clocks, ROTATE, "me")
         self.handle = self.client.start(RotateGoal(angle=1.0), "t/turn/1")
 
@@ -42,6 +52,16 @@ class Rig:
         for request in asked:
             request.reply(status.model_dump_json().encode())
         return len(asked)
+
+    def commanded(self) -> list[Command]:
+        """What was commanded since the last call; nothing is answered."""
+        asked = [GoalCommand.model_validate_json(each.payload) for each in self.commands.drain()]
+        return [each.command for each in asked]
+
+    def obey(self, sequence: int, *states: GoalState) -> None:
+        """Answer the commands so far, each with the next of these states."""
+        for number, (request, state) in enumerate(zip(self.commands.drain(), states, strict=True)):
+            request.reply(self.say(state, sequence + number).model_dump_json().encode())
 
     def wait(self, seconds: float, each: Callable[[], object] = lambda: None) -> GoalHandle:  # type: ignore[type-arg]
         for _ in range(round(seconds / 0.05)):
@@ -108,3 +128,86 @@ def test_a_goal_that_takes_too_long_is_cancelled_and_fails(rig: Rig) -> None:
     handle = rig.wait(0.1)
     assert handle.failure is not None
     assert handle.failure.kind is FailureKind.TIMED_OUT
+
+
+def test_a_server_started_anew_has_forgotten_the_goal_whatever_its_count(rig: Rig) -> None:
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 40))
+    handle = rig.wait(UNSURE_AFTER + 0.3, lambda: rig.answer(rig.questions, rig.say(GoalState.UNKNOWN, 1)))
+    assert handle.failure is not None
+    assert handle.failure.kind is FailureKind.SKILL_LOST
+
+
+def test_a_cancelled_goal_that_does_not_end_is_overdue_by_the_robots_clock(rig: Rig) -> None:
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
+    rig.wait(20.0, lambda: rig.answer(rig.questions, rig.say(GoalState.RUNNING, 1)))
+    assert not rig.handle.overdue(5.0, 10.0), "nobody has told it to end"
+    rig.handle.cancel()
+    rig.wait(4.9, lambda: rig.answer(rig.questions, rig.say(GoalState.CANCELING, 2)))
+    assert not rig.handle.overdue(5.0, 10.0)
+    rig.wait(0.2)
+    assert rig.handle.overdue(5.0, 10.0)
+
+
+def test_a_goal_that_took_too_long_and_ignores_its_cancel_is_overdue(rig: Rig) -> None:
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
+    rig.wait(ROTATE.timeout + 5.2, lambda: rig.answer(rig.questions, rig.say(GoalState.RUNNING, 1)))
+    assert rig.handle.overdue(5.0, 10.0)
+
+
+def test_what_is_dropped_has_failed_and_a_late_result_of_it_is_not_heard(rig: Rig) -> None:
+    ends: list[str] = []
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
+    rig.wait(0.05)
+    rig.handle.when_ended(lambda: ends.append("ended"))
+    rig.client.drop(rig.handle, "it did not come to rest")
+    rig.publish(GoalState.SUCCEEDED, 2)
+    rig.wait(0.05)
+    assert (rig.handle.state, rig.handle.result, ends) == (GoalState.FAILED, None, ["ended"])
+    assert rig.client.quiet
+
+
+def test_a_pause_is_asked_for_until_the_server_says_so(rig: Rig) -> None:
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
+    rig.wait(0.05)
+    rig.handle.pause()
+    rig.wait(0.05)
+    rig.obey(2, GoalState.RUNNING)  # lost on its way, as it were
+    rig.wait(0.1)
+    rig.obey(3, GoalState.PAUSED)
+    assert rig.wait(0.1).paused
+    assert rig.commanded() == []
+    rig.handle.resume()
+    rig.wait(0.05)
+    assert rig.commanded() == [Command.RESUME]
+
+
+def test_a_goal_sent_before_the_pause_is_paused_once_it_is_taken(rig: Rig) -> None:
+    rig.handle.pause()
+    rig.wait(0.05)
+    assert rig.commanded() == []
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
+    rig.wait(0.05)
+    assert rig.commanded() == [Command.PAUSE]
+
+
+def test_the_time_paused_is_not_of_the_time_out(rig: Rig) -> None:
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
+    rig.wait(0.05)
+    rig.handle.pause()
+    rig.wait(0.05)
+    rig.obey(2, GoalState.PAUSED)
+    rig.wait(2.0 * ROTATE.timeout, lambda: rig.answer(rig.questions, rig.say(GoalState.PAUSED, 2)))
+    rig.handle.resume()
+    rig.wait(0.05)
+    rig.obey(3, GoalState.RUNNING)
+    rig.wait(ROTATE.timeout - 1.0, lambda: rig.answer(rig.questions, rig.say(GoalState.RUNNING, 3)))
+    assert rig.commanded() == []
+    rig.wait(1.5, lambda: rig.answer(rig.questions, rig.say(GoalState.RUNNING, 3)))
+    assert rig.commanded() == [Command.CANCEL]
+
+
+def test_a_pause_that_is_not_obeyed_is_overdue(rig: Rig) -> None:
+    rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
+    rig.handle.pause()
+    rig.wait(5.2, lambda: rig.answer(rig.questions, rig.say(GoalState.RUNNING, 1)))
+    assert rig.handle.overdue(5.0, 10.0)
