@@ -1,41 +1,53 @@
-"""One task under way: its tree is ticked when there is a reason to, and its end is awaited at rest."""
+"""One task under way: its tree is ticked when there is a reason to, and its end is awaited at rest.
+
+It looks after what no tree can: goals that don't come to rest, hardware that is silent, pause and step.
+"""
 
 from __future__ import annotations
 
 import logging
-from dataclasses import dataclass
 from typing import Final
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
+from executive.endings import (
+    Ending,
+    hardware_lost,
+    kept_from_winding_down,
+    not_at_rest,
+    not_wound_down,
+    raised,
+    unsaid,
+)
 from executive.halt import Halt
+from executive.hold import Hold
 from executive.tree_view import TreeView
 from skills.ports.clocks import Clocks
-from skills.ports.failure import Failure, FailureKind
+from skills.ports.failure import Failure
 from skills.ports.message import RobotTime
 from skills.ports.tasks import NodeStatus, Progress, TaskState, TreeNode, TreeSnapshot
+from trees.clients import AnyGoal
 from trees.context import TreeContext
-from trees.snapshot import snapshot
+from trees.elapsed import Elapsed
 
 TICK_PERIOD: Final = 0.05
 """Robot seconds after which the tree is ticked although nothing was heard: its timers."""
 SILENT_PERIOD: Final = 0.25
 """Host seconds after which it is ticked although the robot's clock stands still."""
 REST_WITHIN: Final = 5.0
-"""Robot seconds in which all goals must have ended after the tree has; then the hardware is stopped."""
+"""Robot seconds in which a goal must have come to rest once told to; then the hardware is stopped."""
 SILENCE_ALLOWED: Final = 10.0
 """Host seconds that this is waited for while the robot's clock stands still."""
+SILENT_AFTER: Final = 1.0
+"""Host seconds without the hardware's clock after which the tree waits."""
+LOST_AFTER: Final = 15.0
+"""Host seconds without it after which the task ends."""
+WIND_DOWN_WITHIN: Final = 120.0
+"""Robot seconds for what is done after a cancel."""
+WAITS: Final = "waits for the hardware"
 
 _LOG = logging.getLogger(__name__)
-
-
-@dataclass(frozen=True)
-class Ending:
-    """How a task ends, once its goals have."""
-
-    state: TaskState
-    failure: Failure | None = None
 
 
 class Run:
@@ -55,22 +67,22 @@ class Run:
         self.context = context
         self.ended: Ending | None = None
         self.ticks = 0
+        self.canceling = False
+        """Whether it has been cancelled."""
         self._root, self._kind, self._clocks, self._halt = root, kind, clocks, halt
+        self._hold = Hold(context, clocks)
         self._ending: Ending | None = None
+        self._resting = Elapsed(clocks)  # since the tree's end
+        self._winding: Elapsed | None = None  # since the wind-down began
+        self._before_winding: Failure | None = None
+        self._halted: tuple[AnyGoal, ...] | None = None  # the goals for whose sake the hardware is stopped
+        self._waits = False
         self._ticked_at: RobotTime | None = None
         self._ticked_on_host = clocks.monotonic()
         self._progress = Progress()
         self._view = TreeView(root)
         self._shown: TreeNode | None = None
         self._touched = False  # a tree changes only when it is ticked or stopped
-        self._ending_since = 0.0
-        self._ending_on_host = 0.0
-        self._halting = False
-
-    @property
-    def canceling(self) -> bool:
-        """Whether it has been cancelled and is not yet at rest."""
-        return self._ending is not None and self._ending.state is TaskState.CANCELED
 
     @property
     def ending(self) -> Ending | None:
@@ -78,26 +90,66 @@ class Run:
         return self._ending
 
     @property
+    def state(self) -> TaskState:
+        """Where it stands, until it has ended."""
+        return TaskState.CANCELING if self.canceling else self._hold.state
+
+    @property
     def progress(self) -> Progress:
         """Phase and fraction; the fraction never falls."""
-        return self._progress
+        return self._progress.model_copy(update={"phase": WAITS}) if self._waits else self._progress
 
     def step(self) -> None:
         """Take in what has arrived; tick, or wait for rest."""
         if self.ended is not None:
             return
         heard = self._poll()
-        if self._ending is None and (heard or self._due()):
-            self._tick()
-        if self._ending is not None:
-            self._await_rest(self._ending)
+        silent = self.context.knowledge.hardware_silent_for
+        self._waits = silent > SILENT_AFTER
+        if self._halted is not None:
+            self._go_on_halting(self._halted)
+        elif silent > LOST_AFTER:
+            self._lose_hardware(silent)
+        elif not self._waits:
+            self._go_on(heard=heard)
         self._note_progress()
 
     def cancel(self) -> None:
-        """Stop the tree: its leaves cancel their goals. ``ended`` is set when all have come to rest."""
+        """Stop the tree: its leaves cancel their goals. ``ended`` is set when all have come to rest.
+
+        What is to be done after a cancel is done then; cancelled once more, that is stopped as well.
+        """
         if self._ending is None:
+            self.canceling = True
+            self._hold.resume()
             self._stop_tree()
             self._end_with(Ending(TaskState.CANCELED))
+
+    def pause(self) -> str:
+        """Have all come to rest and the tree stay where it is; return why not, or nothing."""
+        why = self._not_to_be_held()
+        if not why:
+            self._hold.pause()
+        return why
+
+    def resume(self) -> str:
+        """Go on after a pause; return why not, or nothing."""
+        why = self._not_to_be_held()
+        if not why and self._hold.free:
+            why = "the task is not paused"
+        if not why:
+            self._hold.resume()
+        return why
+
+    def step_leaf(self) -> str:
+        """Go on until one more leaf has ended, and pause again; return why not, or nothing."""
+        why = self._not_to_be_held()
+        if not why and self._hold.state is not TaskState.PAUSED:
+            pausing = self._hold.state is TaskState.PAUSING
+            why = "its skills are still coming to rest" if pausing else "the task is not paused"
+        if not why:
+            self._hold.resume(one_leaf=True)
+        return why
 
     def changed_tree(self) -> TreeSnapshot | None:
         """Return the tree if a status or message in it is another than at the last call."""
@@ -120,12 +172,32 @@ class Run:
             root=self._view.look(),
         )
 
+    def _not_to_be_held(self) -> str:
+        if self.canceling:
+            return "the task is being cancelled"
+        return "" if self._ending is None else f"the task is about to end: {self._ending.state}"
+
     def _poll(self) -> bool:
         try:
             return self.context.poll()
         except Exception as error:  # noqa: BLE001 - a tree's mistake costs its task, not the service
             self._crash(error)
             return False
+
+    def _go_on(self, *, heard: bool) -> None:
+        stuck = self.context.clients.stuck(REST_WITHIN, SILENCE_ALLOWED)
+        if stuck:
+            self._stop_hardware(stuck)
+            return
+        self._hold.step()
+        if self._ending is None and self._hold.free and (heard or self._due()):
+            self._tick()
+        if self._winding is not None:
+            self._watch_winding(self._winding)
+        if self._ending is not None:
+            self._await_rest(self._ending)
+
+    # The tree.
 
     def _due(self) -> bool:
         if self.ticks == 0:
@@ -142,24 +214,34 @@ class Run:
         self.ticks += 1
         self._touched = True
         try:
-            self._root.tick_once()
+            ticked = tuple(self._root.tick())
         except Exception as error:  # noqa: BLE001 - a tree's mistake costs its task, not the service
             self._crash(error)
             return
         status = NodeStatus(self._root.status.name)
-        if status is NodeStatus.SUCCESS:
-            self._end_with(Ending(TaskState.SUCCEEDED))
-        elif status is not NodeStatus.RUNNING:
-            self._end_with(Ending(TaskState.FAILED, self.context.failure() or self._unsaid()))
+        if status is NodeStatus.RUNNING:
+            self._hold.after_tick(ticked)
+        elif status is NodeStatus.SUCCESS:
+            self._end_with(Ending(TaskState.CANCELED if self.canceling else TaskState.SUCCEEDED))
+        else:
+            self._end_with(self._as_failed(self._told() or unsaid(self._root)))
+
+    def _told(self) -> Failure | None:
+        """Return the failure that the tree has told; one from before the wind-down is not its own."""
+        failures = self.context.failures
+        if self._winding is not None and failures and failures[-1] is self._before_winding:
+            return None
+        return self.context.failure()
+
+    def _as_failed(self, failure: Failure) -> Ending:
+        return Ending(TaskState.CANCELED if self.canceling else TaskState.FAILED, failure)
 
     def _crash(self, error: Exception) -> None:
         """End a tree that raised: a mistake in the program, which must cost this task and nothing else."""
         _LOG.error("%s: its tree raised", self.context.task, exc_info=error)
         if self._ending is None:
             self._stop_tree()
-            text = f"the tree raised {type(error).__name__}: {error}; the executive's log has the trace"
-            failure = Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=self._root.name)
-            self._end_with(Ending(TaskState.FAILED, failure))
+            self._end_with(self._as_failed(raised(self._root, error)))
 
     def _stop_tree(self) -> None:
         self._touched = True
@@ -168,59 +250,67 @@ class Run:
         except Exception:  # noqa: BLE001 - the tree is given up anyway
             _LOG.exception("%s: its tree raised while it was stopped", self.context.task)
 
-    def _end_with(self, ending: Ending) -> None:
-        self._ending = ending
-        self._begin_waiting()
+    # The end.
 
-    def _begin_waiting(self) -> None:
-        now = self._clocks.robot()
-        self._ending_since = 0.0 if now is None else now.seconds
-        self._ending_on_host = self._clocks.monotonic()
+    def _end_with(self, ending: Ending) -> None:
+        self._ending, self._resting = ending, Elapsed(self._clocks)
 
     def _await_rest(self, ending: Ending) -> None:
-        if self.context.quiet and not self._halting:
-            self.ended = ending
-        elif self._halting:
-            if self._halt.step():
-                self.ended = Ending(TaskState.FAILED, self._not_at_rest(ending))
-        elif self._overdue():
-            self._halting = True
-            self._halt.set(f"the goals of {self.context.task} did not come to rest")
+        self._resting.update()
+        if self.context.quiet:
+            if not self._begins_winding(ending):
+                self.ended = self._ending
+        elif self._resting.beyond(REST_WITHIN, SILENCE_ALLOWED):
+            self._stop_hardware(self.context.clients.open)
 
-    def _overdue(self) -> bool:
-        now = self._clocks.robot()
-        seconds = 0.0 if now is None else now.seconds - self._ending_since
-        if not 0.0 <= seconds <= REST_WITHIN:
-            return True
-        return seconds == 0.0 and self._clocks.monotonic() - self._ending_on_host > SILENCE_ALLOWED
+    def _begins_winding(self, ending: Ending) -> bool:
+        """Turn to what is to be done after a cancel, once; return whether there is something to do."""
+        tree = self.context.wind_down
+        if not self.canceling or tree is None or self._winding is not None or ending.failure is not None:
+            return False
+        stop = self.context.knowledge.stopped
+        if stop.stopped:
+            self._end_with(Ending(ending.state, kept_from_winding_down(tree.name, stop.by)))
+            return False
+        self._before_winding = self.context.failures[-1] if self.context.failures else None
+        self._winding, self._ending = Elapsed(self._clocks), None
+        self._root, self._view, self._shown = tree, TreeView(tree), None
+        self._touched, self._ticked_at = True, None
+        return True
 
-    def _not_at_rest(self, ending: Ending) -> Failure:
-        set_ = "was set" if self._halt.confirmed else "was asked for and not confirmed"
-        before = ending.failure
-        return Failure(
-            kind=FailureKind.HARDWARE_STOPPED,
-            message=(
-                f"after the task's end as {ending.state}, goals of skills did not come to rest within"
-                f" {REST_WITHIN:.0f} s; the hardware's stop {set_}"
-            ),
-            where=self._root.name,
-            evidence={"within_s": REST_WITHIN, "stop_confirmed": self._halt.confirmed},
-            causes=() if before is None else (before,),
-        )
+    def _watch_winding(self, since: Elapsed) -> None:
+        since.update()
+        if self._ending is None and since.beyond(WIND_DOWN_WITHIN, WIND_DOWN_WITHIN):
+            self._stop_tree()
+            self._end_with(self._as_failed(not_wound_down(self._root.name, WIND_DOWN_WITHIN)))
+
+    def _stop_hardware(self, stuck: tuple[AnyGoal, ...]) -> None:
+        if self._ending is None:
+            self._stop_tree()
+        self._halted = stuck
+        self._halt.set(f"the goals of {self.context.task} did not come to rest")
+
+    def _go_on_halting(self, stuck: tuple[AnyGoal, ...]) -> None:
+        if not self._halt.step():
+            return
+        if self._halt.confirmed:
+            self.context.clients.drop(stuck, "it did not come to rest; the hardware was stopped")
+        skills = (handle.action for handle in stuck)
+        confirmed, before = self._halt.confirmed, self._last_failure()
+        failure = not_at_rest(self._root.name, skills, REST_WITHIN, confirmed=confirmed, before=before)
+        self.ended = self._ending = Ending(TaskState.FAILED, failure)
+
+    def _lose_hardware(self, silent: float) -> None:
+        if self._ending is None:
+            self._stop_tree()
+        failure = hardware_lost(self._root.name, silent, before=self._last_failure())
+        self.ended = self._ending = Ending(TaskState.FAILED, failure)
+
+    def _last_failure(self) -> Failure | None:
+        return self.context.failure() if self._ending is None else self._ending.failure
 
     def _note_progress(self) -> None:
         told = self.context.progress
         done = self._ending is not None and self._ending.state is TaskState.SUCCEEDED
         fraction = 1.0 if done else max(told.fraction, self._progress.fraction)
         self._progress = Progress(phase=told.phase or self._progress.phase, fraction=fraction)
-
-    def _unsaid(self) -> Failure:
-        node = _deepest_failure(snapshot(self._root))
-        said = f": {node.message}" if node.message else ""
-        text = f"the tree failed without a reason, at {node.path}{said}"
-        return Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=node.path)
-
-
-def _deepest_failure(node: TreeNode) -> TreeNode:
-    failed = [child for child in node.children if child.status is NodeStatus.FAILURE]
-    return _deepest_failure(failed[-1]) if failed else node

@@ -9,12 +9,13 @@ import logging
 from collections.abc import Callable, Mapping
 from typing import Final
 
-from pydantic import ValidationError
-
 from executive.halt import Halt
+from executive.leftovers import Leftovers
+from executive.pictures import Album, Tries
 from executive.requests import Asked, Refused, read_request
 from executive.run import Run
 from executive.task_queue import TaskBook
+from executive.verbs import Verbs
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.failure import Failure, FailureKind
@@ -27,10 +28,12 @@ from skills.ports.tasks import (
     TASK_CANCEL,
     TASK_INFO,
     TASK_LIST,
+    TASK_PAUSE,
+    TASK_RESUME,
     TASK_STATUS,
+    TASK_STEP,
     TREE,
     TREE_NOW,
-    CancelTask,
     ControlAnswer,
     ExecutiveInfo,
     Problem,
@@ -88,11 +91,19 @@ class Executive:
         self._last_tree = TreeSnapshot(task="", kind="", tick=0, root=_NO_TREE)
         self._puts = bus.subscribe(REQUEST)
         self._asks = bus.serve(REQUEST)
-        self._cancels = bus.serve(TASK_CANCEL.key)
         self._lists = bus.serve(TASK_LIST.key)
         self._infos = bus.serve(TASK_INFO.key)
         self._trees = bus.serve(TREE_NOW.key)
-        self._desks = (self._asks, self._cancels, self._lists, self._infos, self._trees)
+        takes = {
+            TASK_CANCEL.key: self._cancel,
+            TASK_PAUSE.key: lambda task: self._hold(task, Run.pause),
+            TASK_RESUME.key: lambda task: self._hold(task, Run.resume),
+            TASK_STEP.key: lambda task: self._hold(task, Run.step_leaf),
+        }
+        self._verbs, self._album = Verbs(bus, takes), Album(bus)
+        self._desks = (self._asks, self._lists, self._infos, self._trees, self._verbs, self._album)
+        self._tries: list[Tries] = []  # of the running task, and of those before whose picture is under way
+        self._leftovers = Leftovers(bus, clocks, self.clients, self.knowledge)
         self._unread: list[tuple[bytes, Callable[[bytes], None] | None]] = []
         self._closed = False
         bus.announce(NAME)
@@ -110,10 +121,12 @@ class Executive:
     def step(self) -> bool:
         """Answer whoever asks, then move the running task on."""
         self._take_requests()
-        self._take_cancels()
+        self._verbs.step()
         self._move_on()
+        self._note_tries()
+        self._album.step()
         self._answer_questions()
-        next_one = self._running is None and bool(self.book.waiting) and self.clients.quiet
+        next_one = self._running is None and bool(self.book.waiting) and self._leftovers.none
         return bool(self._unread) or next_one
 
     def close(self) -> None:
@@ -156,49 +169,53 @@ class Executive:
             return TaskAnswer(accepted=False, problems=asked.problems, client_id=asked.client_id)
         return self.book.accept(asked, self._clocks.utc())
 
-    def _take_cancels(self) -> None:
-        for request in self._cancels.drain():
-            try:
-                task = TASK_CANCEL.asked.model_validate_json(request.payload)
-            except ValidationError:
-                answer = ControlAnswer(accepted=False, reason='a document {"task": "<id>"} was expected')
-            else:
-                answer = self._cancel(task)
-            request.reply(answer.model_dump_json().encode())
-
-    def _cancel(self, asked: CancelTask) -> ControlAnswer:
-        status = self.book.get(asked.task)
-        if status is None:
-            return ControlAnswer(accepted=False, reason=f"no task {asked.task[:80]!r} is known")
-        if status.state is TaskState.QUEUED:
-            self._withdraw(asked.task)
+    def _cancel(self, task: str) -> ControlAnswer:
+        status = self.book.get(task)
+        if status is not None and status.state is TaskState.QUEUED:
+            self._withdraw(task)
             return ControlAnswer(accepted=True)
-        run = self._running
-        if status.state.terminal or run is None:
-            return ControlAnswer(accepted=False, reason=f"the task has ended: {status.state}")
+        run = self._running_as(status, task)
+        if isinstance(run, ControlAnswer):
+            return run
         if run.ending is not None and not run.canceling:
             return ControlAnswer(accepted=False, reason=f"the task is about to end: {run.ending.state}")
         self._cancel_running(run)
         return ControlAnswer(accepted=True)
+
+    def _hold(self, task: str, verb: Callable[[Run], str]) -> ControlAnswer:
+        status = self.book.get(task)
+        if status is not None and status.state is TaskState.QUEUED:
+            return ControlAnswer(accepted=False, reason="the task has not begun")
+        run = self._running_as(status, task)
+        if isinstance(run, ControlAnswer):
+            return run
+        why = verb(run)
+        self._tell_progress(run)
+        return ControlAnswer(accepted=not why, reason=why)
+
+    def _running_as(self, status: TaskStatus | None, task: str) -> Run | ControlAnswer:
+        """Return the run of a task that has begun, or why there is none."""
+        if status is None:
+            return ControlAnswer(accepted=False, reason=f"no task {task[:80]!r} is known")
+        if status.state.terminal or self._running is None:
+            return ControlAnswer(accepted=False, reason=f"the task has ended: {status.state}")
+        return self._running
 
     def _withdraw(self, task: str) -> None:
         self.book.withdraw(task)
         self._tell(self.book.end(task, TaskState.CANCELED, self._clocks.robot()))
 
     def _cancel_running(self, run: Run) -> None:
-        if not run.canceling and run.ending is None:
-            run.cancel()
-            self._tell(self.book.cancel(run.context.task))
-            self._show(run)
+        run.cancel()
+        self._tell_progress(run)
+        self._show(run)
 
     # The running task.
 
     def _move_on(self) -> None:
         if self._running is None:
-            # What is left of the last task's goals: it must not move while the next one does.
-            self.clients.poll()
-            self.knowledge.refresh()
-            if self.clients.quiet:
+            self._leftovers.step()
+            if self._leftovers.none:
                 self._start_next()
         run = self._running
         if run is None:
@@ -209,6 +226,7 @@ class Executive:
         if run.ended is not None:
             self._running = None
             _LOG.info("%s: %s", run.context.task, run.ended.state)
+            self._note_tries()
             ended = self.book.end(run.context.task, run.ended.state, self._clocks.robot(), run.ended.failure)
             self._tell(ended)
 
@@ -230,6 +248,7 @@ class Executive:
     def _build(self, task: str, asked: Asked) -> Run:
         context = TreeContext(task, self.clients, self.knowledge, self._clocks)
         root = asked.kind.build(asked.request, context)
+        self._tries.append(Tries(self._bus, self._clocks, context, self._album))
         halt = Halt(self._bus, self._clocks)
         return Run(context, root, asked.kind.name, clocks=self._clocks, halt=halt)
 
@@ -239,8 +258,24 @@ class Executive:
 
     def _tell_progress(self, run: Run) -> None:
         status = self.book.get(run.context.task)
-        if status is not None and _worth_telling(status.progress, run.progress):
-            self._tell(self.book.progress(run.context.task, run.progress))
+        if status is None:
+            return
+        if status.state is not run.state or _worth_telling(status.progress, run.progress):
+            self._tell(self.book.move_on(run.context.task, run.state, run.progress))
+
+    def _note_tries(self) -> None:
+        for tries in self._tries:
+            if not tries.step():
+                continue
+            task = tries.context.task
+            status = self.book.get(task)
+            if status is not None:
+                # An ended task is told once; who asks for the list later sees the picture that came late.
+                status = self.book.tried(task, tries.tried)
+                if not status.state.terminal:
+                    self._tell(status)
+        running = None if self._running is None else self._running.context
+        self._tries = [each for each in self._tries if each.context is running or each.pending]
 
     def _show(self, run: Run) -> None:
         tree = run.changed_tree()

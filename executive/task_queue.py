@@ -8,7 +8,7 @@ from typing import Final
 from executive.requests import Asked
 from skills.ports.failure import Failure
 from skills.ports.message import RobotTime
-from skills.ports.tasks import Problem, Progress, TaskAnswer, TaskState, TaskStatus
+from skills.ports.tasks import Attempt, Problem, Progress, TaskAnswer, TaskState, TaskStatus
 
 MAX_WAITING: Final = 100
 """Tasks that may wait; one more is refused."""
@@ -103,13 +103,13 @@ class TaskBook:
         """Note that the task runs."""
         return self._change(task, {"state": TaskState.RUNNING, "started": now})
 
-    def cancel(self, task: str) -> TaskStatus:
-        """Note that the task is being cancelled."""
-        return self._change(task, {"state": TaskState.CANCELING})
+    def move_on(self, task: str, state: TaskState, progress: Progress) -> TaskStatus:
+        """Note where the task stands and how far it is."""
+        return self._change(task, {"state": state, "progress": progress})
 
-    def progress(self, task: str, progress: Progress) -> TaskStatus:
-        """Note how far the task is."""
-        return self._change(task, {"progress": progress})
+    def tried(self, task: str, tried: tuple[Attempt, ...]) -> TaskStatus:
+        """Note what went wrong so far."""
+        return self._change(task, {"tried": tried})
 
     def end(
         self, task: str, state: TaskState, now: RobotTime | None, failure: Failure | None = None

@@ -8,9 +8,18 @@ from skills.ports.actions.arm import ArmStatus, arm_status
 from skills.ports.bus import Bus, Pending
 from skills.ports.clocks import Clocks
 from skills.ports.hardware import RobotDescription, StopState
-from skills.ports.keys import DESCRIPTION, STOP_STATE, Latest, Nothing
+from skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, Latest, Nothing
 from skills.ports.site import Site
-from skills.ports.world import ROBOT_POSE, SIDES, WORLD, RobotPose, Side, WorldState
+from skills.ports.world import (
+    ROBOT_POSE,
+    SCENE,
+    SIDES,
+    WORLD,
+    PlanningScene,
+    RobotPose,
+    Side,
+    WorldState,
+)
 
 ASK_AGAIN: Final = 0.5
 """Host seconds between two questions for the robot's description."""
@@ -30,9 +39,12 @@ class Knowledge:
         self.description: RobotDescription | None = None
         self._bus, self._clocks = bus, clocks
         self._world = Latest(bus, WORLD)
+        self._scene = Latest(bus, SCENE, depth=4)
         self._robot = Latest(bus, ROBOT_POSE)
         self._stop = Latest(bus, STOP_STATE)
         self._arms = {side: Latest(bus, arm_status(f"arm_{side}")) for side in SIDES}
+        self._ticks = bus.subscribe(CLOCK.key, depth=1)
+        self._tick_heard_at: float | None = None
         self._asked: Pending | None = None
         self._asked_at = float("-inf")
 
@@ -42,6 +54,8 @@ class Knowledge:
         self._world.refresh()
         self._robot.refresh()
         self._stop.refresh()
+        if self._ticks.drain():
+            self._tick_heard_at = self._clocks.monotonic()
         for latest in self._arms.values():
             latest.refresh()
         if self.description is None:
@@ -52,6 +66,11 @@ class Knowledge:
     def world(self) -> WorldState | None:
         """The keeper's facts, or None before they came."""
         return self._world.value
+
+    @property
+    def scene(self) -> PlanningScene | None:
+        """What stands around, or None before it came; read when asked for, which is seldom."""
+        return self._scene.refresh()
 
     @property
     def robot(self) -> RobotPose | None:
@@ -67,6 +86,11 @@ class Knowledge:
     def stopped(self) -> StopState:
         """Whether the hardware's stop is set, and by whom."""
         return self._stop.value or StopState(stopped=False)
+
+    @property
+    def hardware_silent_for(self) -> float:
+        """Host seconds since the hardware's clock was heard; 0.0 when it never was: it isn't watched then."""
+        return 0.0 if self._tick_heard_at is None else self._clocks.monotonic() - self._tick_heard_at
 
     def arm(self, side: Side) -> ArmStatus | None:
         """Return what the arm tells, or None before it did."""
@@ -85,8 +109,10 @@ class Knowledge:
     def close(self) -> None:
         """End the subscriptions."""
         self._world.close()
+        self._scene.close()
         self._robot.close()
         self._stop.close()
+        self._ticks.close()
         for latest in self._arms.values():
             latest.close()
 

@@ -233,7 +233,7 @@ def test_a_skill_that_does_not_come_to_rest_has_the_hardware_stopped(
     assert last.failure.evidence["stop_confirmed"] is True
 
 
-def test_nothing_starts_before_the_last_tasks_goals_have_ended(here: Surroundings, skill: Skill) -> None:
+def stop_for_a_stuck_goal(here: Surroundings, skill: Skill, *, confirmed: bool) -> None:
     stop = here.bus.serve(STOP.key)
     task = here.ask(NUDGING).task
     skill.step()
@@ -241,15 +241,46 @@ def test_nothing_starts_before_the_last_tasks_goals_have_ended(here: Surrounding
     here.cancel(task)
     skill.step()
     here.step(1, seconds=REST_WITHIN + 1)
-    stop.drain()[0].reply(StopState(stopped=True).model_dump_json().encode())
+    stop.drain()[0].reply(StopState(stopped=confirmed).model_dump_json().encode())
     here.ask(WAIT)
+
+
+def test_after_a_confirmed_stop_a_stuck_goal_is_given_up_and_the_next_task_runs(
+    here: Surroundings, skill: Skill
+) -> None:
+    stop_for_a_stuck_goal(here, skill, confirmed=True)
     here.step(3)
+    skill.end(GoalState.SUCCEEDED)
+    here.world(1)
+    here.step(3)
+    assert [each for each in states(here) if each[1] in {"FAILED", "SUCCEEDED"}] == [
+        ("1", "FAILED"),
+        ("2", "SUCCEEDED"),
+    ]
+
+
+def test_nothing_starts_while_a_stuck_goal_may_still_move(here: Surroundings, skill: Skill) -> None:
+    stop_for_a_stuck_goal(here, skill, confirmed=False)
+    here.step(20, seconds=0.5)
     seen = states(here)
     assert ("1", "FAILED") in seen
     assert ("2", "RUNNING") not in seen
     skill.end(GoalState.CANCELED)
-    here.step()
+    here.step(2)
     assert ("2", "RUNNING") in states(here)
+
+
+def test_a_goal_that_ignores_its_time_out_has_the_hardware_stopped(here: Surroundings, skill: Skill) -> None:
+    stop = here.bus.serve(STOP.key)
+    here.ask(NUDGING)
+    for _ in range(round(NUDGE.timeout + REST_WITHIN) + 2):
+        skill.step()
+        here.step(1, seconds=1.0)
+        for request in stop.drain():
+            request.reply(StopState(stopped=True).model_dump_json().encode())
+    last = here.told()[-1]
+    assert (last.state, last.failure.kind) == (TaskState.FAILED, FailureKind.HARDWARE_STOPPED)
+    assert last.failure.evidence["skill"] == NUDGE.name
 
 
 def test_a_stop_that_nobody_confirms_is_said_to_be_unconfirmed(here: Surroundings, skill: Skill) -> None:

@@ -1,0 +1,84 @@
+"""How a task ends, and the words for ends that no tree can tell of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from py_trees.behaviour import Behaviour
+
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.tasks import NodeStatus, TaskState, TreeNode
+from trees.snapshot import snapshot
+
+
+@dataclass(frozen=True)
+class Ending:
+    """How a task ends, once its goals have."""
+
+    state: TaskState
+    failure: Failure | None = None
+
+
+def raised(root: Behaviour, error: Exception) -> Failure:
+    """Return the failure of a tree that raised: a mistake in the program."""
+    text = f"the tree raised {type(error).__name__}: {error}; the executive's log has the trace"
+    return Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=root.name)
+
+
+def unsaid(root: Behaviour) -> Failure:
+    """Return the failure of a tree that failed without a reason, by the node where it did."""
+    node = _deepest_failure(snapshot(root))
+    said = f": {node.message}" if node.message else ""
+    text = f"the tree failed without a reason, at {node.path}{said}"
+    return Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=node.path)
+
+
+def not_at_rest(
+    where: str, skills: Iterable[str], within: float, *, confirmed: bool, before: Failure | None
+) -> Failure:
+    """Return the failure of goals that did not come to rest. ``within``: robot seconds they had."""
+    names = ", ".join(sorted(set(skills))) or "a skill"
+    set_ = "was set" if confirmed else "was asked for and not confirmed"
+    return Failure(
+        kind=FailureKind.HARDWARE_STOPPED,
+        message=f"{names} did not come to rest within {within:.0f} s; the hardware's stop {set_}",
+        where=where,
+        evidence={"skill": names, "within_s": within, "stop_confirmed": confirmed},
+        causes=() if before is None else (before,),
+    )
+
+
+def hardware_lost(where: str, silent: float, *, before: Failure | None) -> Failure:
+    """Return the failure of hardware that has been silent for so many host seconds."""
+    return Failure(
+        kind=FailureKind.HARDWARE_LOST,
+        message=f"the hardware has been silent for {silent:.0f} s; where its parts are is not known",
+        where=where,
+        evidence={"silent_s": round(silent, 1)},
+        causes=() if before is None else (before,),
+    )
+
+
+def not_wound_down(where: str, seconds: float) -> Failure:
+    """Return the failure of what is done after a cancel and took too long; ``seconds`` of robot time."""
+    return Failure(
+        kind=FailureKind.TIMED_OUT,
+        message=f"what is done after a cancel did not end within {seconds:.0f} s",
+        where=where,
+        evidence={"within_s": seconds},
+    )
+
+
+def kept_from_winding_down(where: str, by: str) -> Failure:
+    """Return the failure of what is done after a cancel and could not be: the hardware's stop is set."""
+    return Failure(
+        kind=FailureKind.HARDWARE_STOPPED,
+        message=f"what is done after a cancel was left: the hardware's stop is set by {by or 'somebody'}",
+        where=where,
+    )
+
+
+def _deepest_failure(node: TreeNode) -> TreeNode:
+    failed = [child for child in node.children if child.status is NodeStatus.FAILURE]
+    return _deepest_failure(failed[-1]) if failed else node
