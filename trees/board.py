@@ -5,7 +5,7 @@ py_trees' own blackboard is one for the whole process and untyped; a task's boar
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from skills.ports.geometry import FloorPose, Pose
 from skills.ports.grasping import FINGER_ROOM, Grasp, Place, face_towards
@@ -35,6 +35,18 @@ class FetchBoard:
     grasp: Grasp | None = None
     places: tuple[Place, ...] = ()
     place: Place | None = None
+    allowed: tuple[Side, ...] = ()
+    """The arms that the request and the site allow, whatever has been tried since."""
+    avoid: list[FloorPose] = field(default_factory=list)
+    """Base poses that have been tried in vain."""
+    pitches_tried: list[float] = field(default_factory=list)
+    """Pitches (rad) of grasps that have failed."""
+    slots_taken: set[int] = field(default_factory=set)
+    """Slots on which something was found to stand."""
+    origin: Slot | None = None
+    """Where the item stood when it was picked up."""
+    putting_back: bool = False
+    """Whether the item goes back to where it stood."""
 
     def chosen_side(self) -> Side:
         """Return the arm; the request's leaves have bound it before anything moves."""
@@ -64,9 +76,16 @@ class FetchBoard:
         return known
 
     def chosen_slot(self, context: TreeContext) -> Slot:
-        """Return the slot; the request's leaves have bound it."""
+        """Return the slot, or where the item stood if it goes back; the request's leaves have bound it."""
+        if self.putting_back and self.origin is not None:
+            return self.origin
         assert self.slot is not None, "the request binds the slot first"
         return self.depot(context).slots[self.slot]
+
+    def forget_tries(self) -> None:
+        """Begin anew with all stands and grasps."""
+        self.avoid.clear()
+        self.pitches_tried.clear()
 
     def face_in_map(self, fact: ItemFact) -> Pose:
         """Return the tag on the face that the hand goes for."""

@@ -61,6 +61,10 @@ class Clients:
         for handle in handles:
             self._clients[handle.action].drop(handle, message)
 
+    def gone(self) -> tuple[str, ...]:
+        """Return the names of the actions used so far that nobody serves now."""
+        return tuple(name for name, client in self._clients.items() if not client.alive())
+
     def close(self) -> None:
         """End all subscriptions."""
         for client in self._clients.values():

@@ -11,13 +11,15 @@ from py_trees.decorators import Decorator
 
 from skills.ports.tasks import NodeStatus, TreeNode
 from trees.behaviours.check import Check
+from trees.behaviours.recovery import Recovery
 
-Kind = Literal["sequence", "selector", "parallel", "decorator", "condition", "action"]
+Kind = Literal["sequence", "selector", "parallel", "recovery", "decorator", "condition", "action"]
 
 _KINDS: Final[tuple[tuple[type[Behaviour], Kind], ...]] = (
     (Sequence, "sequence"),
     (Selector, "selector"),
     (Parallel, "parallel"),
+    (Recovery, "recovery"),
     (Decorator, "decorator"),
     (Check, "condition"),
 )

@@ -8,10 +8,26 @@ from typing import Final
 from skills.ports.tasks import NodeStatus, TreeNode
 
 KIND_SIGNS: Final = MappingProxyType(
-    {"sequence": "→", "selector": "?", "parallel": "⇉", "decorator": "δ", "condition": "◇", "action": "▢"}
+    {
+        "sequence": "→",
+        "selector": "?",
+        "parallel": "⇉",
+        "recovery": "↻",
+        "decorator": "δ",
+        "condition": "◇",
+        "action": "▢",
+    }
 )
 KIND_SIGNS_ASCII: Final = MappingProxyType(
-    {"sequence": "->", "selector": "?", "parallel": "=>", "decorator": "d", "condition": "<>", "action": "[]"}
+    {
+        "sequence": "->",
+        "selector": "?",
+        "parallel": "=>",
+        "recovery": "@",
+        "decorator": "d",
+        "condition": "<>",
+        "action": "[]",
+    }
 )
 STATUS_SIGNS: Final = MappingProxyType(
     {NodeStatus.INVALID: "·", NodeStatus.RUNNING: "▶", NodeStatus.SUCCESS: "✓", NodeStatus.FAILURE: "✗"}
@@ -42,6 +58,7 @@ EDGES: Final = MappingProxyType(
         "sequence": "#3d5a80",
         "selector": "#b5651d",
         "parallel": "#6b4c9a",
+        "recovery": "#b0562c",
         "decorator": "#7a7a7a",
         "condition": "#2a7f6f",
         "action": "#444444",

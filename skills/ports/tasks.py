@@ -137,7 +137,7 @@ class TreeNode(Message):
 
     path: str
     name: str
-    kind: Literal["sequence", "selector", "parallel", "decorator", "condition", "action"]
+    kind: Literal["sequence", "selector", "parallel", "recovery", "decorator", "condition", "action"]
     type: str
     """The class of the behaviour."""
     status: NodeStatus = NodeStatus.INVALID

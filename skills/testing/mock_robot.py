@@ -45,18 +45,22 @@ from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.geometry import IDENTITY, FloorPose, Pose, wrap
 from skills.ports.keys import DESCRIPTION
-from skills.ports.message import Message, RobotTime
+from skills.ports.message import Message, RobotTime, Vector3
 from skills.ports.node import Node
 from skills.ports.site import Site
 from skills.ports.skill import ActionType, Outcome, succeeded
 from skills.ports.world import (
     ROBOT_POSE,
+    SCENE,
     SIDES,
     WORLD,
+    Box,
     HeldItem,
     ItemFact,
     Placed,
+    PlanningScene,
     RobotPose,
+    SceneObject,
     Side,
     Sighting,
     WorldState,
@@ -111,9 +115,12 @@ class MockRobot:
         self._description = mock_description()
         self._desk = bus.serve(DESCRIPTION.key)
         self._faults: dict[str, dict[int, Fault]] = {}
+        self.leaf_faults: dict[str | tuple[str, int], Fault] = {}
+        """Faults by the leaf that sent the goal, at each of its attempts or at one (1 is the first)."""
         self.calls: list[tuple[str, Message]] = []
         """Each goal that was run, with its action's name, in order."""
         self._nodes: list[Node] = []
+        self._clutter: tuple[SceneObject, ...] = ()
         self._told = False
         self._serve(LOOK, LookFeedback(pictures=0, seen=()), self._look)
         base = FloorPose(x=0.0, y=0.0, yaw=0.0)
@@ -152,6 +159,8 @@ class MockRobot:
         """Publish all beliefs."""
         stamp = self._clocks.robot() or self.world.stamp
         WORLD.publish(self._bus, self.world)
+        scene = PlanningScene(stamp=stamp, version=self.world.version, objects=self._clutter)
+        SCENE.publish(self._bus, scene)
         pose = RobotPose(
             stamp=stamp,
             localised=self.localised,
@@ -180,9 +189,27 @@ class MockRobot:
             return outcome
 
         faults = self._faults.setdefault(action.name, {})
-        skill = MockSkill(action, self._clocks, idle, recorded, self._duration, faults)
+        skill = MockSkill(action, self._clocks, idle, recorded, self._duration, faults, self._fault_of)
         skill.calls = _Recorded(self.calls, action.name)
         self._nodes.append(ActionServer(self._bus, self._clocks, skill))
+
+    def _fault_of(self, goal_id: str) -> Fault | None:
+        _, _, rest = goal_id.partition("/")
+        leaf, _, attempt = rest.rpartition("/")
+        return self.leaf_faults.get((leaf, int(attempt))) or self.leaf_faults.get(leaf)
+
+    def drop(self, side: Side) -> None:
+        """Let what the hand holds fall where nobody sees it happen: the keeper learns from the hand."""
+        item, self.hands[side] = self.hands[side], None
+        held = tuple(hand for hand in self.world.held if hand.side != side)
+        self.believe(held=held, items=tuple(fact for fact in self.world.items if fact.item != item))
+
+    def put_in(self, slot: Vector3, name: str = "clutter_1") -> None:
+        """Have something untagged stand at a point of the map (m)."""
+        x, y, z = slot
+        box = Box(size=(0.08, 0.08, 0.12), pose=Pose(position=(x, y, z + 0.06)))
+        self._clutter = (*self._clutter, SceneObject(name=name, kind="clutter", box=box))
+        self.tell()
 
     def _serve_side(self, side: Side) -> None:
         self._serve(
@@ -265,9 +292,11 @@ class MockRobot:
             held.pop(goal.item, None)
             if goal.depot is not None and goal.slot is not None:
                 placed[goal.item] = Placed(item=goal.item, depot=goal.depot, slot=goal.slot)
+        forgotten = goal.item if goal.edit is SceneEdit.FORGET else None
         items = tuple(
             fact.model_copy(update={"held": held[fact.item].side if fact.item in held else None})
             for fact in self.world.items
+            if fact.item != forgotten
         )
         self.believe(items=items, held=tuple(held.values()), placed=tuple(placed.values()))
         return succeeded(EditResult(version=self.world.version))

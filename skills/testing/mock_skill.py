@@ -25,6 +25,10 @@ class Fault:
     refuses: bool = False
 
 
+def _none(_: str) -> Fault | None:
+    return None
+
+
 @dataclass(eq=False)
 class MockSkill(Generic[G, F, R]):
     """Fulfils an action's contract by ``effect``; meets the same contract suite as a real skill.
@@ -36,6 +40,7 @@ class MockSkill(Generic[G, F, R]):
         effect: does what the skill would do to the world, and returns its outcome.
         duration: robot seconds that it takes.
         faults: what to do instead, by the number of the call (1 is the first).
+        fault_of: what to do instead, by the goal's id; asked when there is none by the number.
     """
 
     action: ActionType[G, F, R]
@@ -44,6 +49,7 @@ class MockSkill(Generic[G, F, R]):
     effect: Callable[[G], Outcome[R]]
     duration: float = 0.0
     faults: dict[int, Fault] = field(default_factory=dict)
+    fault_of: Callable[[str], Fault | None] = _none
     period: float = 0.01
     calls: list[G] = field(default_factory=list)
 
@@ -55,10 +61,10 @@ class MockSkill(Generic[G, F, R]):
             return fault.failure
         return None
 
-    def run(self, goal: G, goal_id: str) -> Run[F, R]:  # noqa: ARG002 - the port hands it in
+    def run(self, goal: G, goal_id: str) -> Run[F, R]:
         """Wait the duration, then answer."""
         self.calls.append(goal)
-        fault = self.faults.get(len(self.calls), Fault())
+        fault = self.faults.get(len(self.calls)) or self.fault_of(goal_id) or Fault()
         until = robot_seconds(self.clocks) + self.duration + fault.late
         while fault.hangs or robot_seconds(self.clocks) < until:
             command = yield self.idle

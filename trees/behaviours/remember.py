@@ -7,13 +7,16 @@ from py_trees.common import Status
 from py_trees.composites import Sequence
 from py_trees.decorators import Decorator
 
+from trees.context import TreeContext
+
 
 class Remember(Decorator):
-    """SUCCESS when its child has ended, however it did; ``verdict`` keeps how."""
+    """SUCCESS when its child has ended, however it did; ``verdict`` keeps how, the context keeps why."""
 
-    def __init__(self, name: str, child: Behaviour) -> None:
+    def __init__(self, name: str, context: TreeContext, child: Behaviour) -> None:
         """Decorate ``child``."""
         super().__init__(name, child)
+        self._context = context
         self.verdict = Status.INVALID
 
     def initialise(self) -> None:
@@ -26,6 +29,8 @@ class Remember(Decorator):
         if self.decorated.status is Status.RUNNING:
             return Status.RUNNING
         self.verdict = self.decorated.status
+        if self.verdict is Status.FAILURE:
+            self._context.verdict = self._context.last_failure()
         return Status.SUCCESS
 
 
@@ -43,12 +48,12 @@ class Verdict(Behaviour):
         return self._remembered.verdict
 
 
-def afterwards(name: str, main: Behaviour, finally_: Behaviour) -> Sequence:
+def afterwards(name: str, context: TreeContext, main: Behaviour, finally_: Behaviour) -> Sequence:
     """Return a sequence that runs ``main``, then ``finally_`` in any case, and ends as ``main`` did.
 
     It fails too when ``finally_`` fails.
     """
-    remembered = Remember(f"{name}: try", main)
+    remembered = Remember(f"{name}: try", context, main)
     return Sequence(
         name, memory=True, children=[remembered, finally_, Verdict(f"{name}: verdict", remembered)]
     )

@@ -13,7 +13,10 @@ from trees.context import TreeContext
 
 
 class WaitFor(Behaviour):
-    """RUNNING until ``holds``, at most ``patience`` robot seconds; then FAILURE with ``otherwise``."""
+    """RUNNING until ``holds``, at most ``patience`` robot seconds; then FAILURE with ``otherwise``.
+
+    It takes ``at_least`` so many robot seconds.
+    """
 
     def __init__(
         self,
@@ -23,11 +26,12 @@ class WaitFor(Behaviour):
         otherwise: Callable[[], Failure],
         *,
         patience: float,
+        at_least: float = 0.0,
     ) -> None:
         """See the class."""
         super().__init__(name)
         self._context, self._holds, self._otherwise, self._patience = context, holds, otherwise, patience
-        self._since = 0.0
+        self._since, self._at_least = 0.0, at_least
         self.failure: Failure | None = None
 
     def initialise(self) -> None:
@@ -36,12 +40,13 @@ class WaitFor(Behaviour):
 
     def update(self) -> Status:
         """Ask, and watch the time."""
-        if self._holds():
+        waited = robot_seconds(self._context.clocks) - self._since
+        if waited >= self._at_least and self._holds():
             self.feedback_message = "yes"
             return Status.SUCCESS
         self.failure = self._otherwise()
         self.feedback_message = self.failure.message
-        if robot_seconds(self._context.clocks) - self._since < self._patience:
+        if waited < max(self._patience, self._at_least):
             return Status.RUNNING
         self._context.failed(self.failure)
         return Status.FAILURE

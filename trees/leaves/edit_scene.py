@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
+from skills.ports.failure import Failure
+from skills.ports.geometry import compose
+from skills.ports.site import Slot
 from trees.behaviours.act import Act
 from trees.board import FetchBoard
 from trees.context import TreeContext
@@ -28,7 +31,14 @@ def attach(context: TreeContext, board: FetchBoard) -> Edit:
             item_in_tool=board.chosen_grasp().item_in_tool,
         )
 
-    return _edit("attach", context, goal)
+    def note(_: EditResult) -> None:
+        # The hand goes to the item's middle; it stands half its height below.
+        x, y, z = compose(board.chosen_grasp().grasp, board.chosen_grasp().item_in_tool).position
+        bottom = (x, y, z - board.site_item(context).size[2] / 2.0)
+        board.origin = Slot(position=bottom, facing=board.facing or 0.0)
+        board.forget_tries()
+
+    return _edit("attach", context, goal, note)
 
 
 def detach(context: TreeContext, board: FetchBoard) -> Edit:
@@ -40,8 +50,8 @@ def detach(context: TreeContext, board: FetchBoard) -> Edit:
             item=board.item,
             side=board.chosen_side(),
             item_in_map=board.chosen_place().item_in_map,
-            depot=board.destination,
-            slot=board.slot,
+            depot=None if board.putting_back else board.destination,
+            slot=None if board.putting_back else board.slot,
         )
 
     return _edit("detach", context, goal)
@@ -52,9 +62,27 @@ def remove_from_scene(context: TreeContext, board: FetchBoard) -> Edit:
     return _edit("remove from scene", context, lambda: EditGoal(edit=SceneEdit.REMOVE, item=board.item))
 
 
-def _edit(name: str, context: TreeContext, goal: Callable[[], EditGoal]) -> Edit:
+def forget(name: str, context: TreeContext, board: FetchBoard) -> Edit:
+    """Return the leaf: where the item stands is not believed any more."""
+    return _edit(name, context, lambda: EditGoal(edit=SceneEdit.FORGET, item=board.item))
+
+
+def _nothing(_: EditResult) -> None:
+    """Note nothing."""
+
+
+def _edit(
+    name: str,
+    context: TreeContext,
+    goal: Callable[[], EditGoal],
+    note: Callable[[EditResult], None] = _nothing,
+) -> Edit:
     def believed(result: EditResult) -> bool:
         world = context.knowledge.world
         return world is not None and world.version >= result.version
 
-    return Act(name, context, EDIT, goal, believed=believed)
+    def judge(result: EditResult) -> Failure | None:
+        note(result)
+        return None
+
+    return Act(name, context, EDIT, goal, believed=believed, judge=judge)

@@ -7,6 +7,8 @@ from trees.behaviours.act import Act
 from trees.context import TreeContext
 
 
-def localise(context: TreeContext) -> Act[LocaliseGoal, LocaliseFeedback, LocaliseResult]:
+def localise(
+    context: TreeContext, name: str = "localise"
+) -> Act[LocaliseGoal, LocaliseFeedback, LocaliseResult]:
     """Return the leaf; the start pose is nobody's to know beforehand, so there is no hint."""
-    return Act("localise", context, LOCALISE, LocaliseGoal, resources=("base",))
+    return Act(name, context, LOCALISE, LocaliseGoal, resources=("base",))

@@ -22,14 +22,14 @@ def look_closely(
     def goal() -> LookGoal | Failure:
         fact = board.fact(context)
         if fact is None:
-            return Failure(kind=FailureKind.ITEM_NOT_FOUND, message=f"item {board.item} has not been seen")
+            return Failure(kind=FailureKind.ITEM_GONE, message=f"item {board.item} has not been seen")
         return LookGoal(at=fact.tag_in_map.position, pictures=PICTURES, clutter=True)
 
     def judge(result: LookResult) -> Failure | None:
         if any(sighting.item == board.item for sighting in result.sightings):
             return None
         return Failure(
-            kind=FailureKind.ITEM_NOT_FOUND,
+            kind=FailureKind.ITEM_GONE,
             message=f"item {board.item} is not where it was seen before",
             evidence={"item": board.item, "pictures": PICTURES},
         )

@@ -12,13 +12,14 @@ from trees.context import TreeContext
 from trees.leaves.move_hand import move_hand
 
 
-def grasp_candidates(tag_in_map: Pose, depth: float) -> tuple[Candidate, ...]:
-    """Return the ways to grasp an item ``depth`` metres thick: one for each pitch of the hand."""
-    return tuple(_candidate(each) for each in _grasps(tag_in_map, depth))
+def grasp_candidates(board: FetchBoard, tag_in_map: Pose, depth: float) -> tuple[Candidate, ...]:
+    """Return the ways to grasp an item ``depth`` metres thick: one for each pitch that has not failed."""
+    return tuple(_candidate(each) for each in _grasps(board, tag_in_map, depth))
 
 
-def _grasps(tag_in_map: Pose, depth: float) -> tuple[Grasp, ...]:
-    return tuple(grasp(tag_in_map, depth, pitch) for pitch in PITCHES)
+def _grasps(board: FetchBoard, tag_in_map: Pose, depth: float) -> tuple[Grasp, ...]:
+    untried = [pitch for pitch in PITCHES if pitch not in board.pitches_tried]
+    return tuple(grasp(tag_in_map, depth, pitch) for pitch in untried or PITCHES)
 
 
 def _candidate(way: Grasp) -> Candidate:
@@ -31,10 +32,8 @@ def pre_grasp(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeed
     def goal() -> MoveGoal | Failure:
         fact = board.fact(context)
         if fact is None or fact.held is not None:
-            return Failure(
-                kind=FailureKind.ITEM_NOT_FOUND, message=f"item {board.item} is not known to stand"
-            )
-        board.grasps = _grasps(board.face_in_map(fact), fact.size[0])
+            return Failure(kind=FailureKind.ITEM_GONE, message=f"item {board.item} is not known to stand")
+        board.grasps = _grasps(board, board.face_in_map(fact), fact.size[0])
         return MoveGoal(
             candidates=tuple(_candidate(each) for each in board.grasps),
             touch_item=board.item,

@@ -10,7 +10,7 @@ from skills.ports.actions.arm import Candidate, SurveyFeedback, SurveyGoal, Surv
 from skills.ports.actions.base import ARM_MARGIN
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.floor_plan import FloorPlan
-from skills.ports.geometry import FloorPose
+from skills.ports.geometry import FloorPose, floor_distance, wrap
 from skills.ports.world import Side
 from trees.behaviours.act import Act
 from trees.board import FetchBoard
@@ -33,6 +33,10 @@ class Reach:
 
 ENOUGH: Final = 4
 """Stands among which the base may choose the one it gets to."""
+SAME_STAND: Final = 0.04
+"""Metres within which two base poses are one stand; so far the distances that are offered lie apart."""
+SAME_YAW: Final = 0.1
+"""Radians, the same for headings."""
 
 
 def survey_stands(
@@ -43,9 +47,10 @@ def survey_stands(
     reach: Callable[[], Reach | Failure],
     *,
     touch_support: bool = False,
+    unreachable: FailureKind = FailureKind.ITEM_UNREACHABLE,
     here_first: bool = False,
 ) -> Act[SurveyGoal, SurveyFeedback, SurveyResult]:
-    """Return the leaf: SUCCESS binds the arm and the base poses from which it reaches.
+    """Return the leaf: SUCCESS binds the arm and the base poses from which it reaches, none tried in vain.
 
     ``reach`` says which poses are worth a look, and what is to be done. With ``here_first`` the
     place where the robot stands comes before them, and suffices.
@@ -54,16 +59,14 @@ def survey_stands(
     facing: list[float | None] = [None]
 
     def goal() -> SurveyGoal | Failure:
-        if side not in board.sides:
-            return Failure(kind=FailureKind.INVALID_GOAL, message=f"the {side} arm is not to be used")
         found = reach()
         if isinstance(found, Failure):
             return found
         facing[0] = found.facing
         here = _here(context) if here_first else ()
-        asked[:] = [*here, *_where_there_is_room(context, found.bases)]
+        asked[:] = _untried(board, [*here, *_where_there_is_room(context, found.bases)])
         if not asked:
-            return Failure(kind=FailureKind.BASE_NO_PATH, message="nowhere near is room for the base")
+            return Failure(kind=FailureKind.BASE_NO_PATH, message="nowhere near is untried room for the base")
         return SurveyGoal(
             bases=tuple(asked),
             candidates=found.candidates,
@@ -76,7 +79,7 @@ def survey_stands(
     def judge(result: SurveyResult) -> Failure | None:
         if not result.bases:
             return Failure(
-                kind=FailureKind.ITEM_UNREACHABLE,
+                kind=unreachable,
                 message=f"the {side} arm reaches from none of {len(asked)} base poses",
                 evidence={"side": side, "bases": len(asked)},
             )
@@ -85,6 +88,14 @@ def survey_stands(
         return None
 
     return Act(name, context, survey(f"arm_{side}"), goal, judge=judge)
+
+
+def _untried(board: FetchBoard, bases: list[FloorPose]) -> list[FloorPose]:
+    return [base for base in bases if not any(_same(base, tried) for tried in board.avoid)]
+
+
+def _same(one: FloorPose, other: FloorPose) -> bool:
+    return floor_distance(one, other) < SAME_STAND and abs(wrap(one.yaw - other.yaw)) < SAME_YAW
 
 
 def _here(context: TreeContext) -> tuple[FloorPose, ...]:

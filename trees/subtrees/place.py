@@ -1,43 +1,85 @@
-"""Put the item down in its slot of the depot: document 000, III-D.2, Fig. 7, eq. 3."""
+"""Put the item down in its slot of the depot: document 000, III-D.2, Fig. 7, eq. 3.
+
+While it is carried the hand is watched: when the item is lost, what is under way is stopped. The base's
+recovery is the paper's (000, III-A.4): the distance to the goal is changed, at most twice.
+"""
 
 from __future__ import annotations
 
+from typing import Final
+
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
+from py_trees.decorators import FailureIsSuccess
 
 from skills.ports.actions.gripper import Grip, GripGoal
-from skills.ports.failure import Failure
+from skills.ports.failure import Failure, FailureKind
 from skills.ports.grasping import proximity_poses
 from skills.ports.world import Side
+from trees.behaviours.decide import Decide
+from trees.behaviours.guarded import Guarded
+from trees.behaviours.recovery import Recovery, Rung
 from trees.board import FetchBoard
+from trees.conditions.kinds.another_slot_helps import another_slot_helps
+from trees.conditions.kinds.another_stand_helps import another_stand_helps
+from trees.conditions.kinds.trying_again_helps import trying_again_helps
 from trees.context import TreeContext
+from trees.leaves.bind_slot import bind_slot
 from trees.leaves.edit_scene import detach, remove_from_scene
 from trees.leaves.grip import grip_with
 from trees.leaves.look_at_slot import look_at_slot
 from trees.leaves.place_above import place_above, place_candidates, ways_to_place
 from trees.leaves.put_down import put_down
+from trees.leaves.slot_is_free import slot_is_free
 from trees.leaves.survey import Reach
 from trees.leaves.withdraw import withdraw
-from trees.subtrees.home import tuck
+from trees.subtrees.home import free_and_tuck, home
+from trees.subtrees.rungs import another_way, localise_again, wait_back
 from trees.subtrees.stand import stand_near, unknown
+
+WITHIN: Final = 300.0
+"""Robot seconds after which nothing is tried again."""
+LEAVE_WITHIN: Final = 120.0
+STANDS: Final = 2
+STARTS: Final = 1
+SLOTS: Final = 4
+LEAVES: Final = 2
 
 
 def place(context: TreeContext, board: FetchBoard) -> Behaviour:
     """Return the subtree: SUCCESS when the item lies in its slot and the hand is closed and tucked in."""
-    return Sequence(
-        "place item",
-        memory=True,
-        children=[
-            approach_slot(context, board),
-            place_above(context, board),
-            put_down(context, board),
-            grip_with("let go", context, board, lambda: GripGoal(grip=Grip.OPEN)),
-            detach(context, board),
-            withdraw(context, board),
-            grip_with("close empty", context, board, lambda: GripGoal(grip=Grip.CLOSE)),
-            remove_from_scene(context, board),
-            tuck(context, "after place"),
-        ],
+    carry = Guarded(
+        "while the item is in the hand",
+        context,
+        Sequence(
+            "bring item to slot",
+            memory=True,
+            children=[
+                approach_slot(context, board),
+                slot_is_free(context, board),
+                place_above(context, board),
+                put_down(context, board),
+            ],
+        ),
+        holds=lambda: _in_hand(context, board),
+        otherwise=lambda: _lost(board),
+    )
+    rungs = (
+        wait_back("place", context),
+        localise_again("place", context),
+        another_way("place", context, board),
+        Rung("place: another slot", another_slot_helps, SLOTS, _another_slot(context, board)),
+        Rung("place: another stand", another_stand_helps, STANDS, _another_stand(context, board)),
+        Rung("place: begin from home", another_stand_helps, STARTS, _from_home(context, board)),
+    )
+    main = Sequence("place item", memory=True, children=[carry, _leave_item(context, board)])
+    return Recovery(
+        "get rid of item",
+        context,
+        main,
+        rungs,
+        within=WITHIN,
+        conclude=lambda failure: _unreachable(board, failure),
     )
 
 
@@ -58,5 +100,104 @@ def approach_slot(context: TreeContext, board: FetchBoard) -> Behaviour:
         board,
         reach,
         touch_support=True,
+        unreachable=FailureKind.DESTINATION_UNREACHABLE,
         look=lambda name: look_at_slot(name, context, board),
+    )
+
+
+def _leave_item(context: TreeContext, board: FetchBoard) -> Behaviour:
+    """Let go and draw back; each step may be done again without harm."""
+    main = Sequence(
+        "leave item",
+        memory=True,
+        children=[
+            grip_with("let go", context, board, lambda: GripGoal(grip=Grip.OPEN)),
+            detach(context, board),
+            withdraw(context, board),
+            grip_with("close empty", context, board, lambda: GripGoal(grip=Grip.CLOSE)),
+            remove_from_scene(context, board),
+            free_and_tuck(context, "after place"),
+        ],
+    )
+    rungs = (
+        wait_back("leave", context),
+        Rung("leave: once more", trying_again_helps, LEAVES, free_and_tuck(context, "leave: draw back")),
+    )
+    return Recovery("get away from item", context, main, rungs, within=LEAVE_WITHIN)
+
+
+def _another_slot(context: TreeContext, board: FetchBoard) -> Behaviour:
+    def note() -> str:
+        if board.slot is not None:
+            board.slots_taken.add(board.slot)
+        board.avoid.clear()
+        return f"taken: {', '.join(str(slot) for slot in sorted(board.slots_taken))}"
+
+    return Sequence(
+        "place: take another slot",
+        memory=True,
+        children=[
+            free_and_tuck(context, "place: before another slot"),
+            Decide("place: note the slot is taken", context, note),
+            bind_slot("place: bind another slot", context, board),
+        ],
+    )
+
+
+def _another_stand(context: TreeContext, board: FetchBoard) -> Behaviour:
+    def note() -> str:
+        if context.knowledge.robot is not None:
+            board.avoid.append(context.knowledge.robot.base_in_map)
+        return f"{len(board.avoid)} stands are not tried again"
+
+    return Sequence(
+        "place: from another stand",
+        memory=True,
+        children=[
+            free_and_tuck(context, "place: before another stand"),
+            Decide("place: avoid this stand", context, note),
+        ],
+    )
+
+
+def _from_home(context: TreeContext, board: FetchBoard) -> Behaviour:
+    def note() -> str:
+        board.avoid.clear()
+        return "all stands are tried again"
+
+    return Sequence(
+        "place: from home",
+        memory=True,
+        children=[
+            FailureIsSuccess("place: home if there is a way", home(context, "place: home")),
+            Decide("place: begin anew", context, note),
+        ],
+    )
+
+
+def _in_hand(context: TreeContext, board: FetchBoard) -> bool:
+    """Say whether the item is believed to be in the hand; what is not known yet is not lost."""
+    world = context.knowledge.world
+    held = None if world is None else world.in_hand(board.chosen_side())
+    return world is None or (held is not None and held.item == board.item)
+
+
+def _lost(board: FetchBoard) -> Failure:
+    return Failure(
+        kind=FailureKind.GRASP_LOST,
+        message=f"item {board.item} is no longer in the {board.chosen_side()} hand",
+        evidence={"item": board.item, "side": board.chosen_side()},
+    )
+
+
+def _unreachable(board: FetchBoard, failure: Failure) -> Failure:
+    """Return what is told when all that helps an arm with the item in the hand has been tried."""
+    if failure.kind is FailureKind.DESTINATION_UNREACHABLE or not another_stand_helps(failure):
+        return failure
+    return Failure(
+        kind=FailureKind.DESTINATION_UNREACHABLE,
+        message=f"item {board.item} could not be put down; the last was {failure.kind}",
+        where=failure.where,
+        evidence=failure.evidence,
+        causes=(failure,),
     )

@@ -10,25 +10,47 @@ from py_trees.composites import Selector, Sequence
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.world import WorldState
 from trees.behaviours.decide import Decide
+from trees.behaviours.recovery import Recovery, Rung
 from trees.behaviours.wait_for import WaitFor
 from trees.board import FetchBoard
+from trees.conditions.kinds.localising_helps import localising_helps
 from trees.conditions.localised import localised
 from trees.context import TreeContext
+from trees.leaves.bind_slot import bind_slot
 from trees.leaves.localise import localise
+from trees.subtrees.rungs import a_moment, wait_back
 
+WITHIN: Final = 120.0
+"""Robot seconds after which localising is not tried again."""
 PATIENCE: Final = 10.0
 """Robot seconds to wait for skills that have not been heard yet."""
-SLOT_TAKEN: Final = 0.10
-"""Metres around a slot within which an item seen there takes it."""
+LOCALISES: Final = 2
+"""How often it is tried again to find out where the robot is, before anything moves."""
 
 
 def request(context: TreeContext, board: FetchBoard) -> Behaviour:
     """Return the subtree."""
-    where = Selector("know where I am", memory=True, children=[localised(context), localise(context)])
+    where = Selector(
+        "know where I am",
+        memory=True,
+        children=[
+            localised(context),
+            Recovery(
+                "get localised",
+                context,
+                localise(context),
+                (
+                    wait_back("request", context),
+                    Rung("request: once more", localising_helps, LOCALISES, a_moment("request", context)),
+                ),
+                within=WITHIN,
+            ),
+        ],
+    )
     return Sequence(
         "take up request",
         memory=True,
-        children=[_ready(context), _bind_arm(context, board), _bind_slot(context, board), where],
+        children=[_ready(context), _bind_arm(context, board), bind_slot("bind slot", context, board), where],
     )
 
 
@@ -49,54 +71,20 @@ def _ready(context: TreeContext) -> WaitFor:
 def _bind_arm(context: TreeContext, board: FetchBoard) -> Decide:
     def decide() -> str | Failure:
         world = context.knowledge.world or _nothing()
-        holding = next((hand.side for hand in world.held if hand.item == board.item), None)
-        if holding is not None:
-            board.side, board.sides = holding, (holding,)
-            return f"the {holding} hand holds item {board.item} already"
         hands = board.site_item(context).hands
         wanted = (board.wanted_arm,) if board.wanted_arm is not None else hands
+        holding = next((hand.side for hand in world.held if hand.item == board.item), None)
+        if holding is not None:
+            board.side, board.sides, board.allowed = holding, (holding,), wanted
+            return f"the {holding} hand holds item {board.item} already"
         free = tuple(side for side in wanted if world.in_hand(side) is None)
         if not free:
             held = ", ".join(f"{hand.side}: item {hand.item}" for hand in world.held)
             return Failure(kind=FailureKind.HAND_FULL, message=f"no free hand for item {board.item} ({held})")
-        board.side, board.sides = free[0], free
+        board.side, board.sides, board.allowed = free[0], free, free
         return f"{' or '.join(free)} arm for item {board.item}"
 
     return Decide("bind arm", context, decide)
-
-
-def _bind_slot(context: TreeContext, board: FetchBoard) -> Decide:
-    def decide() -> str | Failure:
-        world = context.knowledge.world or _nothing()
-        mine = [p.slot for p in world.placed if p.item == board.item and p.depot == board.destination]
-        if mine:
-            board.slot = mine[0]
-            return f"item {board.item} lies in slot {board.slot} of {board.destination}"
-        free = free_slots(context, board, world)
-        if not free:
-            return Failure(
-                kind=FailureKind.DESTINATION_FULL,
-                message=f"no slot of {board.destination} is free",
-                evidence={"slots": len(board.depot(context).slots)},
-            )
-        board.slot = free[0]
-        return f"slot {board.slot} of {board.destination}"
-
-    return Decide("bind slot", context, decide)
-
-
-def free_slots(context: TreeContext, board: FetchBoard, world: WorldState) -> list[int]:
-    """Return the indices of the destination's slots on which no item is known to stand."""
-    taken = {each.slot for each in world.placed if each.depot == board.destination}
-    standing = [fact.tag_in_map.position for fact in world.items if fact.held is None]
-    return [
-        index
-        for index, slot in enumerate(board.depot(context).slots)
-        if index not in taken
-        and all(
-            (x - slot.position[0]) ** 2 + (y - slot.position[1]) ** 2 > SLOT_TAKEN**2 for x, y, _ in standing
-        )
-    ]
 
 
 def _nothing() -> WorldState:

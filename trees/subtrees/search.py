@@ -8,18 +8,20 @@ from __future__ import annotations
 
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
-from py_trees.decorators import Retry
 
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import FloorPose
+from trees.behaviours.again import Again
+from trees.behaviours.check import Check
 from trees.behaviours.decide import Decide
 from trees.board import FetchBoard
 from trees.conditions.item_located import item_located
+from trees.conditions.kinds.unseen import unseen
 from trees.context import TreeContext
 from trees.leaves.drive import drive
 from trees.leaves.look import look
 from trees.leaves.turn import turn
-from trees.subtrees.home import tuck
+from trees.subtrees.home import free_and_tuck
 
 TURNS = 12
 """Turns of 30 degrees make 360."""
@@ -27,8 +29,9 @@ TURNS = 12
 
 def search(context: TreeContext, board: FetchBoard) -> Behaviour:
     """Return the subtree: SUCCESS when it is known where the item is."""
-    spots = Retry(
+    spots = Again(
         "every spot",
+        context,
         Sequence(
             "search a spot",
             memory=True,
@@ -38,17 +41,23 @@ def search(context: TreeContext, board: FetchBoard) -> Behaviour:
                 _around(context, board, "at spot"),
             ],
         ),
-        num_failures=len(context.site.spots),
+        len(context.site.spots),
+        unseen,
     )
     here = Sequence(
         "search from here",
         memory=True,
-        children=[tuck(context, "before search"), _around(context, board, "here")],
+        children=[free_and_tuck(context, "before search"), _around(context, board, "here")],
     )
     return Selector(
         "find item",
         memory=True,
-        children=[item_located(context, board), here, spots, _not_found(context, board)],
+        children=[
+            item_located(context, board),
+            here,
+            Sequence("search elsewhere", memory=True, children=[_only_unseen("here", context), spots]),
+            _not_found(context, board),
+        ],
     )
 
 
@@ -61,8 +70,23 @@ def _around(context: TreeContext, board: FetchBoard, where: str) -> Behaviour:
     return Selector(
         f"look around {where}",
         memory=True,
-        children=[look(f"look {where}", context, board), Retry(f"up to 360 degrees {where}", again, TURNS)],
+        children=[
+            look(f"look {where}", context, board),
+            Sequence(
+                f"look all around {where}",
+                memory=True,
+                children=[
+                    _only_unseen(f"ahead {where}", context),
+                    Again(f"up to 360 degrees {where}", context, again, TURNS, unseen),
+                ],
+            ),
+        ],
     )
+
+
+def _only_unseen(where: str, context: TreeContext) -> Check:
+    """Return the condition that lets a search go on: a silent camera sees it nowhere."""
+    return Check(f"only not seen {where}?", lambda: unseen(context.last_failure()))
 
 
 def _next_spot(context: TreeContext, board: FetchBoard) -> Decide:
@@ -85,6 +109,9 @@ def _not_found(context: TreeContext, board: FetchBoard) -> Decide:
     spots = len(context.site.spots)
 
     def decide() -> str | Failure:
+        last = context.last_failure()
+        if not unseen(last):
+            return last
         return Failure(
             kind=FailureKind.ITEM_NOT_FOUND,
             message=f"item {board.item} was seen neither here nor from any of the {spots} spots",

@@ -14,6 +14,7 @@ from py_trees.composites import Selector, Sequence
 
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.world import SIDES, Side
+from trees.behaviours.check import Check
 from trees.board import FetchBoard
 from trees.conditions.at_pose import at_any
 from trees.context import TreeContext
@@ -33,6 +34,7 @@ def stand_near(
     *,
     faces: tuple[int, ...] = (0,),
     touch_support: bool = False,
+    unreachable: FailureKind = FailureKind.ITEM_UNREACHABLE,
     look: Callable[[str], Behaviour] | None = None,
 ) -> Behaviour:
     """Return the subtree: SUCCESS when the base stands where the arm reaches.
@@ -43,11 +45,20 @@ def stand_near(
         board: gets the arm and the stands.
         reach: for a side and a face, the base poses worth a look and what the hand shall do there.
         faces: the faces of the item to go for, in quarter turns from the one that is seen.
+        unreachable: the kind of failure when no arm reaches.
         touch_support: whether what is held will touch what it is put on.
         look: makes the leaf that looks closely from there; what it shows may ask for another face, arm or
             stand, so the survey is made once more, with the place where the robot stands first.
     """
-    go = partial(_go, context=context, board=board, reach=reach, faces=faces, touch_support=touch_support)
+    go = partial(
+        _go,
+        context=context,
+        board=board,
+        reach=reach,
+        faces=faces,
+        touch_support=touch_support,
+        unreachable=unreachable,
+    )
     if look is None:
         return go(what)
     return Sequence(
@@ -69,19 +80,28 @@ def _go(
     reach: Callable[[Side, int], Reach | Failure],
     faces: tuple[int, ...],
     touch_support: bool,
+    unreachable: FailureKind,
     here_first: bool = False,
     then: Behaviour | None = None,
 ) -> Behaviour:
     """Survey with each arm and face, and drive unless the robot is there; ``then`` comes after driving."""
     surveys = [
-        survey_stands(
-            f"survey {what}, {side} arm{FACES[turns]}",
-            context,
-            board,
-            side,
-            partial(reach, side, turns),
-            touch_support=touch_support,
-            here_first=here_first,
+        Sequence(
+            f"with {side} arm{FACES[turns]} to {what}",
+            memory=True,
+            children=[
+                Check(f"{side} arm{FACES[turns]} may be used for {what}?", partial(_may_use, board, side)),
+                survey_stands(
+                    f"survey {what}, {side} arm{FACES[turns]}",
+                    context,
+                    board,
+                    side,
+                    partial(reach, side, turns),
+                    touch_support=touch_support,
+                    unreachable=unreachable,
+                    here_first=here_first,
+                ),
+            ],
         )
         for turns in faces
         for side in SIDES
@@ -111,6 +131,10 @@ def _go(
     )
 
 
+def _may_use(board: FetchBoard, side: Side) -> bool:
+    return side in board.sides
+
+
 def unknown(item: int) -> Failure:
     """Return the failure of a tree that was sent to an item nobody has seen."""
-    return Failure(kind=FailureKind.ITEM_NOT_FOUND, message=f"item {item} has not been seen")
+    return Failure(kind=FailureKind.ITEM_GONE, message=f"item {item} has not been seen")

@@ -6,7 +6,7 @@ picks up where the world is.
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Final, Literal
 
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
@@ -16,18 +16,26 @@ from skills.ports.message import Message
 from skills.ports.site import Site
 from skills.ports.tasks import Problem
 from skills.ports.world import Side
+from trees.behaviours.decide import Decide
 from trees.behaviours.phase import Phase
+from trees.behaviours.recovery import Recovery, Rung
 from trees.behaviours.remember import afterwards
 from trees.board import FetchBoard
-from trees.conditions.item_held import item_held
+from trees.closing import where_all_is
 from trees.conditions.item_placed import item_placed
+from trees.conditions.kinds.fetching_again_helps import fetching_again_helps
 from trees.context import TreeContext
-from trees.subtrees.home import home
-from trees.subtrees.pick import pick
+from trees.subtrees.get_item import get_item
+from trees.subtrees.home import home_at_last
 from trees.subtrees.place import place
+from trees.subtrees.put_back import put_back
 from trees.subtrees.request import request
-from trees.subtrees.search import search
 from trees.task import TaskType
+
+DROPS: Final = 2
+"""How often an item that has fallen is fetched again."""
+WITHIN: Final = 900.0
+"""Robot seconds after which it is not."""
 
 
 class FetchRequest(Message):
@@ -37,6 +45,10 @@ class FetchRequest(Message):
     item: Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
     to: Annotated[str, Field(max_length=64, description="name of the depot")] = "depot"
     arm: Annotated[Side | None, Field(description="which arm; the robot chooses unless given")] = None
+    on_cancel: Annotated[
+        Literal["hold", "put_down"],
+        Field(description="with the item in the hand: keep it there, or put it back to where it stood"),
+    ] = "hold"
 
 
 def problems(asked: FetchRequest, site: Site) -> tuple[Problem, ...]:
@@ -61,21 +73,9 @@ def problems(asked: FetchRequest, site: Site) -> tuple[Problem, ...]:
 def build(asked: FetchRequest, context: TreeContext) -> Behaviour:
     """Return the tree of one fetch."""
     board = FetchBoard(item=asked.item, destination=asked.to, wanted_arm=asked.arm)
-    in_hand = Selector(
-        "item in hand",
-        memory=True,
-        children=[
-            item_held(context, board),
-            Sequence(
-                "get item",
-                memory=True,
-                children=[
-                    Phase("search", context, search(context, board), begins=0.05, ends=0.30),
-                    Phase("pick", context, pick(context, board), begins=0.30, ends=0.60),
-                ],
-            ),
-        ],
-    )
+    context.closing = lambda: where_all_is(context, board)
+    if asked.on_cancel == "put_down":
+        context.wind_down = put_back(context, board)
     delivered = Selector(
         "item delivered",
         memory=True,
@@ -85,7 +85,7 @@ def build(asked: FetchRequest, context: TreeContext) -> Behaviour:
                 "deliver item",
                 memory=True,
                 children=[
-                    in_hand,
+                    get_item(context, board),
                     Phase("place", context, place(context, board), begins=0.60, ends=0.90),
                 ],
             ),
@@ -98,11 +98,30 @@ def build(asked: FetchRequest, context: TreeContext) -> Behaviour:
             Phase("request", context, request(context, board), begins=0.0, ends=0.05),
             afterwards(
                 "deliver and go home",
-                delivered,
-                Phase("home", context, home(context), begins=0.90, ends=1.0),
+                context,
+                Recovery(
+                    "deliver, whatever falls",
+                    context,
+                    delivered,
+                    (Rung("fetch it again", fetching_again_helps, DROPS, _again(context, board)),),
+                    within=WITHIN,
+                ),
+                Phase("home", context, home_at_last(context), begins=0.90, ends=1.0),
             ),
         ],
     )
+
+
+def _again(context: TreeContext, board: FetchBoard) -> Decide:
+    """Begin anew with any arm that is allowed: the item has fallen, and lies nobody knows where."""
+
+    def decide() -> str:
+        board.forget_tries()
+        board.grasp, board.place = None, None
+        board.sides = board.allowed
+        return f"{' or '.join(board.sides)} arm"
+
+    return Decide("begin the fetch anew", context, decide)
 
 
 TASK = TaskType(

@@ -1,0 +1,157 @@
+"""Try; when it fails, repair what the failure's kind says may be repaired, and try again."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.composites import Composite, Sequence
+
+from skills.ports.clocks import robot_seconds
+from skills.ports.failure import Failure
+from trees.behaviours.check import Check
+from trees.context import TreeContext
+
+
+@dataclass(frozen=True)
+class Rung:
+    """One recovery: for which failures, how often at the most, and what it does.
+
+    Args:
+        name: unique in the tree; what people read: "go home and search again".
+        helps: a condition over the failure (``trees/conditions/kinds``).
+        times: how often, before the recovery begins anew from outside.
+        repair: what is done; when it fails, the next rung is asked.
+    """
+
+    name: str
+    helps: Callable[[Failure], bool]
+    times: int
+    repair: Behaviour
+
+
+class Allowance(Behaviour):
+    """SUCCESS as long as there are tries left, and takes one; keeps in the context that it was taken."""
+
+    def __init__(self, name: str, context: TreeContext, rung: str, times: int) -> None:
+        """``times``: tries until ``reset``."""
+        super().__init__(name)
+        self._context, self._rung, self._times = context, rung, times
+        self.taken = 0
+
+    def reset(self) -> None:
+        """Begin anew."""
+        self.taken = 0
+
+    def update(self) -> Status:
+        """Take one."""
+        if self.taken >= self._times:
+            self.feedback_message = f"tried {self.taken} times"
+            return Status.FAILURE
+        self.taken += 1
+        self._context.recovering(self._rung, self.taken)
+        self.feedback_message = f"{self.taken} of {self._times}"
+        return Status.SUCCESS
+
+
+class Recovery(Composite):
+    """Ticks ``main``; each time it fails, the first rung that takes the failure and then ``main`` again.
+
+    FAILURE when no rung takes it, or ``within`` robot seconds have passed: then the failure of main, as
+    ``conclude`` puts it, is the last one that the context keeps.
+
+    Args:
+        name: unique in the tree.
+        context: keeps the failures.
+        main: what is tried; begins anew after each repair, so it asks first what is done already.
+        rungs: from cheap to dear.
+        within: robot seconds after which nothing is repaired any more.
+        conclude: makes of main's failure what is told when it is given up.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        context: TreeContext,
+        main: Behaviour,
+        rungs: tuple[Rung, ...],
+        *,
+        within: float,
+        conclude: Callable[[Failure], Failure] = lambda failure: failure,
+    ) -> None:
+        self._context, self._within, self._conclude = context, within, conclude
+        self._failure: Failure | None = None
+        self._allowances = [
+            Allowance(f"{rung.name}: at most {rung.times}", context, rung.name, rung.times) for rung in rungs
+        ]
+        self._at, self._since = 0, 0.0
+        super().__init__(name, [main, *map(self._rung, rungs, self._allowances)])
+
+    def initialise(self) -> None:
+        """Begin with main and with all tries."""
+        self._at, self._since, self._failure = 0, robot_seconds(self._context.clocks), None
+        for allowance in self._allowances:
+            allowance.reset()
+
+    def tick(self) -> Iterator[Behaviour]:
+        """Tick main, or the rung that is at work."""
+        if self.status is not Status.RUNNING:
+            self.initialise()
+            for each in self.children:
+                if each.status is not Status.INVALID:
+                    each.stop(Status.INVALID)
+        while True:
+            child = self.current_child = self.children[self._at]
+            yield from child.tick()
+            status = self._after(child.status)
+            if status is None:
+                continue
+            if status is Status.RUNNING:
+                self.status = status
+            else:
+                self.stop(status)
+            yield self
+            return
+
+    def _after(self, status: Status) -> Status | None:
+        """Return the status after a child's, None when the next child's turn is at once."""
+        if status is Status.RUNNING:
+            return status
+        if self._at == 0:
+            return self._after_main(status)
+        if status is Status.SUCCESS:
+            self._at = 0
+            return Status.RUNNING
+        return self._next()
+
+    def _after_main(self, status: Status) -> Status | None:
+        if status is Status.SUCCESS:
+            self.feedback_message = ""
+            return status
+        self._failure = self._context.last_failure()
+        self.feedback_message = f"{self._failure.kind}: {self._failure.message}"
+        self._context.attempted(self._failure)
+        if robot_seconds(self._context.clocks) - self._since > self._within:
+            return self._give_up(self._failure)
+        return self._next()
+
+    def _next(self) -> Status | None:
+        self._at += 1
+        if self._at < len(self.children):
+            return None
+        assert self._failure is not None, "main has failed"
+        return self._give_up(self._failure)
+
+    def _give_up(self, failure: Failure) -> Status:
+        self._context.failed(self._conclude(failure))
+        return Status.FAILURE
+
+    def _rung(self, rung: Rung, allowance: Allowance) -> Behaviour:
+        def takes() -> bool:
+            return self._failure is not None and rung.helps(self._failure)
+
+        return Sequence(
+            rung.name, memory=True, children=[Check(f"{rung.name}?", takes), allowance, rung.repair]
+        )

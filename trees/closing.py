@@ -1,0 +1,40 @@
+"""Where everything is at a task's end: what an operator asks first when it has failed."""
+
+from __future__ import annotations
+
+from skills.ports.world import SIDES
+from trees.board import FetchBoard
+from trees.conditions.arm_tucked import tucked
+from trees.conditions.at_pose import near
+from trees.context import TreeContext
+
+
+def where_all_is(context: TreeContext, board: FetchBoard) -> dict[str, str]:
+    """Return where robot and item are, in words, as far as anybody knows."""
+    return {"robot_is": _robot(context), "item_is": _item(context, board)}
+
+
+def _robot(context: TreeContext) -> str:
+    robot = context.knowledge.robot
+    out = [side for side in SIDES if not tucked(context, side)]
+    arms = "" if not out else f", {' and '.join(out)} arm not tucked in"
+    if robot is None or not robot.localised:
+        return f"nobody knows where{arms}"
+    if near(context, context.site.home):
+        return f"at home{arms}"
+    pose = robot.base_in_map
+    return f"at ({pose.x:.2f}, {pose.y:.2f}) m in the map{arms}"
+
+
+def _item(context: TreeContext, board: FetchBoard) -> str:
+    world, fact = context.knowledge.world, board.fact(context)
+    for hand in () if world is None else world.held:
+        if hand.item == board.item:
+            return f"in the {hand.side} hand"
+    for placed in () if world is None else world.placed:
+        if placed.item == board.item:
+            return f"in slot {placed.slot} of {placed.depot}"
+    if fact is None:
+        return "nobody knows where"
+    x, y, z = fact.tag_in_map.position
+    return f"last seen at ({x:.2f}, {y:.2f}, {z:.2f}) m in the map"

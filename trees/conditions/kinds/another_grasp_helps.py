@@ -1,0 +1,25 @@
+"""Would it help to draw back and grasp another way? The paper's failures of the arm (000, III-A.4)."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from skills.ports.failure import Failure, FailureKind
+
+KINDS: Final = frozenset(
+    (
+        FailureKind.NO_IK,
+        FailureKind.NO_PATH,
+        FailureKind.PATH_IN_COLLISION,
+        FailureKind.ARM_STOPPED,
+        FailureKind.ARM_OFF_GOAL,
+        FailureKind.GRASP_EMPTY,
+        FailureKind.GRASP_LOST,
+        FailureKind.GRIPPER_STUCK,
+    )
+)
+
+
+def another_grasp_helps(failure: Failure) -> bool:
+    """Say whether the arm or its gripper failed."""
+    return failure.kind in KINDS

@@ -1,0 +1,27 @@
+"""Would it help to go home and search anew? The paper's recovery of the arm (000, III-A.4)."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from skills.ports.failure import Failure, FailureKind
+
+KINDS: Final = frozenset(
+    (
+        FailureKind.NO_IK,
+        FailureKind.NO_PATH,
+        FailureKind.PATH_IN_COLLISION,
+        FailureKind.ARM_STOPPED,
+        FailureKind.ARM_OFF_GOAL,
+        FailureKind.GRASP_EMPTY,
+        FailureKind.GRASP_LOST,
+        FailureKind.GRIPPER_STUCK,
+        FailureKind.ITEM_GONE,
+        FailureKind.ITEM_UNREACHABLE,
+    )
+)
+
+
+def searching_again_helps(failure: Failure) -> bool:
+    """Say whether the item's pose or the approach may have been wrong."""
+    return failure.kind in KINDS

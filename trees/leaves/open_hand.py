@@ -1,0 +1,13 @@
+"""Open a hand, whatever it was at."""
+
+from __future__ import annotations
+
+from skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
+from skills.ports.world import Side
+from trees.behaviours.act import Act
+from trees.context import TreeContext
+
+
+def open_hand(name: str, context: TreeContext, side: Side) -> Act[GripGoal, GripFeedback, GripResult]:
+    """Return the leaf."""
+    return Act(name, context, grip(side), lambda: GripGoal(grip=Grip.OPEN), resources=(f"gripper_{side}",))

@@ -1,0 +1,46 @@
+"""Is the slot free, now that it has been looked at?"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.geometry import invert, transform
+from skills.ports.message import Vector3
+from skills.ports.world import Box
+from trees.behaviours.decide import Decide
+from trees.board import FetchBoard
+from trees.context import TreeContext
+
+ROOM: Final = 0.02
+"""Metres between what is put down and what stands beside it, in plan."""
+ABOVE: Final = 0.01
+"""Metres above the slot from which on something stands on it: lower is the depot's own top."""
+
+
+def slot_is_free(context: TreeContext, board: FetchBoard) -> Decide:
+    """Return the leaf: SLOT_TAKEN when an item or clutter stands where the item would be put."""
+
+    def decide() -> str | Failure:
+        slot, size = board.chosen_slot(context), board.site_item(context).size
+        around = max(size[0], size[1]) / 2.0 + ROOM
+        scene = context.knowledge.scene
+        for thing in () if scene is None else scene.objects:
+            loose = thing.kind != "furniture" and thing.attached_to is None and thing.item != board.item
+            if loose and _covers(thing.box, slot.position, around):
+                return Failure(
+                    kind=FailureKind.SLOT_TAKEN,
+                    message=f"{thing.name} stands in slot {board.slot} of {board.destination}",
+                    evidence={"thing": thing.name, "slot": -1 if board.slot is None else board.slot},
+                )
+        return "nothing stands there"
+
+    return Decide("slot is free", context, decide)
+
+
+def _covers(box: Box, point: Vector3, around: float) -> bool:
+    """Say whether the box comes within ``around`` metres of the point in plan, and rises above it."""
+    x, y, _ = transform(invert(box.pose), point)
+    height = box.pose.position[2] + box.size[2] / 2.0 - point[2]
+    within = abs(x) < box.size[0] / 2.0 + around and abs(y) < box.size[1] / 2.0 + around
+    return within and height > ABOVE and box.pose.position[2] - box.size[2] / 2.0 < point[2] + 0.5

@@ -1,0 +1,121 @@
+"""Get the item into a hand, with the paper's recoveries of arm and base: document 000, III-A.4, Fig. 4.
+
+The arm fails: first the cheap ways (another grasp, another stand at the same place), then HOME, a new search,
+a new estimate of the tag, at most twice; then the item is unreachable. The base fails: the
+distance to the goal is changed, at most twice.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Selector, Sequence
+from py_trees.decorators import FailureIsSuccess
+
+from skills.ports.failure import Failure, FailureKind
+from trees.behaviours.decide import Decide
+from trees.behaviours.phase import Phase
+from trees.behaviours.recovery import Recovery, Rung
+from trees.board import FetchBoard
+from trees.conditions.item_held import item_held
+from trees.conditions.kinds.another_grasp_helps import another_grasp_helps
+from trees.conditions.kinds.looking_again_helps import looking_again_helps
+from trees.conditions.kinds.searching_again_helps import searching_again_helps
+from trees.context import TreeContext
+from trees.leaves.edit_scene import forget
+from trees.subtrees.home import free_and_tuck, home
+from trees.subtrees.pick import pick
+from trees.subtrees.rungs import another_way, localise_again, wait_back
+from trees.subtrees.search import search
+
+WITHIN: Final = 420.0
+"""Robot seconds after which nothing is tried again."""
+LOOKS: Final = 2
+GRASPS: Final = 2
+SEARCHES: Final = 2
+"""At most twice (000, III-A.4)."""
+
+
+def get_item(context: TreeContext, board: FetchBoard) -> Behaviour:
+    """Return the subtree: SUCCESS when the item is in a hand."""
+    main = Selector(
+        "item in hand",
+        memory=True,
+        children=[
+            item_held(context, board),
+            Sequence(
+                "find and pick",
+                memory=True,
+                children=[
+                    Phase("search", context, search(context, board), begins=0.05, ends=0.30),
+                    Phase("pick", context, pick(context, board), begins=0.30, ends=0.60),
+                ],
+            ),
+        ],
+    )
+    rungs = (
+        wait_back("get", context),
+        localise_again("get", context),
+        another_way("get", context, board),
+        Rung("get: look around again", looking_again_helps, LOOKS, forget("get: forget it", context, board)),
+        Rung("get: grasp another way", another_grasp_helps, GRASPS, _another_grasp(context, board)),
+        Rung("get: go home and search again", searching_again_helps, SEARCHES, _from_home(context, board)),
+    )
+    return Recovery(
+        "get item", context, main, rungs, within=WITHIN, conclude=lambda failure: _unreachable(board, failure)
+    )
+
+
+def _another_grasp(context: TreeContext, board: FetchBoard) -> Behaviour:
+    """Draw back; the grasp that failed is not tried again, and the second time the stand neither."""
+
+    def decide() -> str:
+        if board.grasp is not None and board.grasp.pitch not in board.pitches_tried:
+            board.pitches_tried.append(board.grasp.pitch)
+        elif context.knowledge.robot is not None:
+            board.avoid.append(context.knowledge.robot.base_in_map)
+        return f"{len(board.pitches_tried)} grasps and {len(board.avoid)} stands are not tried again"
+
+    return Sequence(
+        "get: draw back",
+        memory=True,
+        children=[
+            free_and_tuck(context, "get: draw back"),
+            Decide("get: avoid this grasp", context, decide),
+        ],
+    )
+
+
+def _from_home(context: TreeContext, board: FetchBoard) -> Behaviour:
+    """Go home if there is a way, and forget all that was believed of the item; prefer the other arm."""
+
+    def decide() -> str:
+        board.forget_tries()
+        board.grasp = None
+        others = tuple(side for side in board.allowed if side != board.side)
+        board.sides = (*others, *(side for side in board.allowed if side == board.side))
+        return f"{' or '.join(board.sides)} arm"
+
+    return Sequence(
+        "get: from home",
+        memory=True,
+        children=[
+            FailureIsSuccess("get: home if there is a way", home(context, "get: home")),
+            forget("get: forget where it is", context, board),
+            Decide("get: begin anew", context, decide),
+        ],
+    )
+
+
+def _unreachable(board: FetchBoard, failure: Failure) -> Failure:
+    """Return what is told when all that helps an arm has been tried."""
+    if failure.kind is FailureKind.ITEM_UNREACHABLE or not searching_again_helps(failure):
+        return failure
+    return Failure(
+        kind=FailureKind.ITEM_UNREACHABLE,
+        message=f"item {board.item} could not be picked up, whatever was tried; the last was {failure.kind}",
+        where=failure.where,
+        evidence=failure.evidence,
+        causes=(failure,),
+    )

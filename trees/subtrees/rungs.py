@@ -1,0 +1,101 @@
+"""Recoveries that several parts of a task share, from cheap to dear; ``where`` makes their names unique."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+
+from skills.ports.failure import Failure, FailureKind
+from trees.behaviours.decide import Decide
+from trees.behaviours.recovery import Rung
+from trees.behaviours.wait_for import WaitFor
+from trees.board import FetchBoard
+from trees.conditions.kinds.another_way_helps import another_way_helps
+from trees.conditions.kinds.localising_helps import localising_helps
+from trees.conditions.kinds.waiting_helps import waiting_helps
+from trees.context import TreeContext
+from trees.leaves.localise import localise
+
+WAITS: Final = 4
+BACK_WITHIN: Final = 30.0
+"""Robot seconds in which a skill that is gone must be back."""
+A_MOMENT: Final = 1.0
+"""Robot seconds that are waited in any case: what passes by itself takes a while."""
+LOCALISES: Final = 2
+WAYS: Final = 2
+"""How often the distance to a goal is changed (000, III-A.4)."""
+LET_PASS: Final = 2.0
+"""Robot seconds in which whoever stands in the way may leave."""
+
+
+def wait_back(where: str, context: TreeContext, times: int = WAITS) -> Rung:
+    """Return the recovery "wait until all skills are there": for what passes by itself."""
+
+    def otherwise() -> Failure:
+        gone = ", ".join(context.clients.gone())
+        return Failure(
+            kind=FailureKind.SKILL_LOST,
+            message=f"nobody serves {gone}, not even after {BACK_WITHIN:.0f} s",
+            evidence={"waited_s": BACK_WITHIN},
+        )
+
+    repair = WaitFor(
+        f"{where}: all skills are there",
+        context,
+        lambda: not context.clients.gone(),
+        otherwise,
+        patience=BACK_WITHIN,
+        at_least=A_MOMENT,
+    )
+    return Rung(f"{where}: wait until it is back", waiting_helps, times, repair)
+
+
+def localise_again(where: str, context: TreeContext, times: int = LOCALISES) -> Rung:
+    """Return the recovery "find out anew where the robot is"."""
+    repair = localise(context, f"{where}: localise anew")
+    return Rung(f"{where}: find out where I am", localising_helps, times, repair)
+
+
+def let_pass(where: str, context: TreeContext, *, seconds: float, times: int) -> Rung:
+    """Return the recovery "wait, and take the same way": for goals that have no other."""
+    return Rung(
+        f"{where}: let them pass",
+        another_way_helps,
+        times,
+        _pause(f"{where}: wait for them", context, seconds),
+    )
+
+
+def another_way(where: str, context: TreeContext, board: FetchBoard, times: int = WAYS) -> Rung:
+    """Return the recovery "wait a little, then change the distance to the goal" (000, III-A.4).
+
+    What failed is not tried again, so the survey offers stands at other distances and angles.
+    """
+
+    def decide() -> str:
+        board.avoid.extend(board.stands)
+        return f"{len(board.avoid)} base poses are not tried again"
+
+    repair = Sequence(
+        f"{where}: change the distance",
+        memory=True,
+        children=[
+            _pause(f"{where}: wait for them", context, LET_PASS),
+            Decide(f"{where}: avoid these stands", context, decide),
+        ],
+    )
+    return Rung(f"{where}: another way", another_way_helps, times, repair)
+
+
+def a_moment(where: str, context: TreeContext) -> Behaviour:
+    """Return a repair that does nothing but wait a moment: what failed is just tried again."""
+    return _pause(f"{where}: a moment", context, A_MOMENT)
+
+
+def _pause(name: str, context: TreeContext, seconds: float) -> Behaviour:
+    def waits() -> Failure:
+        return Failure(kind=FailureKind.TIMED_OUT, message=f"waits {seconds:.0f} s")
+
+    return WaitFor(name, context, lambda: True, waits, patience=seconds, at_least=seconds)
