@@ -124,3 +124,12 @@ class Odometer:
         )
         self.linear = way / period
         self.angular = turn / period
+
+    def jump(self, dx: float, dy: float, dyaw: float) -> None:
+        """Step aside without having moved: metres ahead and to the left, rad to the left."""
+        c, s = math.cos(self.pose.yaw), math.sin(self.pose.yaw)
+        self.pose = FloorPose(
+            x=self.pose.x + c * dx - s * dy,
+            y=self.pose.y + s * dx + c * dy,
+            yaw=wrap(self.pose.yaw + dyaw),
+        )

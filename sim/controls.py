@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Annotated, Final, Protocol, TypeVar
 
 from pydantic import Field, ValidationError
 
+from sim.faults import Fault, FaultEvent, FaultRequest
 from sim.scenario import Scenario, ScenarioError
 from sim.scene import item_body, obstacle_body
 from sim.things import Name, Obstacle, TrueItem
 from sim.truth import TRUTH, read_truth
 from skills.ports.geometry import Pose
 from skills.ports.hardware import Answer
-from skills.ports.keys import Service
+from skills.ports.keys import Service, Topic
 from skills.ports.message import MAX_REQUEST_BYTES, Message, RobotTime, Vector3
 
 if TYPE_CHECKING:
@@ -66,6 +67,9 @@ PLACE_ITEM: Final = Service("sim/place/item", TrueItem, Answer)
 PLACE_OBSTACLE: Final = Service("sim/place/obstacle", Obstacle, Answer)
 MOVE: Final = Service("sim/move", MoveRequest, Answer)
 REMOVE: Final = Service("sim/remove", RemoveRequest, Answer)
+FAULT: Final = Service("sim/fault", FaultRequest, Answer)
+FAULTS: Final = Topic("sim/faults", FaultEvent)
+"""What began, ended or could not be made, as it does."""
 PHOTOGRAPH: Final = "sim/photograph"
 """Asked with a PhotographRequest as JSON; answered with a PNG, or an Answer as JSON when it is refused."""
 
@@ -88,16 +92,26 @@ class Controls:
         robot: whose true pose is told.
         studio: makes the photographs.
         reset: begins the sim anew; it calls ``restart`` here with the new world and robot.
+        fault: has a fault happen, or says why not.
     """
 
     def __init__(
-        self, bus: Bus, site: Site, world: World, robot: RobotBody, studio: Studio, *, reset: Resetter
+        self,
+        bus: Bus,
+        site: Site,
+        world: World,
+        robot: RobotBody,
+        studio: Studio,
+        *,
+        reset: Resetter,
+        fault: Callable[[Fault], Answer],
     ) -> None:
         self._site = site
         self._world = world
         self._robot = robot
         self._studio = studio
         self._reset = reset
+        self._fault = fault
         self._photographs: list[tuple[int, Request]] = []
         self._truth: Desk = bus.serve(TRUTH.key)
         self._photograph: Desk = bus.serve(PHOTOGRAPH)
@@ -109,6 +123,7 @@ class Controls:
                 (PLACE_OBSTACLE, self._on_place_obstacle),
                 (MOVE, self._on_move),
                 (REMOVE, self._on_remove),
+                (FAULT, self._on_fault),
             )
         ]
 
@@ -177,6 +192,9 @@ class Controls:
     def _on_remove(self, payload: bytes) -> Answer:
         self._world.remove(self._known(_parse(RemoveRequest, payload).name))
         return Answer(accepted=True)
+
+    def _on_fault(self, payload: bytes) -> Answer:
+        return self._fault(_parse(FaultRequest, payload).fault)
 
     def _known(self, name: str) -> str:
         movable = self._world.movable()

@@ -28,8 +28,8 @@ PARCEL: Final = BoxShape(size=(0.07, 0.07, 0.07))
 class _Event(Message):
     """Something that the sim sees happen; ``after`` robot seconds later the fault begins.
 
-    ``nth``: which time it happens, counted from the robot's boot or, for a fault that is asked for, from then;
-    1 is the first.
+    ``nth``: which time it happens since the boot or, for a fault that is asked for, since then; 1 is the
+    first.
     """
 
     after: Seconds = 0.0
@@ -157,7 +157,7 @@ class GripperWeak(_Lasting):
 
     kind: Literal["gripper_weak"] = "gripper_weak"
     side: Side | None = None
-    force: Share = 0.05
+    force: Share = 0.02
 
 
 class HandOpens(_Lasting):

@@ -88,22 +88,21 @@ class Hardware:
         self._tick = 0
         self._period = description.period
         self._physics_steps = round(description.period / body.physics.time_step)
+        self.description = description
         self._description = description.model_dump_json().encode()
         self._sensors = tuple(sensors)
         self.base = BasePart(self._bus, body, noise=noise, rng=rng)
-        self._parts = [
-            *(GroupPart(self._bus, body, group) for group in description.groups),
-            *(
-                HandPart(self._bus, body, hand, description.end_effector(hand.side))
-                for hand in body.model.hands
-            ),
-            self.base,
-        ]
+        self.groups = {group.name: GroupPart(self._bus, body, group) for group in description.groups}
+        self.hands = {
+            hand.side: HandPart(self._bus, body, hand, description.end_effector(hand.side))
+            for hand in body.model.hands
+        }
+        self._parts = [*self.groups.values(), *self.hands.values(), self.base]
         self._joints = tuple(
             [joint for group in description.groups for joint in group.joints]
             + [joint for effector in description.end_effectors for joint in effector.gripper.joints]
         )
-        self._set_stop(StopState(stopped=False))
+        self.set_stop(StopState(stopped=False))
 
     @property
     def now(self) -> RobotTime:
@@ -136,17 +135,18 @@ class Hardware:
             except ValidationError:
                 # Better a stop without a name than none.
                 stop = Stop(by="unknown", reason="a stop that could not be read")
-            self._set_stop(StopState(stopped=True, by=stop.by, reason=stop.reason))
+            self.set_stop(StopState(stopped=True, by=stop.by, reason=stop.reason))
             request.reply(self.stop_state.model_dump_json().encode())
         for request in self._release.drain():
-            self._set_stop(StopState(stopped=False))
+            self.set_stop(StopState(stopped=False))
             request.reply(self.stop_state.model_dump_json().encode())
         for request in self._describe.drain():
             request.reply(self._description)
         for part in self._parts:
             part.listen(stopped=self.stop_state.stopped)
 
-    def _set_stop(self, state: StopState) -> None:
+    def set_stop(self, state: StopState) -> None:
+        """Set the stop, so that all comes to rest and stays there, or release it; tell when it changed."""
         changed = state != self.stop_state
         self.stop_state = state
         if state.stopped:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Protocol, TypeVar
 
 from pydantic import ValidationError
 
 from sim.base import BaseController, Odometer
-from sim.gripper import GripperController
+from sim.gripper import SELF_LOCK, FingerDrive, GripperController
 from sim.joints import Report
 from sim.motors import GroupServos
-from sim.wrench import WristSensor, pressed_bumpers
+from sim.wrench import BUMPERS, WristSensor, pressed_bumpers
 from skills.ports import keys
 from skills.ports.hardware import (
     Answer,
@@ -27,7 +28,7 @@ from skills.ports.hardware import (
 from skills.ports.message import Message, RobotTime
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
     import numpy as np
 
@@ -97,6 +98,8 @@ class GroupPart:
         self._setpoints = keys.Latest(bus, keys.group_setpoint(group.name))
         self._status = keys.group_status(group.name)
         self._told: Report | None = None
+        self.stalled: Mapping[str, bool] = {}
+        """Motors that don't follow, by joint: False holds where it is, True exerts nothing."""
 
     def listen(self, *, stopped: bool) -> None:
         """Take goals, cancels and set-points."""
@@ -114,6 +117,10 @@ class GroupPart:
     def act(self, period: float) -> None:
         """Follow the goal, the stream, or hold."""
         self.servos.advance(period, self._body.read(self._group.joints))
+        for limit in self._group.limits:
+            if limit.joint in self.stalled:
+                effort = 0.0 if self.stalled[limit.joint] else limit.effort
+                self._body.drive_velocities([limit.joint], [0.0], [effort])
 
     def tell(self, now: RobotTime, tick: int) -> None:
         """Publish the status on each change and once a second."""
@@ -139,6 +146,26 @@ class GroupPart:
         self._setpoints.close()
 
 
+@dataclass(frozen=True)
+class HandDefects:
+    """What is wrong with a hand: fingers that stay, come apart, or have a share of their force."""
+
+    stuck: bool = False
+    opens: bool = False
+    force: float = 1.0
+
+    def bend(self, drive: FingerDrive, speed: float, force: float) -> FingerDrive:
+        """Return what the motors do instead; ``speed`` (m/s) and ``force`` (N) are a finger's most."""
+        if self.stuck:
+            return FingerDrive((0.0, 0.0), (SELF_LOCK, SELF_LOCK))
+        if self.opens:
+            return FingerDrive((speed, speed), (force, force))
+        return FingerDrive(drive.speeds, (self.force * drive.forces[0], self.force * drive.forces[1]))
+
+
+SOUND: Final = HandDefects()
+
+
 class HandPart:
     """A gripper and the wrist's force/torque sensor behind it."""
 
@@ -146,7 +173,9 @@ class HandPart:
         self._bus = bus
         self._body = body
         self._side = effector.side
+        self._gripper = effector.gripper
         self._hand, self._anchored = hand, False
+        self.defects = SOUND
         self._joints = (hand.inner, hand.outer)
         inner, outer = body.read(self._joints)
         self.controller = GripperController(effector.gripper, (inner.position, outer.position))
@@ -172,9 +201,13 @@ class HandPart:
         drive = self.controller.advance(
             period, (inner.position, outer.position), (inner.effort, outer.effort)
         )
+        squeezing = self.controller.squeezing
+        if self.defects != SOUND:
+            drive = self.defects.bend(drive, self._gripper.speed / 2.0, self._gripper.force)
+            squeezing = squeezing and not self.defects.opens
         self._body.drive_velocities(self._joints, drive.speeds, drive.forces)
-        if self.controller.squeezing is not self._anchored:
-            self._anchored = self.controller.squeezing
+        if squeezing is not self._anchored:
+            self._anchored = squeezing
             self._body.anchor_pads(self._hand, anchored=self._anchored)
 
     def tell(self, now: RobotTime, tick: int) -> None:
@@ -216,6 +249,8 @@ class BasePart:
         self.odometer = Odometer(wheels, self._angles(), noise, rng)
         self._velocity: keys.Latest[BaseVelocity] = keys.Latest(bus, keys.BASE_VELOCITY)
         self._pressed: tuple[str, ...] = ()
+        self.jammed: frozenset[str] = frozenset()
+        """Bumpers that read pressed whatever touches them."""
         self._period = body.model.description.period
 
     def _angles(self) -> tuple[float, float]:
@@ -248,7 +283,8 @@ class BasePart:
                 angular=self.odometer.angular,
             )
             keys.ODOMETRY.publish(self._bus, odometry)
-        pressed = pressed_bumpers(self._body, self._body.model.bumper_links)
+        touched = pressed_bumpers(self._body, self._body.model.bumper_links)
+        pressed = tuple(name for name in BUMPERS if name in touched or name in self.jammed)
         if pressed != self._pressed or tick % BUMPERS_EVERY == 0:
             keys.BUMPERS.publish(self._bus, Bumpers(stamp=now, pressed=pressed))
             self._pressed = pressed

@@ -190,3 +190,8 @@ class Physics:
             for p in points or ()
             if links is None or p[3] in links
         ]
+
+    def depth(self, body: int, other: int) -> float:
+        """Return by how many metres two bodies are inside each other; 0 when they aren't."""
+        points = pybullet.getClosestPoints(body, other, 0.0, physicsClientId=self.client)
+        return max((-point[8] for point in points), default=0.0)

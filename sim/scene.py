@@ -7,9 +7,11 @@ seen is what collides.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Final
 
+from sim.faults import DepotTaken, Fault, ItemMoves, ObstacleAppears, Place
 from sim.scenario import Scenario, ScenarioError
 from sim.things import FLOOR, BoxShape, CylinderShape, Obstacle, TrueItem
 from skills.ports.geometry import Pose, about
@@ -164,13 +166,42 @@ def _problems(site: Site, scenario: Scenario, source: str) -> list[str]:
                 support_height(site, surface.support, x, y)
             except KeyError as error:
                 found.append(f"{source}: surfaces.{index}.{corner}: {error.args[0]}")
+    found += fault_problems(site, scenario.faults, source)
     x_min, y_min, x_max, y_max = site.bounds
     if not (x_min < scenario.start.x < x_max and y_min < scenario.start.y < y_max):
         found.append(f"{source}: start: a place in the room was expected, {site.bounds} (x, y from; x, y to)")
     return found
 
 
-def _support_problem(site: Site, thing: TrueItem | Obstacle, where: str) -> list[str]:
+def fault_problems(site: Site, faults: Iterable[Fault], source: str) -> list[str]:
+    """Return a line for each thing in the faults that the site has no place or no name for."""
+    found = []
+    for index, fault in enumerate(faults):
+        where = f"{source}: faults.{index}"
+        tag = getattr(fault, "tag", None)
+        if tag is not None and site.item(tag) is None:
+            known = ", ".join(str(each.item) for each in site.items)
+            found.append(f"{where}.tag: one of {known} was expected, found {tag}")
+        if isinstance(fault, DepotTaken):
+            found += _slot_problem(site, fault, where)
+        elif isinstance(fault, ObstacleAppears) and fault.x is not None and fault.y is not None:
+            found += _support_problem(site, Place(support=fault.support, x=fault.x, y=fault.y), where)
+        elif isinstance(fault, ItemMoves) and fault.to is not None:
+            found += _support_problem(site, fault.to, f"{where}.to")
+    return found
+
+
+def _slot_problem(site: Site, fault: DepotTaken, where: str) -> list[str]:
+    depot = site.depot(fault.depot)
+    if depot is None:
+        known = ", ".join(each.name for each in site.depots)
+        return [f"{where}.depot: one of {known} was expected, found {fault.depot}"]
+    if fault.slot >= len(depot.slots):
+        return [f"{where}.slot: 0 to {len(depot.slots) - 1} was expected, found {fault.slot}"]
+    return []
+
+
+def _support_problem(site: Site, thing: TrueItem | Obstacle | Place, where: str) -> list[str]:
     try:
         support_height(site, thing.support, thing.x, thing.y)
     except KeyError as error:

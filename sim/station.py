@@ -12,15 +12,19 @@ import numpy as np
 from sim.body import RobotBody
 from sim.camera import HeadCamera, Studio
 from sim.controls import Controls
+from sim.defects import check_faults
 from sim.hardware import Hardware, Sensor
 from sim.laser import Laser
+from sim.line import Line
 from sim.model import RobotModel
 from sim.parts import LaserSensorNode
 from sim.physics import Physics
 from sim.render import InlineRenderer, PainterSettings, Renderer, WorkerRenderer
 from sim.robot import compose_robot
+from sim.room import Room
 from sim.scenario import Scenario, ScenarioError
 from sim.scene import build_scene
+from sim.trouble import Trouble
 from sim.truth import Truth, read_truth
 from sim.world import World, spawn
 from skills.ports.bus import Bus
@@ -58,11 +62,13 @@ class Station:
     name = "hardware"
 
     def __init__(self, bus: Bus, site: Site, scenario: Scenario, settings: StationSettings) -> None:
-        self._bus, self._site, self._settings = bus, site, settings
+        self._site, self._settings = site, settings
+        self._line = Line(bus)
         self._boots = 0
         self.physics = Physics(gui=settings.gui)
         self.model: RobotModel = compose_robot()
         self.scenario = scenario
+        self._check(scenario)
         self.world, self.body = self._fill(scenario)
         painter = PainterSettings(urdf=self.model.physics_urdf)
         renderer: Renderer = WorkerRenderer(painter) if settings.beside else InlineRenderer(painter)
@@ -70,7 +76,7 @@ class Station:
         if settings.beside:
             self.studio.warm_up()
         self.hardware = Hardware(
-            bus,
+            self._line,
             self.body,
             boot=settings.boot,
             noise=scenario.noise,
@@ -78,15 +84,24 @@ class Station:
             sensors=self._sensors(settings.seed),
             waits=settings.waits,
         )
-        self.controls = Controls(bus, site, self.world, self.body, self.studio, reset=self.reset)
+        self.trouble = Trouble(bus, self._line, self.hardware, self._room(), scenario.faults)
+        self.controls = Controls(
+            bus, site, self.world, self.body, self.studio, reset=self.reset, fault=self.trouble.ask
+        )
 
     @property
     def camera(self) -> HeadCamera:
         """The head's camera, as it is since the last reset."""
         return self._camera
 
+    @property
+    def silent(self) -> bool:
+        """Whether a fault keeps the hardware's clock from being heard."""
+        return self.trouble.silent
+
     def step(self) -> bool:
-        """Let one period pass, then do what the sim was asked."""
+        """Break what is to break, let one period pass, then do what the sim was asked."""
+        self.trouble.step()
         self.hardware.step()
         self.controls.step(self.hardware.now)
         return False
@@ -111,6 +126,7 @@ class Station:
             rng=np.random.default_rng((seed, 1)),
             sensors=self._sensors(seed),
         )
+        self.trouble.restart(self._room(), self.scenario.faults)
         self.controls.restart(self.world, self.body)
 
     def truth(self) -> Truth:
@@ -129,6 +145,7 @@ class Station:
             expected = f"{self._site.name} was expected, found {scenario.site}"
             raise ScenarioError(f"{scenario.name}: site: {expected}; another site needs another start")
         build_scene(self._site, scenario, source=scenario.name)
+        check_faults(scenario.faults, self.model.description, source=scenario.name)
 
     def _fill(self, scenario: Scenario) -> tuple[World, RobotBody]:
         world = spawn(self.physics, self._site, scenario)
@@ -138,6 +155,9 @@ class Station:
             self.physics, self.model, x=start.x, y=start.y, yaw=start.yaw, positions=self._home()
         )
         return world, body
+
+    def _room(self) -> Room:
+        return Room(self._site, self.world, self.body)
 
     def _home(self) -> dict[str, float]:
         description = self.model.description
@@ -155,6 +175,6 @@ class Station:
         rng = np.random.default_rng((seed, 2))
         laser = Laser(self.body, description.laser, sigma=noise.laser_sigma, rng=rng)
         self._camera = HeadCamera(
-            self._bus, self.studio, self.body, description.camera, rate=self.scenario.camera_rate
+            self._line, self.studio, self.body, description.camera, rate=self.scenario.camera_rate
         )
-        return (LaserSensorNode(self._bus, description.laser, laser.scan), self._camera)
+        return (LaserSensorNode(self._line, description.laser, laser.scan), self._camera)

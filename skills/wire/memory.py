@@ -72,6 +72,10 @@ class MemoryRequest:
         self.pending.ended = True
         self.hub.record("reply", self.key, payload)
 
+    def __del__(self) -> None:
+        """Unanswered, it ends empty when dropped."""
+        self.pending.ended = True
+
 
 @dataclass(eq=False)
 class MemoryDesk:

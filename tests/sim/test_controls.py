@@ -7,7 +7,8 @@ import json
 import pytest
 
 from sim.camera import Studio
-from sim.controls import MOVE, PHOTOGRAPH, PLACE_ITEM, PLACE_OBSTACLE, REMOVE, RESET, Controls
+from sim.controls import FAULT, MOVE, PHOTOGRAPH, PLACE_ITEM, PLACE_OBSTACLE, REMOVE, RESET, Controls
+from sim.faults import CameraDark, Fault
 from sim.render import Done, Job
 from sim.scenario import Scenario
 from sim.truth import TRUTH, Truth, lies_on
@@ -39,7 +40,10 @@ class Asking:
         self.resets: list[int] = []
         self._bus = MemoryBus()
         studio = Studio(room.world, room.robot, FakeRenderer(), noise=room.scenario.noise, seed=1)
-        self._controls = Controls(self._bus, room.site, room.world, room.robot, studio, reset=self._reset)
+        self.faults: list[Fault] = []
+        self._controls = Controls(
+            self._bus, room.site, room.world, room.robot, studio, reset=self._reset, fault=self._fault
+        )
 
     def __call__(self, key: str, document: object) -> bytes:
         text = document if isinstance(document, bytes) else json.dumps(document).encode()
@@ -48,6 +52,10 @@ class Asking:
         answer = pending.poll()
         assert answer is not None
         return answer
+
+    def _fault(self, fault: Fault) -> Answer:
+        self.faults.append(fault)
+        return Answer(accepted=True)
 
     def _reset(self, seed: int, scenario: Scenario | None) -> None:
         assert scenario is None
@@ -92,6 +100,7 @@ def test_an_obstacle_is_placed_moved_and_removed(room: Room, ask: Asking) -> Non
         (REMOVE.key, {"name": "nothing"}, "nothing movable is called 'nothing'"),
         (MOVE.key, {"name": "mug", "pose": {"position": [0, 0]}}, "pose.position"),
         (RESET.key, {"seed": -1}, "seed"),
+        (FAULT.key, {"fault": {"kind": "camera_blue"}}, "camera_dark"),
         (PHOTOGRAPH, {"eye": [0, 0, 3], "target": [0, 0, 0]}, "differ in x or y"),
         (PLACE_ITEM.key, b" " * 70000, "at most 65536 bytes"),
     ],
@@ -107,6 +116,11 @@ def test_what_is_wrong_is_answered(room: Room, ask: Asking, key: str, document: 
 def test_a_reset_is_passed_on_with_its_seed(ask: Asking) -> None:
     assert accepted(ask(RESET.key, {"seed": 7})).accepted
     assert ask.resets == [7]
+
+
+def test_a_fault_is_passed_on(ask: Asking) -> None:
+    assert accepted(ask(FAULT.key, {"fault": {"kind": "camera_dark", "lasts": 2}})).accepted
+    assert ask.faults == [CameraDark(lasts=2.0)]
 
 
 def test_a_photograph_is_answered_with_its_picture(ask: Asking) -> None:

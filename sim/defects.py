@@ -1,0 +1,121 @@
+"""What is wrong with the hardware while faults last, worked out from all that are under way at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from sim.faults import (
+    BumperPressed,
+    CameraDark,
+    CameraSilent,
+    Fault,
+    GripperStuck,
+    GripperWeak,
+    HandOpens,
+    HardwareSilent,
+    JointStall,
+    LaserSilent,
+)
+from sim.lens import Freeze, darken
+from sim.parts import HandDefects
+from sim.scenario import ScenarioError
+from skills.ports import keys
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    from sim.hardware import Hardware
+    from sim.line import Line
+    from skills.ports.hardware import RobotDescription
+
+CUTS: Final[dict[type[Fault], str]] = {
+    HardwareSilent: "hw/",
+    CameraSilent: keys.RGBD,
+    LaserSilent: keys.LASER.key,
+}
+"""The keys that a fault cuts, by how they begin."""
+
+
+@dataclass(frozen=True)
+class Standing:
+    """A fault under way: the hands that it means, and the picture that it keeps, where its kind has such."""
+
+    fault: Fault
+    sides: tuple[str, ...] = ()
+    freeze: Freeze | None = None
+
+
+def break_hardware(standing: Sequence[Standing], line: Line, hardware: Hardware) -> None:
+    """Have the hardware broken in just these ways, and whole otherwise."""
+    faults = [each.fault for each in standing]
+    line.cut = frozenset(CUTS[type(fault)] for fault in faults if type(fault) in CUTS)
+    line.spoils = _spoils(standing)
+    for name, group in hardware.groups.items():
+        group.stalled = {
+            joint: fault.limp
+            for fault in faults
+            if isinstance(fault, JointStall) and fault.group == name
+            for joint in stalled_joints(fault, hardware.description)
+        }
+    for side, hand in hardware.hands.items():
+        hand.defects = _hand([each.fault for each in standing if side in each.sides])
+    hardware.base.jammed = frozenset(fault.bumper for fault in faults if isinstance(fault, BumperPressed))
+
+
+def _spoils(standing: Sequence[Standing]) -> dict[str, Callable[[bytes], bytes]]:
+    if any(isinstance(each.fault, CameraDark) for each in standing):
+        return {keys.RGBD: darken}
+    kept = [each.freeze for each in standing if each.freeze is not None]
+    return {keys.RGBD: kept[0]} if kept else {}
+
+
+def _hand(faults: Sequence[Fault]) -> HandDefects:
+    return HandDefects(
+        stuck=any(isinstance(fault, GripperStuck) for fault in faults),
+        opens=any(isinstance(fault, HandOpens) for fault in faults),
+        force=min((fault.force for fault in faults if isinstance(fault, GripperWeak)), default=1.0),
+    )
+
+
+def stalled_joints(fault: JointStall, robot: RobotDescription) -> tuple[str, ...]:
+    """Return the joints that stall.
+
+    Raises:
+        KeyError: when the robot has no such group.
+        LookupError: when the group has no such joint.
+    """
+    joints = robot.group(fault.group).joints
+    if fault.joint is None:
+        return joints
+    named = [joint for index, joint in enumerate(joints) if fault.joint in {joint, index}]
+    if not named:
+        there = f"0 to {len(joints) - 1} or one of {', '.join(joints)}"
+        raise LookupError(f"joint: {there} was expected, found {fault.joint}")
+    return tuple(named)
+
+
+def misfit(fault: Fault, robot: RobotDescription) -> str:
+    """Return what a fault names and the robot doesn't have, and what was expected; else nothing."""
+    if not isinstance(fault, JointStall):
+        return ""
+    groups = [group.name for group in robot.groups]
+    if fault.group not in groups:
+        return f"group: one of {', '.join(groups)} was expected, found {fault.group}"
+    try:
+        stalled_joints(fault, robot)
+    except LookupError as error:
+        return str(error.args[0])
+    return ""
+
+
+def check_faults(faults: Iterable[Fault], robot: RobotDescription, *, source: str = "scenario") -> None:
+    """Check what the faults name of a robot.
+
+    Raises:
+        ScenarioError: with one line for each mistake.
+    """
+    found = [(index, misfit(fault, robot)) for index, fault in enumerate(faults)]
+    problems = [f"{source}: faults.{index}.{problem}" for index, problem in found if problem]
+    if problems:
+        raise ScenarioError("\n".join(problems))

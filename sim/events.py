@@ -1,0 +1,116 @@
+"""What the sim sees happen to its robot, so that a fault can strike at that moment. No skill is asked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from skills.ports.keys import RGBD
+
+if TYPE_CHECKING:
+    from collections.abc import Set as AbstractSet
+
+    from sim.body import RobotBody
+    from sim.faults import Event
+    from sim.hardware import Hardware
+    from sim.world import World
+    from skills.ports.bus import Bus
+    from skills.ports.message import RobotTime
+
+LIFTED: Final = 0.03
+"""Metres above where it stood from which an item counts as lifted."""
+STIRRED: Final = 0.01
+"""Metres of height below which an item counts as standing where it stood."""
+REST_TIME: Final = 0.3
+"""Seconds without motion after which the base counts as at rest."""
+REST_SPEED: Final = 0.01
+"""m/s and rad/s below which the base stands."""
+
+
+@dataclass(frozen=True)
+class Occurrence:
+    """An event that happened just now, and to whom."""
+
+    event: str
+    side: str | None = None
+    tag: int | None = None
+
+    def is_one_of(self, awaited: Event) -> bool:
+        """Say whether it is what a fault waits for."""
+        if awaited.event != self.event:
+            return False
+        side, tag = getattr(awaited, "side", None), getattr(awaited, "tag", None)
+        return side in {None, self.side} and tag in {None, self.tag}
+
+
+class Events:
+    """Finds out what begins to be so. Call ``step`` once a period; it looks at what is ``wanted`` only.
+
+    Args:
+        bus: tells who listens to the camera.
+        hardware: its controllers.
+        world: where the items are.
+        robot: what touches them.
+    """
+
+    def __init__(self, bus: Bus, hardware: Hardware, world: World, robot: RobotBody) -> None:
+        self._bus, self._hardware, self._world, self._robot = bus, hardware, world, robot
+        self._before: dict[Occurrence, bool] = {}
+        self._stood = {name: world.pose(name).position[2] for name in world.movable()}
+        self._moved, self._still_since = False, 0.0
+        self._links = {
+            robot.link_index[link]: hand.side for hand in robot.model.hands for link in hand.finger_links
+        }
+
+    def step(self, now: RobotTime, wanted: AbstractSet[str]) -> list[Occurrence]:
+        """Return what began since the last step."""
+        so: dict[Occurrence, bool] = {}
+        for side, hand in self._hardware.hands.items():
+            so[Occurrence("gripper_closed", side)] = hand.controller.squeezing
+            group = self._robot.model.description.end_effector(side).group
+            at_rest = self._hardware.groups[group].servos.controller.report.at_rest
+            so[Occurrence("arm_moving", side)] = not at_rest
+        moving = self._is_base_moving()
+        so[Occurrence("base_moving")] = moving
+        so[Occurrence("base_at_rest_after_moving")] = self._rests(now, moving=moving)
+        if "camera_used" in wanted:
+            so[Occurrence("camera_used")] = self._bus.listened(RGBD)
+        began = [what for what, holds in so.items() if holds and not self._before.get(what, holds)]
+        self._before.update(so)
+        if "item_lifted" in wanted:
+            began += self._lifted()
+        return [occurrence for occurrence in began if occurrence.event in wanted]
+
+    def _is_base_moving(self) -> bool:
+        controller = self._hardware.base.controller
+        return controller.linear != 0.0 or controller.angular != 0.0
+
+    def _rests(self, now: RobotTime, *, moving: bool) -> bool:
+        odometer = self._hardware.base.odometer
+        if moving or max(abs(odometer.linear), abs(odometer.angular)) > REST_SPEED:
+            self._moved = self._moved or moving
+            self._still_since = now.seconds
+        return self._moved and now.seconds - self._still_since >= REST_TIME
+
+    def _lifted(self) -> list[Occurrence]:
+        """Return the items that a hand has just lifted; an item stands where it last touched a thing."""
+        found = []
+        for name in self._world.movable():
+            label = self._world.bodies[name].label
+            if label is None:
+                continue
+            height = self._world.pose(name).position[2]
+            rise = height - self._stood.setdefault(name, height)
+            if abs(rise) < STIRRED:
+                self._before.pop(Occurrence("item_lifted", tag=label.tag), None)
+                continue
+            touched = self._world.physics.contacts(self._world.id_of(name))
+            if any(contact.body_b != self._robot.body for contact in touched):
+                self._stood[name] = height
+                continue
+            hands = [self._links[contact.link_b] for contact in touched if contact.link_b in self._links]
+            key = Occurrence("item_lifted", tag=label.tag)
+            if rise > LIFTED and hands and key not in self._before:
+                self._before[key] = True
+                found.append(Occurrence("item_lifted", hands[0], label.tag))
+        return found

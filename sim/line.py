@@ -1,0 +1,89 @@
+"""The line between the hardware and everybody else: it can be cut, and what passes can be spoilt."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
+
+
+@dataclass(eq=False)
+class _Inbox:
+    line: Line
+    inner: Inbox
+
+    def drain(self) -> list[Sample]:
+        """Take what has arrived; what came through a cut line is lost."""
+        return [sample for sample in self.inner.drain() if not self.line.is_cut(sample.key)]
+
+    def close(self) -> None:
+        """End the subscription."""
+        self.inner.close()
+
+
+@dataclass(eq=False)
+class _Desk:
+    line: Line
+    inner: Desk
+
+    def drain(self) -> list[Request]:
+        """Take what was asked; what came through a cut line ends without an answer."""
+        return [request for request in self.inner.drain() if not self.line.is_cut(request.key)]
+
+    def close(self) -> None:
+        """Stop serving."""
+        self.inner.close()
+
+
+class Line:
+    """A ``Bus`` around the hardware's bus. While nothing is wrong it passes everything on.
+
+    Args:
+        bus: what is passed on to.
+    """
+
+    def __init__(self, bus: Bus) -> None:
+        self._bus = bus
+        self.cut: frozenset[str] = frozenset()
+        """Beginnings of keys through which nothing comes, neither way."""
+        self.spoils: Mapping[str, Callable[[bytes], bytes]] = {}
+        """What becomes of a payload, by key."""
+
+    def is_cut(self, key: str) -> bool:
+        """Say whether nothing on the key gets through."""
+        return any(key.startswith(start) for start in self.cut)
+
+    def publish(self, key: str, payload: bytes) -> None:
+        """Send, unless the line is cut."""
+        if self.is_cut(key):
+            return
+        spoil = self.spoils.get(key)
+        self._bus.publish(key, payload if spoil is None else spoil(payload))
+
+    def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
+        """Receive what is put on the key expression while the line is whole."""
+        return _Inbox(self, self._bus.subscribe(key, depth=depth))
+
+    def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
+        """Ask; the hardware itself asks nobody."""
+        return self._bus.query(key, payload, timeout=timeout)
+
+    def serve(self, key: str) -> Desk:
+        """Answer queries while the line is whole."""
+        return _Desk(self, self._bus.serve(key))
+
+    def listened(self, key: str) -> bool:
+        """Say whether what is put on the key reaches anybody."""
+        return not self.is_cut(key) and self._bus.listened(key)
+
+    def announce(self, name: str) -> None:
+        """Show that this process is alive; that is not the hardware's own word."""
+        self._bus.announce(name)
+
+    def alive(self) -> frozenset[str]:
+        """Return the names that are announced now."""
+        return self._bus.alive()

@@ -1,0 +1,206 @@
+"""Makes faults happen: begins them in their time or at their event, and ends them.
+
+What is wrong with the hardware is worked out anew from all faults that are under way, so that faults of one
+kind may overlap. What happens to the room happens once.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from sim.controls import FAULTS
+from sim.defects import Standing, break_hardware, misfit
+from sim.events import Events, Occurrence
+from sim.faults import (
+    BumperPressed,
+    CameraFrozen,
+    DepotTaken,
+    Fault,
+    FaultEvent,
+    GripperStuck,
+    GripperWeak,
+    HandOpens,
+    ItemGone,
+    ItemMoves,
+    JointStall,
+    ObstacleAppears,
+    OdometryJump,
+    StopSet,
+)
+from sim.lens import Freeze
+from skills.ports import keys
+from skills.ports.hardware import Answer, StopState
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Literal
+
+    from sim.hardware import Hardware
+    from sim.line import Line
+    from sim.room import Room
+    from skills.ports.bus import Bus
+
+
+@dataclass(eq=False)
+class _Case:
+    """One fault on its way: waiting, under way, or over."""
+
+    number: int
+    fault: Fault
+    due: float
+    """Robot seconds at which it begins; infinity while its event has not happened."""
+    happened: int = 0
+    cause: Occurrence | None = None
+    ends: float = math.inf
+    made: str = ""
+    """The body that it made, to be taken away in the end."""
+    freeze: Freeze | None = None
+
+    @property
+    def sides(self) -> tuple[str, ...]:
+        """The hands that are meant: the one named, else the event's, else both."""
+        if not isinstance(self.fault, GripperStuck | GripperWeak | HandOpens):
+            return ()
+        side = self.fault.side or (None if self.cause is None else self.cause.side)
+        return ("left", "right") if side is None else (side,)
+
+    def standing(self) -> Standing:
+        """Return what is wrong while it lasts."""
+        return Standing(self.fault, self.sides, self.freeze)
+
+
+class Trouble:
+    """Call ``step`` once a period, before the hardware's.
+
+    Args:
+        bus: where it is told what began and ended.
+        line: the hardware's end of the bus, which faults cut.
+        hardware: what is broken.
+        room: what is changed.
+        faults: of the scenario, checked.
+    """
+
+    def __init__(self, bus: Bus, line: Line, hardware: Hardware, room: Room, faults: Sequence[Fault]) -> None:
+        self._bus, self._line, self._hardware = bus, line, hardware
+        self.restart(room, faults)
+
+    def restart(self, room: Room, faults: Sequence[Fault]) -> None:
+        """Begin anew after the hardware has been restarted; nothing is broken."""
+        self._room = room
+        self._events = Events(self._line, self._hardware, room.world, room.robot)
+        self._count = 0
+        self._waiting: list[_Case] = []
+        self._under_way: list[_Case] = []
+        self._line.cut, self._line.spoils = frozenset(), {}
+        for fault in faults:
+            self._add(fault)
+
+    @property
+    def silent(self) -> bool:
+        """Whether nobody hears the hardware's clock."""
+        return self._line.is_cut(keys.CLOCK.key)
+
+    def ask(self, fault: Fault) -> Answer:
+        """Have a fault happen in its time, or at once when it has none; refuse what can't be."""
+        problem = misfit(fault, self._hardware.description)
+        if problem:
+            return Answer(accepted=False, reason=problem)
+        self._add(fault)
+        return Answer(accepted=True)
+
+    def step(self) -> None:
+        """End what is over, and begin what is due."""
+        now = self._hardware.now.seconds
+        self._await_events(now)
+        over = [case for case in self._under_way if now >= case.ends - 1e-9]
+        due = [case for case in self._waiting if now >= case.due - 1e-9]
+        if not over and not due:
+            return
+        for case in over:
+            self._under_way.remove(case)
+            self._end(case)
+        for case in due:
+            self._waiting.remove(case)
+            self._begin(case, now)
+        standing = [case.standing() for case in self._under_way]
+        break_hardware(standing, self._line, self._hardware)
+
+    def _add(self, fault: Fault) -> None:
+        due = (fault.at or 0.0) if fault.when is None else math.inf
+        self._waiting.append(_Case(self._count, fault, due))
+        self._count += 1
+
+    def _await_events(self, now: float) -> None:
+        awaiting = [case for case in self._waiting if case.fault.when is not None and case.due == math.inf]
+        if not awaiting:
+            return
+        wanted = {case.fault.when.event for case in awaiting if case.fault.when is not None}
+        for occurrence in self._events.step(self._hardware.now, wanted):
+            for case in awaiting:
+                when = case.fault.when
+                if when is None or case.cause is not None or not occurrence.is_one_of(when):
+                    continue
+                case.happened += 1
+                if case.happened == when.nth:
+                    case.cause, case.due = occurrence, now + when.after
+
+    def _begin(self, case: _Case, now: float) -> None:
+        try:
+            words = self._strike(case)
+        except (KeyError, ValueError) as error:
+            self._tell(case, "refused", str(error.args[0]))
+            return
+        lasts = getattr(case.fault, "lasts", None)
+        case.ends = math.inf if lasts is None else now + lasts
+        if not isinstance(case.fault, OdometryJump | ItemMoves | ItemGone):
+            self._under_way.append(case)
+        self._tell(case, "began", words)
+
+    def _strike(self, case: _Case) -> str:
+        """Do what happens once, and return what happens in words."""
+        fault = case.fault
+        if isinstance(fault, OdometryJump):
+            self._hardware.base.odometer.jump(fault.dx, fault.dy, fault.dyaw)
+            return f"odometry jumps by ({fault.dx:g}, {fault.dy:g}) m and {fault.dyaw:g} rad"
+        if isinstance(fault, StopSet):
+            self._hardware.set_stop(StopState(stopped=True, by=fault.by, reason=fault.reason))
+            return f"{fault.by} sets the stop"
+        if isinstance(fault, ItemMoves | ItemGone | ObstacleAppears | DepotTaken):
+            done = self._room.change(fault, case.number, None if case.cause is None else case.cause.tag)
+            case.made = done.made
+            return done.words
+        if isinstance(fault, CameraFrozen):
+            case.freeze = Freeze()
+        return _standing(case)
+
+    def _end(self, case: _Case) -> None:
+        if case.made:
+            self._room.remove(case.made)
+        stop = self._hardware.stop_state
+        if isinstance(case.fault, StopSet) and (stop.by, stop.reason) == (case.fault.by, case.fault.reason):
+            self._hardware.set_stop(StopState(stopped=False))
+        self._tell(case, "ended", f"{case.fault.kind} is over")
+
+    def _tell(self, case: _Case, phase: Literal["began", "ended", "refused"], words: str) -> None:
+        event = FaultEvent(
+            stamp=self._hardware.now, number=case.number, kind=case.fault.kind, phase=phase, words=words
+        )
+        FAULTS.publish(self._bus, event)
+
+
+def _standing(case: _Case) -> str:
+    """Return in words what is so while a fault lasts."""
+    fault = case.fault
+    lasts = getattr(fault, "lasts", None)
+    span = "for good" if lasts is None else f"for {lasts:g} s"
+    what = fault.kind.replace("_", " ")
+    match fault:
+        case JointStall():
+            what = f"{fault.group}: {'all joints' if fault.joint is None else fault.joint} stalled"
+        case GripperStuck() | GripperWeak() | HandOpens():
+            what += f" ({' and '.join(case.sides)})"
+        case BumperPressed():
+            what = f"bumper {fault.bumper} reads pressed"
+    return f"{what} {span}"
