@@ -12,11 +12,22 @@ from py_trees.composites import Sequence
 from pydantic import Field
 
 from executive.service import Executive
+from skills.ports.action import (
+    GoalCommand,
+    GoalState,
+    GoalStatus,
+    SendGoal,
+    command_service,
+    goal_service,
+    status_topic,
+)
 from skills.ports.bus import Inbox
 from skills.ports.failure import Failure, FailureKind
+from skills.ports.hardware import Clock
+from skills.ports.keys import CLOCK, Service
 from skills.ports.message import Message
 from skills.ports.site import Site
-from skills.ports.skill import ActionType
+from skills.ports.skill import ActionType, Command
 from skills.ports.tasks import (
     REQUEST,
     TASK_CANCEL,
@@ -24,6 +35,7 @@ from skills.ports.tasks import (
     TREE,
     CancelTask,
     ControlAnswer,
+    NameTask,
     Problem,
     TaskAnswer,
     TaskStatus,
@@ -76,14 +88,14 @@ class WaitForWorld(Behaviour):
 class Nudge(Behaviour):
     """Starts a goal of a fake skill; cancels it when stopped."""
 
-    def __init__(self, context: TreeContext) -> None:
-        super().__init__("nudge")
+    def __init__(self, context: TreeContext, name: str = "nudge") -> None:
+        super().__init__(name)
         self.context = context
         self.handle: GoalHandle[Empty, Empty, Empty] | None = None
 
     def initialise(self) -> None:
         client = self.context.clients.of(NUDGE)
-        self.handle = client.start(Empty(), f"{self.context.task}/nudge/1")
+        self.handle = client.start(Empty(), f"{self.context.task}/{self.name}/1")
 
     def update(self) -> Status:
         assert self.handle is not None
@@ -105,6 +117,10 @@ def build(request: WaitRequest, context: TreeContext) -> Behaviour:
     root = Sequence("wait", memory=True)
     if request.weight == 2.0:
         root.add_child(Nudge(context))
+    if request.weight == 4.0:
+        context.wind_down = Nudge(context, "put down")
+    if request.weight == 5.0:
+        context.wind_down = WaitForWorld(context)
     if request.weight == 3.0:
         raise RuntimeError("can't build")
     root.add_child(WaitForWorld(context))
@@ -147,6 +163,19 @@ class Surroundings:
         assert answer is not None
         return ControlAnswer.model_validate_json(answer)
 
+    def verb(self, service: Service[NameTask, ControlAnswer], task: str) -> ControlAnswer:
+        pending = service.query(self.bus, NameTask(task=task))
+        self.step()
+        answer = pending.poll()
+        assert answer is not None
+        return ControlAnswer.model_validate_json(answer)
+
+    def hardware(self, tick: int = 1) -> None:
+        """Say a word of the hardware's clock."""
+        stamp = self.clocks.robot()
+        assert stamp is not None
+        CLOCK.publish(self.bus, Clock(stamp=stamp, tick=tick))
+
     def world(self, version: int) -> None:
         stamp = self.clocks.robot()
         assert stamp is not None
@@ -157,3 +186,42 @@ class Surroundings:
 
     def shown(self) -> list[TreeSnapshot]:
         return [TREE.decode(sample.payload) for sample in self.trees.drain()]
+
+
+AFTER = {
+    Command.CANCEL: GoalState.CANCELING,
+    Command.PAUSE: GoalState.PAUSED,
+    Command.RESUME: GoalState.RUNNING,
+}
+
+
+class Skill:
+    """A fake server of ``test/nudge`` that takes goals and ends them when it is told to."""
+
+    def __init__(self, here: Surroundings) -> None:
+        self.goal, self.sequence = "", 0
+        bus = here.hub.endpoint()
+        self.bus = bus
+        bus.announce(f"skill/{NUDGE.name}")
+        self.goals = bus.serve(goal_service(NUDGE.name).key)
+        self.commands = bus.serve(command_service(NUDGE.name).key)
+        self.canceled = False
+        self.commands_seen: list[Command] = []
+
+    def step(self) -> None:
+        for request in self.goals.drain():
+            self.goal = SendGoal.model_validate_json(request.payload).goal_id
+            request.reply(self.status(GoalState.RUNNING))
+        for request in self.commands.drain():
+            command = GoalCommand.model_validate_json(request.payload).command
+            self.commands_seen.append(command)
+            self.canceled = self.canceled or command is Command.CANCEL
+            request.reply(self.status(AFTER[command]))
+
+    def status(self, state: GoalState) -> bytes:
+        self.sequence += 1
+        status = GoalStatus(goal_id=self.goal, state=state, sequence=self.sequence)
+        return status.model_dump_json().encode()
+
+    def end(self, state: GoalState) -> None:
+        self.bus.publish(status_topic(NUDGE.name).key, self.status(state))

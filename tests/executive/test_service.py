@@ -7,11 +7,11 @@ import sys
 from typing import TypeVar
 
 import pytest
-from surroundings import NUDGE, Surroundings
+from surroundings import NUDGE, Skill, Surroundings
 
 from executive.run import REST_WITHIN, TICK_PERIOD
 from executive.task_queue import KEPT, MAX_WAITING, start_id
-from skills.ports.action import GoalState, GoalStatus, SendGoal, command_service, goal_service, status_topic
+from skills.ports.action import GoalState
 from skills.ports.failure import FailureKind
 from skills.ports.hardware import StopState
 from skills.ports.keys import STOP, Nothing, Service
@@ -154,35 +154,6 @@ def test_cancel_of_what_is_not_there(here: Surroundings) -> None:
     pending = here.bus.query("task/cancel", b"{")
     here.step()
     assert b"expected" in pending.poll()
-
-
-class Skill:
-    """A fake server of ``test/nudge`` that takes goals and ends them when it is told to."""
-
-    def __init__(self, here: Surroundings) -> None:
-        self.goal, self.sequence = "", 0
-        bus = here.hub.endpoint()
-        self.bus = bus
-        bus.announce(f"skill/{NUDGE.name}")
-        self.goals = bus.serve(goal_service(NUDGE.name).key)
-        self.commands = bus.serve(command_service(NUDGE.name).key)
-        self.canceled = False
-
-    def step(self) -> None:
-        for request in self.goals.drain():
-            self.goal = SendGoal.model_validate_json(request.payload).goal_id
-            request.reply(self.status(GoalState.RUNNING))
-        for request in self.commands.drain():
-            self.canceled = True
-            request.reply(self.status(GoalState.CANCELING))
-
-    def status(self, state: GoalState) -> bytes:
-        self.sequence += 1
-        status = GoalStatus(goal_id=self.goal, state=state, sequence=self.sequence)
-        return status.model_dump_json().encode()
-
-    def end(self, state: GoalState) -> None:
-        self.bus.publish(status_topic(NUDGE.name).key, self.status(state))
 
 
 @pytest.fixture
