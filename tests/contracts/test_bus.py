@@ -1,4 +1,4 @@
-"""What every bus keeps to: the one in memory and the one over zenoh run the same suite."""
+"""What every bus keeps to: in memory, over zenoh, and around another bus without faults: one suite."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import pytest
 
 from skills.ports.bus import Bus
+from skills.testing.faulty_bus import BusFaults, FaultyBus
+from skills.wire.clocks import SteppedClocks
 from skills.wire.memory import MemoryBus, MemoryHub
 from skills.wire.zenoh_bus import ZenohBus, open_session, router_config
 from tests.fakes.ports import free_endpoint
@@ -21,13 +23,25 @@ class Pair:
     a: Bus
     b: Bus
     until: Callable[[Callable[[], bool]], bool]
+    close_a: Callable[[], None]
 
 
-@pytest.fixture(params=["memory", "zenoh"])
+def faulty_pair(faults: BusFaults | None) -> Pair:
+    hub, clocks = MemoryHub(), SteppedClocks()
+    inner = MemoryBus(hub), MemoryBus(hub)
+    a, b = (FaultyBus(bus, clocks, "1", faults) for bus in inner)
+    return Pair(a, b, lambda condition: condition(), inner[0].close)
+
+
+@pytest.fixture(params=["memory", "zenoh", "no faults", "shares of nothing"])
 def pair(request: pytest.FixtureRequest) -> Iterator[Pair]:
     if request.param == "memory":
         hub = MemoryHub()
-        yield Pair(MemoryBus(hub), MemoryBus(hub), lambda condition: condition())
+        one = MemoryBus(hub)
+        yield Pair(one, MemoryBus(hub), lambda condition: condition(), one.close)
+        return
+    if request.param != "zenoh":
+        yield faulty_pair(None if request.param == "no faults" else BusFaults())
         return
     endpoint = free_endpoint()
     router = open_session(router_config(endpoint), endpoint)
@@ -39,7 +53,7 @@ def pair(request: pytest.FixtureRequest) -> Iterator[Pair]:
             a.waker.wait(0.005)
         return held
 
-    yield Pair(a, b, until)
+    yield Pair(a, b, until, a.close)
     a.close()
     b.close()
     router.close()
@@ -131,7 +145,7 @@ def test_a_query_that_nobody_serves_ends_empty(pair: Pair) -> None:
 def test_names_are_alive_while_announced(pair: Pair) -> None:
     pair.a.announce("skill/look")
     assert pair.until(lambda: "skill/look" in pair.b.alive())
-    pair.a.close()  # type: ignore[attr-defined]
+    pair.close_a()
     assert pair.until(lambda: "skill/look" not in pair.b.alive())
 
 
