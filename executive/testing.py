@@ -50,6 +50,7 @@ class TreeBench:
             seen_at_look=seen_at_look,
             duration=duration,
             localised=localised,
+            ends=lambda: MemoryBus(self.hub),
         )
         self._knowledge = Knowledge(bus, self.clocks, site)
         self._clients = Clients(bus, self.clocks, OWNER)

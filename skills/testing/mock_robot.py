@@ -8,7 +8,9 @@ Give it faults by action and number of the call, run any tree against it, and se
 
 from __future__ import annotations
 
-from typing import Final, TypeVar
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final, Protocol, TypeVar
 
 from skills.ports.actions.arm import (
     ArmState,
@@ -78,6 +80,43 @@ STRETCHED: Final = 0.75
 AWAKE_AT_LOOK: Final = 1
 
 
+class ClosableBus(Bus, Protocol):
+    """An end of a bus that can be left."""
+
+    def close(self) -> None:
+        """Leave it."""
+        ...
+
+
+class _Mortal:
+    """An end of a bus whose process can die: from then on nothing leaves it."""
+
+    def __init__(self, bus: ClosableBus) -> None:
+        self._bus, self._dead = bus, False
+        self.subscribe, self.serve, self.query = bus.subscribe, bus.serve, bus.query
+        self.listened, self.announce, self.alive = bus.listened, bus.announce, bus.alive
+
+    def publish(self, key: str, payload: bytes) -> None:
+        """Send, unless it is dead."""
+        if not self._dead:
+            self._bus.publish(key, payload)
+
+    def die(self) -> None:
+        """Take back all names, and say nothing more."""
+        self._dead = True
+        self._bus.close()
+
+
+@dataclass(eq=False)
+class _Served:
+    """A skill, its server, and how to make another one."""
+
+    serve: Callable[[Bus], Node]
+    server: Node
+    bus: _Mortal | None
+    there: bool = True
+
+
 class MockRobot:
     """Skills, keeper and description in one node.
 
@@ -89,6 +128,7 @@ class MockRobot:
         seen_at_look: the number of the look from which on the items are seen (1: the first).
         duration: robot seconds that each skill takes.
         localised: whether the robot knows its pose from the start.
+        ends: makes ends of the same bus; with it each skill gets one of its own, and can be lost alone.
     """
 
     name = "mock robot"
@@ -103,6 +143,7 @@ class MockRobot:
         seen_at_look: int = AWAKE_AT_LOOK,
         duration: float = 0.0,
         localised: bool = False,
+        ends: Callable[[], ClosableBus] | None = None,
     ) -> None:
         self.base = FloorPose(x=0.0, y=0.0, yaw=0.0)
         self.localised = localised
@@ -119,7 +160,7 @@ class MockRobot:
         """Faults by the leaf that sent the goal, at each of its attempts or at one (1 is the first)."""
         self.calls: list[tuple[str, Message]] = []
         """Each goal that was run, with its action's name, in order."""
-        self._nodes: list[Node] = []
+        self._ends, self._servers = ends, dict[str, _Served]()
         self._clutter: tuple[SceneObject, ...] = ()
         self._told = False
         self._serve(LOOK, LookFeedback(pictures=0, seen=()), self._look)
@@ -146,13 +187,13 @@ class MockRobot:
         if not self._told:
             self._told = True
             self.tell()
-        more = [node.step() for node in self._nodes]
+        more = [served.server.step() for served in self._servers.values() if served.there]
         return any(more)
 
     def close(self) -> None:
         """End all skills."""
-        for node in self._nodes:
-            node.close()
+        for served in self._servers.values():
+            served.server.close()
         self._desk.close()
 
     def tell(self) -> None:
@@ -191,12 +232,42 @@ class MockRobot:
         faults = self._faults.setdefault(action.name, {})
         skill = MockSkill(action, self._clocks, idle, recorded, self._duration, faults, self._fault_of)
         skill.calls = _Recorded(self.calls, action.name)
-        self._nodes.append(ActionServer(self._bus, self._clocks, skill))
+        mortal = None if self._ends is None else _Mortal(self._ends())
+
+        def serve(at: Bus) -> Node:
+            return ActionServer(at, self._clocks, skill)
+
+        self._servers[action.name] = _Served(serve, serve(mortal or self._bus), mortal)
 
     def _fault_of(self, goal_id: str) -> Fault | None:
         _, _, rest = goal_id.partition("/")
         leaf, _, attempt = rest.rpartition("/")
         return self.leaf_faults.get((leaf, int(attempt))) or self.leaf_faults.get(leaf)
+
+    def lose(self, action: str) -> None:
+        """Have the process of a skill die: its name goes, and its goal with it."""
+        served = self._servers[action]
+        assert served.bus is not None, "give the robot ``ends`` to lose a skill alone"
+        if served.there:
+            served.there = False
+            served.bus.die()
+            served.server.close()
+
+    def bring_back(self, action: str) -> None:
+        """Have it started anew: it knows nothing of its goals."""
+        served = self._servers[action]
+        if not served.there and self._ends is not None:
+            served.bus = _Mortal(self._ends())
+            served.server, served.there = served.serve(served.bus), True
+
+    @property
+    def busy(self) -> tuple[str, ...]:
+        """The names of the actions that have a goal under way."""
+        return tuple(
+            name
+            for name, served in self._servers.items()
+            if served.there and isinstance(served.server, ActionServer) and served.server.busy
+        )
 
     def drop(self, side: Side) -> None:
         """Let what the hand holds fall where nobody sees it happen: the keeper learns from the hand."""

@@ -14,7 +14,7 @@ from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess
 
 from skills.ports.failure import Failure, FailureKind
-from trees.behaviours.decide import Decide
+from trees.behaviours.note import Note
 from trees.behaviours.phase import Phase
 from trees.behaviours.recovery import Recovery, Rung
 from trees.board import FetchBoard
@@ -82,7 +82,7 @@ def _another_grasp(context: TreeContext, board: FetchBoard) -> Behaviour:
         memory=True,
         children=[
             free_and_tuck(context, "get: draw back"),
-            Decide("get: avoid this grasp", context, decide),
+            Note("get: avoid this grasp", decide),
         ],
     )
 
@@ -103,7 +103,7 @@ def _from_home(context: TreeContext, board: FetchBoard) -> Behaviour:
         children=[
             FailureIsSuccess("get: home if there is a way", home(context, "get: home")),
             forget("get: forget where it is", context, board),
-            Decide("get: begin anew", context, decide),
+            Note("get: begin anew", decide),
         ],
     )
 

@@ -16,8 +16,8 @@ from skills.ports.actions.gripper import Grip, GripGoal
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.grasping import proximity_poses
 from skills.ports.world import Side
-from trees.behaviours.decide import Decide
 from trees.behaviours.guarded import Guarded
+from trees.behaviours.note import Note
 from trees.behaviours.recovery import Recovery, Rung
 from trees.board import FetchBoard
 from trees.conditions.kinds.another_slot_helps import another_slot_helps
@@ -138,7 +138,7 @@ def _another_slot(context: TreeContext, board: FetchBoard) -> Behaviour:
         memory=True,
         children=[
             free_and_tuck(context, "place: before another slot"),
-            Decide("place: note the slot is taken", context, note),
+            Note("place: note the slot is taken", note),
             bind_slot("place: bind another slot", context, board),
         ],
     )
@@ -155,7 +155,7 @@ def _another_stand(context: TreeContext, board: FetchBoard) -> Behaviour:
         memory=True,
         children=[
             free_and_tuck(context, "place: before another stand"),
-            Decide("place: avoid this stand", context, note),
+            Note("place: avoid this stand", note),
         ],
     )
 
@@ -170,7 +170,7 @@ def _from_home(context: TreeContext, board: FetchBoard) -> Behaviour:
         memory=True,
         children=[
             FailureIsSuccess("place: home if there is a way", home(context, "place: home")),
-            Decide("place: begin anew", context, note),
+            Note("place: begin anew", note),
         ],
     )
 

@@ -6,7 +6,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from py_trees.decorators import Inverter
 
-from trees.behaviours.decide import Decide
+from trees.behaviours.note import Note
 from trees.board import FetchBoard
 from trees.conditions.item_held import item_held
 from trees.context import TreeContext
@@ -29,7 +29,7 @@ def put_back(context: TreeContext, board: FetchBoard) -> Behaviour:
             Sequence(
                 "put item back",
                 memory=True,
-                children=[Decide("where it goes", context, decide), place(context, board)],
+                children=[Note("where it goes", decide), place(context, board)],
             ),
         ],
     )

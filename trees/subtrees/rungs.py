@@ -8,7 +8,8 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
 from skills.ports.failure import Failure, FailureKind
-from trees.behaviours.decide import Decide
+from trees.behaviours.note import Note
+from trees.behaviours.pause import Pause
 from trees.behaviours.recovery import Rung
 from trees.behaviours.wait_for import WaitFor
 from trees.board import FetchBoard
@@ -64,7 +65,7 @@ def let_pass(where: str, context: TreeContext, *, seconds: float, times: int) ->
         f"{where}: let them pass",
         another_way_helps,
         times,
-        _pause(f"{where}: wait for them", context, seconds),
+        Pause(f"{where}: wait for them", context, seconds),
     )
 
 
@@ -82,8 +83,8 @@ def another_way(where: str, context: TreeContext, board: FetchBoard, times: int 
         f"{where}: change the distance",
         memory=True,
         children=[
-            _pause(f"{where}: wait for them", context, LET_PASS),
-            Decide(f"{where}: avoid these stands", context, decide),
+            Pause(f"{where}: wait for them", context, LET_PASS),
+            Note(f"{where}: avoid these stands", decide),
         ],
     )
     return Rung(f"{where}: another way", another_way_helps, times, repair)
@@ -91,11 +92,4 @@ def another_way(where: str, context: TreeContext, board: FetchBoard, times: int 
 
 def a_moment(where: str, context: TreeContext) -> Behaviour:
     """Return a repair that does nothing but wait a moment: what failed is just tried again."""
-    return _pause(f"{where}: a moment", context, A_MOMENT)
-
-
-def _pause(name: str, context: TreeContext, seconds: float) -> Behaviour:
-    def waits() -> Failure:
-        return Failure(kind=FailureKind.TIMED_OUT, message=f"waits {seconds:.0f} s")
-
-    return WaitFor(name, context, lambda: True, waits, patience=seconds, at_least=seconds)
+    return Pause(f"{where}: a moment", context, A_MOMENT)

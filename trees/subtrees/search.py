@@ -13,7 +13,8 @@ from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import FloorPose
 from trees.behaviours.again import Again
 from trees.behaviours.check import Check
-from trees.behaviours.decide import Decide
+from trees.behaviours.give_up import GiveUp
+from trees.behaviours.note import Note
 from trees.board import FetchBoard
 from trees.conditions.item_located import item_located
 from trees.conditions.kinds.unseen import unseen
@@ -89,13 +90,13 @@ def _only_unseen(where: str, context: TreeContext) -> Check:
     return Check(f"only not seen {where}?", lambda: unseen(context.last_failure()))
 
 
-def _next_spot(context: TreeContext, board: FetchBoard) -> Decide:
-    def decide() -> str | Failure:
+def _next_spot(context: TreeContext, board: FetchBoard) -> Note:
+    def decide() -> str:
         spot = context.site.spots[board.spot % len(context.site.spots)]
         board.spot += 1
         return f"spot {spot.name}"
 
-    return Decide("next spot", context, decide)
+    return Note("next spot", decide)
 
 
 def _to_spot(context: TreeContext, board: FetchBoard) -> Behaviour:
@@ -105,10 +106,10 @@ def _to_spot(context: TreeContext, board: FetchBoard) -> Behaviour:
     return drive("drive to spot", context, poses)
 
 
-def _not_found(context: TreeContext, board: FetchBoard) -> Decide:
+def _not_found(context: TreeContext, board: FetchBoard) -> GiveUp:
     spots = len(context.site.spots)
 
-    def decide() -> str | Failure:
+    def reason() -> Failure:
         last = context.last_failure()
         if not unseen(last):
             return last
@@ -118,4 +119,4 @@ def _not_found(context: TreeContext, board: FetchBoard) -> Decide:
             evidence={"item": board.item, "spots": spots, "turns": TURNS},
         )
 
-    return Decide("item not found", context, decide)
+    return GiveUp("item not found", context, reason)

@@ -16,7 +16,7 @@ from skills.ports.message import Message
 from skills.ports.site import Site
 from skills.ports.tasks import Problem
 from skills.ports.world import Side
-from trees.behaviours.decide import Decide
+from trees.behaviours.note import Note
 from trees.behaviours.phase import Phase
 from trees.behaviours.recovery import Recovery, Rung
 from trees.behaviours.remember import afterwards
@@ -103,7 +103,7 @@ def build(asked: FetchRequest, context: TreeContext) -> Behaviour:
                     "deliver, whatever falls",
                     context,
                     delivered,
-                    (Rung("fetch it again", fetching_again_helps, DROPS, _again(context, board)),),
+                    (Rung("fetch it again", fetching_again_helps, DROPS, _again(board)),),
                     within=WITHIN,
                 ),
                 Phase("home", context, home_at_last(context), begins=0.90, ends=1.0),
@@ -112,7 +112,7 @@ def build(asked: FetchRequest, context: TreeContext) -> Behaviour:
     )
 
 
-def _again(context: TreeContext, board: FetchBoard) -> Decide:
+def _again(board: FetchBoard) -> Note:
     """Begin anew with any arm that is allowed: the item has fallen, and lies nobody knows where."""
 
     def decide() -> str:
@@ -121,7 +121,7 @@ def _again(context: TreeContext, board: FetchBoard) -> Decide:
         board.sides = board.allowed
         return f"{' or '.join(board.sides)} arm"
 
-    return Decide("begin the fetch anew", context, decide)
+    return Note("begin the fetch anew", decide)
 
 
 TASK = TaskType(

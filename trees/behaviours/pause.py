@@ -1,0 +1,33 @@
+"""Let robot time pass, and do nothing."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from skills.ports.clocks import robot_seconds
+from trees.context import TreeContext
+
+
+class Pause(Behaviour):
+    """RUNNING for so many robot seconds, then SUCCESS.
+
+    Args:
+        name: unique in the tree.
+        context: its clock.
+        seconds: robot seconds.
+    """
+
+    def __init__(self, name: str, context: TreeContext, seconds: float) -> None:
+        super().__init__(name)
+        self._context, self._seconds, self._since = context, seconds, 0.0
+
+    def initialise(self) -> None:
+        """Note the time."""
+        self._since = robot_seconds(self._context.clocks)
+
+    def update(self) -> Status:
+        """Watch the time."""
+        waited = robot_seconds(self._context.clocks) - self._since
+        self.feedback_message = f"{waited:.1f} of {self._seconds:.0f} s"
+        return Status.SUCCESS if waited >= self._seconds else Status.RUNNING
