@@ -14,6 +14,7 @@ from rich.console import Console
 
 from executive.cli.exit_codes import ExitCode
 from executive.demo import Caller, succeeded
+from executive.fault_file import check_faults
 from executive.options import RunOptions
 from executive.report import Recorder, write_report
 from executive.systems import LockstepSystem, ProcessSystem, RefusedError, System, SystemFailure
@@ -23,6 +24,7 @@ from sim.truth import Truth, lies_on
 from skills.ports.geometry import Pose
 from skills.ports.site import Site
 from skills.site import DocumentError, load
+from skills.testing.faulty_bus import BusFaults
 
 DEMO_REQUEST: Final[dict[str, JsonValue]] = {"task": "fetch", "item": 29, "to": "depot"}
 PICTURE: Final = Path("tandem-demo.png")
@@ -34,8 +36,8 @@ def run_demo(options: RunOptions) -> ExitCode:
     """Fetch one item and end; OK only when, in truth, the item lies in the depot."""
 
     def work(console: Console) -> ExitCode:
-        scenario, site = _checked(options)
-        with _system(options, scenario) as system:
+        scenario, site, bus_faults = _checked(options)
+        with _system(options, scenario, bus_faults) as system:
             return _fetch(options, system, site, console)
 
     return _ended(work)
@@ -45,8 +47,8 @@ def run_up(options: RunOptions) -> ExitCode:
     """Start router, stand-in, skills and executive, and watch them until Ctrl-C."""
 
     def work(console: Console) -> ExitCode:
-        scenario, _ = _checked(options)
-        with _system(options, scenario) as system:
+        scenario, _, bus_faults = _checked(options)
+        with _system(options, scenario, bus_faults) as system:
             console.print(f"ready: {options.scenario} on {options.bus.prefix} at {options.bus.endpoint}")
             console.print("in another terminal: tandem request fetch --item 29 --wait", markup=False)
             console.print("Ctrl-C ends all")
@@ -81,17 +83,20 @@ def _ended(work: Callable[[Console], ExitCode]) -> ExitCode:
         return ExitCode.INTERRUPTED
 
 
-def _checked(options: RunOptions) -> tuple[Scenario, Site]:
+def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
     scenario = load_scenario(options.scenario)
     site = load(scenario.site)
     build_scene(site, scenario, source=options.scenario)
-    return scenario, site
+    if options.faults is None:
+        return scenario, site, None
+    more = check_faults(options.faults, site)
+    return scenario.with_faults(more.faults), site, more.bus
 
 
 @contextmanager
-def _system(options: RunOptions, scenario: Scenario) -> Iterator[System]:
+def _system(options: RunOptions, scenario: Scenario, bus_faults: BusFaults | None) -> Iterator[System]:
     if options.lockstep:
-        lockstep = LockstepSystem(scenario, options.seed)
+        lockstep = LockstepSystem(scenario, options.seed, bus_faults=bus_faults)
         try:
             yield lockstep
         finally:

@@ -12,9 +12,11 @@ from executive.roles import SKILL_ROLES, Surroundings, executive_node, skill_nod
 from executive.settings import Role
 from sim.scenario import Scenario
 from sim.station import Station, StationSettings
+from skills.ports.bus import Bus
 from skills.ports.node import Node
 from skills.ports.site import Site
 from skills.site import load
+from skills.testing.faulty_bus import BusFaults, FaultyBus
 from skills.wire.clocks import SteppedClocks
 from skills.wire.memory import Kind, MemoryBus, MemoryHub
 from skills.wire.workers import InlineCompute
@@ -47,12 +49,20 @@ class Lockstep:
         seed: of all noise and all planning.
         without: roles that are left out.
         site: what is known beforehand, when it is not the scenario's own site file.
+        bus_faults: what happens to messages that skills and executive receive.
     """
 
     def __init__(
-        self, scenario: Scenario, seed: int, *, without: Sequence[str] = (), site: Site | None = None
+        self,
+        scenario: Scenario,
+        seed: int,
+        *,
+        without: Sequence[str] = (),
+        site: Site | None = None,
+        bus_faults: BusFaults | None = None,
     ) -> None:
         self.hub = MemoryHub()
+        self._seed, self._bus_faults = seed, bus_faults
         self.clocks = SteppedClocks()
         site = load(scenario.site) if site is None else site
         how = StationSettings(boot=self.clocks.boot, seed=seed)
@@ -65,11 +75,11 @@ class Lockstep:
         self.bus = MemoryBus(self.hub)
         """An end of the bus for whoever runs the system."""
         if "executive" not in without:
-            self.nodes.append(executive_node(MemoryBus(self.hub), self.clocks, site, start=""))
+            self.nodes.append(executive_node(self._end("executive"), self.clocks, site, start=""))
 
     def _skills(self, role: Role, seed: int, site: Site) -> Sequence[Node]:
         at = Surroundings(
-            bus=MemoryBus(self.hub),
+            bus=self._end(role),
             clocks=self.clocks,
             description=self.station.model.description,
             site=site,
@@ -79,6 +89,13 @@ class Lockstep:
         )
         return skill_nodes(role, at)
 
+    def _end(self, role: Role) -> Bus:
+        """Return an end of the bus for a role."""
+        bus = MemoryBus(self.hub)
+        if self._bus_faults is None:
+            return bus
+        return FaultyBus(bus, self.clocks, f"{self._seed}/{role}", self._bus_faults)
+
     @property
     def seconds(self) -> float:
         """Robot seconds since the start."""
@@ -86,7 +103,7 @@ class Lockstep:
 
     def step(self) -> None:
         """Let one period pass."""
-        self.clocks.advance(self.period)
+        self.clocks.advance(self.period, heard=not self.station.silent)
         for node in self.nodes:
             node.step()
 

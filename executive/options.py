@@ -37,6 +37,8 @@ class RunOptions:
     bus: BusOptions = BusOptions()
     scenario: str = "Demo"
     """Name of a scenario that comes with the sim, or the path of a YAML file."""
+    faults: Path | None = None
+    """File of faults on purpose, besides the scenario's own."""
     seed: int = 1
     speed: float | None = 1.0
     """Simulated seconds in a second; None: as fast as it goes."""

@@ -168,7 +168,12 @@ def _play_hardware(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[]
         waits=settings.speed is None,
         gui=settings.gui,
     )
-    station = Station(bus, load(settings.site), load_scenario(settings.scenario), how)
+    scenario = load_scenario(settings.scenario)
+    if settings.faults is not None:
+        from executive.fault_file import load_faults  # noqa: PLC0415
+
+        scenario = scenario.with_faults(load_faults(settings.faults).faults)
+    station = Station(bus, load(settings.site), scenario, how)
     try:
         await_renderer(station, bus, stopped)
         bus.announce("process/hardware")
@@ -184,16 +189,17 @@ def _play_node(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bo
 
     clocks = ProcessClocks(bus)
     site = load(settings.site)
+    faulty = _with_faults(settings, bus, clocks)
     if settings.role == "executive":
         from executive.task_queue import start_id  # noqa: PLC0415
 
-        node = executive_node(bus, clocks, site, start=start_id(time.time()))
+        node = executive_node(faulty, clocks, site, start=start_id(time.time()))
         run("executive", bus, clocks, [node], stopped)
         return
     compute = ProcessCompute(bus.waker.wake)
     try:
         at = Surroundings(
-            bus=bus,
+            bus=faulty,
             clocks=clocks,
             description=_ask_description(bus, stopped),
             site=site,
@@ -204,6 +210,17 @@ def _play_node(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bo
         run(settings.role, bus, clocks, skill_nodes(settings.role, at), stopped)
     finally:
         compute.close()
+
+
+def _with_faults(settings: WorkerSettings, bus: Bus, clocks: Clocks) -> Bus:
+    """Return the bus, or a bad one around it when the faults' file says so."""
+    if settings.faults is None:
+        return bus
+    from executive.fault_file import load_faults  # noqa: PLC0415
+    from skills.testing.faulty_bus import FaultyBus  # noqa: PLC0415
+
+    faults = load_faults(settings.faults).bus
+    return bus if faults is None else FaultyBus(bus, clocks, f"{settings.seed}/{settings.role}", faults)
 
 
 def _ask_description(bus: ZenohBus, stopped: Callable[[], bool]) -> RobotDescription:

@@ -29,6 +29,8 @@ class WorkerSettings(Message):
     site: str
     """Name or path of the site file."""
     scenario: str = "Demo"
+    faults: str | None = None
+    """Path of a file of faults on purpose, besides the scenario's own."""
     seed: int = 1
     speed: float | None = 1.0
     """Simulated seconds in a second; None: as fast as all followers go."""

@@ -18,6 +18,7 @@ from skills.ports.clocks import Clocks
 from skills.ports.keys import Nothing
 from skills.ports.site import Site
 from skills.ports.tasks import TASK_INFO
+from skills.testing.faulty_bus import BusFaults
 from skills.wire.clocks import ProcessClocks
 from skills.wire.zenoh_bus import BusError, ZenohBus
 
@@ -67,16 +68,23 @@ class LockstepSystem:
         seed: of all that is random.
         digest: take every message into a hash.
         site: what is known beforehand, when it is not the scenario's own site file.
+        bus_faults: what happens to messages that skills and executive receive.
     """
 
     def __init__(
-        self, scenario: Scenario, seed: int, *, digest: bool = False, site: Site | None = None
+        self,
+        scenario: Scenario,
+        seed: int,
+        *,
+        digest: bool = False,
+        site: Site | None = None,
+        bus_faults: BusFaults | None = None,
     ) -> None:
         with unheard():
             # pybullet prints when it was built. A process that only watches others never loads it.
             from executive.lockstep import Digest, Lockstep  # noqa: PLC0415
 
-            self.lockstep = Lockstep(scenario, seed, site=site)
+            self.lockstep = Lockstep(scenario, seed, site=site, bus_faults=bus_faults)
         self._digest = Digest()
         if digest:
             self.lockstep.hub.watch(self._digest)
@@ -223,6 +231,7 @@ class ProcessSystem:
             prefix=options.bus.prefix,
             site=self._site,
             scenario=options.scenario,
+            faults=None if options.faults is None else str(options.faults),
             seed=options.seed,
             speed=options.speed,
             gui=options.gui,

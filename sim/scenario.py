@@ -112,6 +112,10 @@ class Scenario(Message):
         """Return the same scenario without the item."""
         return self.model_copy(update={"items": tuple(item for item in self.items if item.tag != tag)})
 
+    def with_faults(self, faults: tuple[Fault, ...]) -> Scenario:
+        """Return the same scenario with more faults, after its own."""
+        return self.model_copy(update={"faults": (*self.faults, *faults)})
+
     def starting_at(self, start: FloorPose) -> Scenario:
         """Return the same scenario with the robot elsewhere."""
         return self.model_copy(update={"start": start})
@@ -130,12 +134,21 @@ def load_scenario(name_or_path: str | Path) -> Scenario:
     Raises:
         ScenarioError: when there is none, or it has mistakes.
     """
+    document, source = read_yaml(name_or_path)
+    return parse_scenario(document, source)
+
+
+def read_yaml(name_or_path: str | Path) -> tuple[object, str]:
+    """Return the document in a YAML file, or in a scenario that comes with the sim, and what to call it.
+
+    Raises:
+        ScenarioError: when there is none, or it is no YAML.
+    """
     text, source = _read(name_or_path)
     try:
-        document = yaml.safe_load(text)
+        return yaml.safe_load(text), source
     except yaml.YAMLError as error:
         raise ScenarioError(f"{source}: not YAML: {' '.join(str(error).split())}") from error
-    return parse_scenario(document, source)
 
 
 def parse_scenario(document: object, source: str) -> Scenario:
@@ -149,10 +162,11 @@ def parse_scenario(document: object, source: str) -> Scenario:
     try:
         return Scenario.model_validate(document)
     except ValidationError as error:
-        raise ScenarioError("\n".join(_lines(error, source))) from error
+        raise ScenarioError("\n".join(mistakes(error, source))) from error
 
 
-def _lines(error: ValidationError, source: str) -> list[str]:
+def mistakes(error: ValidationError, source: str) -> list[str]:
+    """Return a line for each mistake in a document: its source, the path in it, what was expected."""
     lines = []
     for part in error.errors():
         where = ".".join(str(step) for step in part["loc"]) or "(the whole document)"

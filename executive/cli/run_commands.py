@@ -15,6 +15,10 @@ Scenario = Annotated[
     str,
     typer.Option("--scenario", metavar="NAME|FILE", help="One of `tandem scenario list`, or a YAML file."),
 ]
+Faults = Annotated[
+    Path | None,
+    typer.Option("--faults", metavar="FILE", help="What shall go wrong on purpose: a YAML file."),
+]
 Seed = Annotated[int, typer.Option("--seed", min=0, help="Of all that is random.")]
 Speed = Annotated[
     str,
@@ -40,6 +44,7 @@ def demo(
     context: typer.Context,
     *,
     scenario: Scenario = "Demo",
+    faults: Faults = None,
     seed: Seed = 1,
     speed: Speed = "1",
     gui: Window = False,
@@ -54,7 +59,8 @@ def demo(
     logs = _logs(context)
     options = RunOptions(
         bus=bus_options(connect, site_key, robot),
-        scenario=_scenario(scenario),
+        scenario=_scenario(scenario, faults),
+        faults=faults,
         seed=seed,
         speed=_speed(speed),
         gui=gui,
@@ -73,6 +79,7 @@ def up(
     context: typer.Context,
     *,
     scenario: Scenario = "Demo",
+    faults: Faults = None,
     seed: Seed = 1,
     speed: Speed = "1",
     gui: Window = False,
@@ -86,7 +93,8 @@ def up(
     logs = _logs(context)
     options = RunOptions(
         bus=bus_options(connect, site_key, robot),
-        scenario=_scenario(scenario),
+        scenario=_scenario(scenario, faults),
+        faults=faults,
         seed=seed,
         speed=_speed(speed),
         gui=gui,
@@ -113,11 +121,13 @@ def _speed(text: str) -> float | None:
     return speed
 
 
-def _scenario(name_or_path: str) -> str:
-    """Return it when it is right; CommandError names the file, the path in it and what was expected."""
-    from executive.cli.scenario_commands import checked  # noqa: PLC0415
+def _scenario(name_or_path: str, faults: Path | None) -> str:
+    """Return it when both are right; CommandError names the file, the path in it and what was expected."""
+    from executive.cli.scenario_commands import checked, checked_faults  # noqa: PLC0415
 
-    checked(name_or_path)
+    scenario = checked(name_or_path)
+    if faults is not None:
+        checked_faults(faults, scenario)
     return name_or_path
 
 

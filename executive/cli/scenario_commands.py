@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -9,6 +10,7 @@ import typer
 from executive.cli.errors import CommandError
 
 if TYPE_CHECKING:
+    from executive.fault_file import FaultFile
     from sim.scenario import Scenario
 
 
@@ -36,13 +38,23 @@ def list_all() -> None:
     Console().print(table)
 
 
-def check(file: Annotated[str, typer.Argument(metavar="FILE|NAME", help="A YAML file, or a name.")]) -> None:
+def check(
+    file: Annotated[str, typer.Argument(metavar="FILE|NAME", help="A YAML file, or a name.")],
+    *,
+    faults: Annotated[
+        Path | None, typer.Option("--faults", metavar="FILE", help="Check this file of faults, too.")
+    ] = None,
+) -> None:
     """Check a scenario against its model and its site. Ends with 2 when there is a mistake."""
     scenario = checked(file)
     typer.echo(
         f"{file}: a right scenario: {scenario.name}, {len(scenario.items)} items, "
-        f"{len(scenario.obstacles)} obstacles, site {scenario.site}"
+        f"{len(scenario.obstacles)} obstacles, {len(scenario.faults)} faults, site {scenario.site}"
     )
+    if faults is not None:
+        more = checked_faults(faults, scenario)
+        bus = "a sound bus" if more.bus is None else "a faulty bus"
+        typer.echo(f"{faults}: right faults: {len(more.faults)} of robot and room, {bus}")
 
 
 def checked(name_or_path: str) -> Scenario:
@@ -61,3 +73,19 @@ def checked(name_or_path: str) -> Scenario:
     except (ScenarioError, DocumentError) as error:
         raise CommandError(str(error)) from error
     return scenario
+
+
+def checked_faults(path: Path, scenario: Scenario) -> FaultFile:
+    """Return a file of faults that fits a scenario's site.
+
+    Raises:
+        CommandError: naming the file, the path in it, and what was expected.
+    """
+    from executive.fault_file import check_faults  # noqa: PLC0415
+    from sim.scenario import ScenarioError  # noqa: PLC0415
+    from skills.site import load  # noqa: PLC0415
+
+    try:
+        return check_faults(path, load(scenario.site))
+    except ScenarioError as error:
+        raise CommandError(str(error)) from error

@@ -41,14 +41,20 @@ class SteppedClocks:
         """Start at zero."""
         self.boot = boot
         self.seconds = 0.0
+        self._unheard: float | None = None
 
-    def advance(self, seconds: float) -> None:
-        """Let time pass."""
+    def advance(self, seconds: float, *, heard: bool = True) -> None:
+        """Let time pass; while the hardware is not ``heard``, its own clock seems to stand."""
+        if heard:
+            self._unheard = None
+        elif self._unheard is None:
+            self._unheard = self.seconds
         self.seconds = round(self.seconds + seconds, 9)
 
     def robot(self) -> RobotTime | None:
-        """Return the simulated time."""
-        return RobotTime(boot=self.boot, seconds=self.seconds)
+        """Return the simulated time, or that at which the hardware was last heard."""
+        seconds = self.seconds if self._unheard is None else self._unheard
+        return RobotTime(boot=self.boot, seconds=seconds)
 
     def monotonic(self) -> float:
         """Return the simulated seconds."""
