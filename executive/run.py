@@ -214,10 +214,11 @@ class Run:
         self.ticks += 1
         self._touched = True
         try:
-            ticked = tuple(self._root.tick())
+            self._judge(tuple(self._root.tick()))
         except Exception as error:  # noqa: BLE001 - a tree's mistake costs its task, not the service
             self._crash(error)
-            return
+
+    def _judge(self, ticked: tuple[Behaviour, ...]) -> None:
         status = NodeStatus(self._root.status.name)
         if status is NodeStatus.RUNNING:
             self._hold.after_tick(ticked)
@@ -229,12 +230,13 @@ class Run:
     def _told(self) -> Failure | None:
         """Return the failure that the tree has told; one from before the wind-down is not its own."""
         failures = self.context.failures
-        if self._winding is not None and failures and failures[-1] is self._before_winding:
-            return None
-        return self.context.failure()
+        if self._winding is None:
+            return self.context.failure()
+        return failures[-1] if failures and failures[-1] is not self._before_winding else None
 
     def _as_failed(self, failure: Failure) -> Ending:
-        return Ending(TaskState.CANCELED if self.canceling else TaskState.FAILED, failure)
+        state = TaskState.CANCELED if self.canceling else TaskState.FAILED
+        return Ending(state, self._with_places(failure))
 
     def _crash(self, error: Exception) -> None:
         """End a tree that raised: a mistake in the program, which must cost this task and nothing else."""
@@ -298,13 +300,22 @@ class Run:
         skills = (handle.action for handle in stuck)
         confirmed, before = self._halt.confirmed, self._last_failure()
         failure = not_at_rest(self._root.name, skills, REST_WITHIN, confirmed=confirmed, before=before)
-        self.ended = self._ending = Ending(TaskState.FAILED, failure)
+        self.ended = self._ending = Ending(TaskState.FAILED, self._with_places(failure))
 
     def _lose_hardware(self, silent: float) -> None:
         if self._ending is None:
             self._stop_tree()
         failure = hardware_lost(self._root.name, silent, before=self._last_failure())
-        self.ended = self._ending = Ending(TaskState.FAILED, failure)
+        self.ended = self._ending = Ending(TaskState.FAILED, self._with_places(failure))
+
+    def _with_places(self, failure: Failure) -> Failure:
+        """Add where everything is, as the task's builder tells it."""
+        try:
+            places = {} if self.context.closing is None else self.context.closing()
+        except Exception:  # noqa: BLE001 - the end is told in any case
+            _LOG.exception("%s: where everything is could not be told", self.context.task)
+            return failure
+        return failure.model_copy(update={"evidence": {**failure.evidence, **places}})
 
     def _last_failure(self) -> Failure | None:
         return self.context.failure() if self._ending is None else self._ending.failure

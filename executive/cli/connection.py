@@ -73,6 +73,10 @@ class Connection:
                 ExitCode.NOBODY_THERE,
             ) from error
 
+    def raw(self, key: str, payload: bytes) -> bytes | None:
+        """Return what is answered as it is, or None when nobody answers in time."""
+        return self._first(lambda: self.bus.query(key, payload, timeout=ANSWER_WITHIN))
+
     def robot_name(self) -> str | None:
         """Return the name that the robot's hardware tells, or None when no hardware answers."""
         document = self._first(lambda: DESCRIPTION.query(self.bus, Nothing(), timeout=ANSWER_WITHIN))

@@ -25,6 +25,7 @@ from executive.cli import (
     task_commands,
     tree_commands,
     watch_command,
+    why_command,
 )
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import MEANINGS, ExitCode
@@ -36,6 +37,7 @@ _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     run_commands.add_to,
     task_commands.add_to,
     watch_command.add_to,
+    why_command.add_to,
     tree_commands.add_to,
     scenario_commands.add_to,
     schema_command.add_to,

@@ -1,4 +1,4 @@
-"""``tandem tasks`` and ``tandem cancel``."""
+"""``tandem tasks``, and the verbs: ``cancel``, ``pause``, ``resume``, ``step``."""
 
 from __future__ import annotations
 
@@ -12,13 +12,22 @@ from executive.cli.exit_codes import ExitCode
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
 
 if TYPE_CHECKING:
-    from skills.ports.tasks import TaskStatus
+    from executive.options import BusOptions
+    from skills.ports.keys import Service
+    from skills.ports.tasks import ControlAnswer, NameTask, TaskStatus
+
+RunningTask = Annotated[
+    str, typer.Argument(metavar="[ID]", help="As `tandem tasks` tells it; the running one unless given.")
+]
 
 
 def add_to(app: typer.Typer) -> None:
     """Add the commands."""
     app.command("tasks")(tasks)
     app.command("cancel")(cancel)
+    app.command("pause")(pause)
+    app.command("resume")(resume)
+    app.command("step")(step)
 
 
 def tasks(
@@ -57,6 +66,60 @@ def cancel(
     if not answer.accepted:
         raise CommandError(f"{task} can't be cancelled: {answer.reason}", ExitCode.BAD_INPUT)
     typer.echo(f"{task} is being cancelled")
+
+
+def pause(
+    task: RunningTask = "",
+    connect: Connect = DEFAULT_ENDPOINT,
+    site_key: SiteKey = DEFAULT_SITE,
+    robot: Robot = DEFAULT_ROBOT,
+) -> None:
+    """Have the running task's skills come to rest and its tree stay where it is."""
+    from skills.ports.tasks import TASK_PAUSE  # noqa: PLC0415
+
+    named = _verb(TASK_PAUSE, task, bus_options(connect, site_key, robot), "paused")
+    typer.echo(f"{named} is being paused; `tandem resume` goes on, `tandem step` by one leaf")
+
+
+def resume(
+    task: RunningTask = "",
+    connect: Connect = DEFAULT_ENDPOINT,
+    site_key: SiteKey = DEFAULT_SITE,
+    robot: Robot = DEFAULT_ROBOT,
+) -> None:
+    """Go on with a paused task."""
+    from skills.ports.tasks import TASK_RESUME  # noqa: PLC0415
+
+    typer.echo(f"{_verb(TASK_RESUME, task, bus_options(connect, site_key, robot), 'resumed')} goes on")
+
+
+def step(
+    task: RunningTask = "",
+    connect: Connect = DEFAULT_ENDPOINT,
+    site_key: SiteKey = DEFAULT_SITE,
+    robot: Robot = DEFAULT_ROBOT,
+) -> None:
+    """Go on with a paused task until one more leaf of its tree has ended."""
+    from skills.ports.tasks import TASK_STEP  # noqa: PLC0415
+
+    named = _verb(TASK_STEP, task, bus_options(connect, site_key, robot), "stepped")
+    typer.echo(f"{named} goes on by one leaf")
+
+
+def _verb(service: Service[NameTask, ControlAnswer], task: str, options: BusOptions, participle: str) -> str:
+    """Ask for it; return the task's id."""
+    from executive.cli.connection import Connection  # noqa: PLC0415
+    from skills.ports.keys import Nothing  # noqa: PLC0415
+    from skills.ports.tasks import TASK_INFO, NameTask  # noqa: PLC0415
+
+    with Connection(options) as connection:
+        named = task or connection.ask(TASK_INFO, Nothing()).running
+        if not named:
+            raise CommandError("no task is running", ExitCode.BAD_INPUT)
+        answer = connection.ask(service, NameTask(task=named))
+    if not answer.accepted:
+        raise CommandError(f"{named} can't be {participle}: {answer.reason}", ExitCode.BAD_INPUT)
+    return named
 
 
 def _print(tasks: tuple[TaskStatus, ...]) -> None:

@@ -77,6 +77,41 @@ def test_cancel_from_the_command(start: Start, capfd: pytest.CaptureFixture[str]
     assert main(["cancel", task, *system]) == 2
 
 
+def state(system: list[str], capfd: pytest.CaptureFixture[str], wanted: str) -> bool:
+    """Wait until the only task is in this state."""
+    for _ in range(100):
+        assert main(["tasks", "--json", *system]) == 0
+        (status,) = json.loads(capfd.readouterr().out)["tasks"]
+        if status["state"] == wanted:
+            return True
+        time.sleep(0.05)
+    return False
+
+
+def test_pause_step_and_resume_from_the_command(start: Start, capfd: pytest.CaptureFixture[str]) -> None:
+    system = start("0.5", "robot,executive")
+    assert main(["why", *system]) == 0
+    assert "no task has failed" in capfd.readouterr().out
+    assert main(["pause", *system]) == 2
+    assert "no task is running" in capfd.readouterr().err
+    assert main(["request", "fetch", "--item", "29", *system]) == 0
+    task = capfd.readouterr().out.strip()
+    assert main(["pause", *system]) == 0
+    assert f"{task} is being paused" in capfd.readouterr().out
+    assert state(system, capfd, "PAUSED")
+    assert main(["step", *system]) == 0
+    capfd.readouterr()
+    assert state(system, capfd, "PAUSED")
+    assert main(["resume", task, *system]) == 0
+    assert "goes on" in capfd.readouterr().out
+    assert main(["step", *system]) == 2
+    assert "not paused" in capfd.readouterr().err
+    assert main(["why", *system]) == 0
+    assert f"{task}: RUNNING" in capfd.readouterr().out
+    assert main(["why", "fetch-0", *system]) == 2
+    assert "tandem tasks" in capfd.readouterr().err
+
+
 def test_a_router_alone_is_not_enough(start: Start, capfd: pytest.CaptureFixture[str]) -> None:
     system = start("0.0", "nothing")
     began = time.monotonic()

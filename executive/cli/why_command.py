@@ -1,0 +1,74 @@
+"""``tandem why``: why a task failed, what was tried, who can help, and the picture of that moment."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
+from executive.cli.errors import CommandError
+from executive.cli.exit_codes import ExitCode
+from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
+
+if TYPE_CHECKING:
+    from executive.cli.connection import Connection
+    from skills.ports.tasks import TaskStatus
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the command."""
+    app.command("why")(why)
+
+
+def why(
+    task: Annotated[
+        str,
+        typer.Argument(metavar="[ID]", help="As `tandem tasks` tells it; the last that failed unless given."),
+    ] = "",
+    picture: Annotated[
+        Path | None,
+        typer.Option("--picture", metavar="FILE", help="Save the last attempt's picture (JPEG) here."),
+    ] = None,
+    connect: Connect = DEFAULT_ENDPOINT,
+    site_key: SiteKey = DEFAULT_SITE,
+    robot: Robot = DEFAULT_ROBOT,
+) -> None:
+    """Tell why a task failed, what was tried, where things are, and what to do next."""
+    from executive.cli.connection import Connection  # noqa: PLC0415
+    from executive.why import chosen, explain  # noqa: PLC0415
+    from skills.ports.keys import Nothing  # noqa: PLC0415
+    from skills.ports.tasks import TASK_LIST  # noqa: PLC0415
+
+    with Connection(bus_options(connect, site_key, robot)) as connection:
+        status = chosen(connection.ask(TASK_LIST, Nothing()).tasks, task)
+        if status is None:
+            if task:
+                raise CommandError(f"no task {task!r} is known; see `tandem tasks`", ExitCode.BAD_INPUT)
+            typer.echo("no task has failed, and none is running")
+            return
+        typer.echo(explain(status))
+        typer.echo("")
+        typer.echo(_picture(connection, status, picture))
+
+
+def _picture(connection: Connection, status: TaskStatus, path: Path | None) -> str:
+    """Save the picture if that was asked for; return what there is to be told of it."""
+    from executive.why import last_picture  # noqa: PLC0415
+    from skills.ports.tasks import TASK_PICTURE, AskPicture  # noqa: PLC0415
+
+    number = last_picture(status)
+    if not number:
+        return "no picture was taken when it went wrong"
+    if path is None:
+        return f"the picture of that moment: tandem why {status.task} --picture FILE"
+    asked = AskPicture(task=status.task, picture=number).model_dump_json().encode()
+    picture = connection.raw(TASK_PICTURE, asked)
+    if not picture:
+        return f"picture {number} is no longer kept"
+    try:
+        path.write_bytes(picture)
+    except OSError as error:
+        raise CommandError(f"--picture {path}: a writable file was expected: {error.strerror}") from error
+    return f"the picture of that moment: {path.resolve()}"

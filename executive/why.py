@@ -1,0 +1,141 @@
+"""Why a task failed, in words for an operator: what, where, what was tried, who can help and how."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from types import MappingProxyType
+from typing import Final
+
+from skills.ports.failure import KINDS, Failure, FailureKind, Helper
+from skills.ports.tasks import Attempt, TaskState, TaskStatus
+
+NEXT: Final = MappingProxyType(
+    {
+        Helper.CLIENT: "Whoever asked: the request can't be met as it stands. Correct it and ask again.",
+        Helper.AGAIN: "Nobody need do anything at the robot. Ask for the same once more; when it comes back, "
+        "look into the logs (`tandem --log FILE up`).",
+        Helper.LOOK: "Things are not where the robot believed. See that the item stands free and its tag can "
+        "be seen, then ask again: it looks anew.",
+        Helper.BASE: "The robot lacks room. Clear the floor around it and before the item, then ask again.",
+        Helper.LET_GO: "A hand is full. Take the item out of it, or have it put down, then ask again.",
+        Helper.OPERATOR: "Somebody has to go and see. Put right what is told above, then ask again.",
+    }
+)
+"""What to do, by who can help."""
+OPERATORS: Final = MappingProxyType(
+    {
+        FailureKind.HARDWARE_LOST: "See whether the robot has power and its link, start it anew, ask again.",
+        FailureKind.HARDWARE_STOPPED: (
+            "See why the stop was set, and that nobody is in reach; release it (a query on hw/stop/release). "
+            "Then ask again."
+        ),
+        FailureKind.ITEM_NOT_FOUND: (
+            "Find the item and put it where a search spot looks, its tag uncovered. Then ask again."
+        ),
+        FailureKind.ITEM_UNREACHABLE: (
+            "Move the item towards the edge and turn a tagged side outwards. Then ask again."
+        ),
+        FailureKind.DESTINATION_FULL: "Clear a slot of the depot. Then ask again.",
+        FailureKind.DESTINATION_UNREACHABLE: (
+            "Take the item out of the hand and clear the way to the depot. Then ask again."
+        ),
+        FailureKind.GRIPPER_STUCK: (
+            "Look at the gripper: something may be between its fingers, or it has no power. Then ask again."
+        ),
+    }
+)
+"""What an operator does, by kind, where more can be said."""
+PLACES: Final = MappingProxyType({"item_is": "the item is", "robot_is": "the robot is"})
+"""Evidence that tells where things are at the end."""
+
+
+def explain(status: TaskStatus) -> str:
+    """Return it all, in lines."""
+    lines = [*_head(status)]
+    if status.failure is not None:
+        lines += ["", "what failed", *_chain(status.failure)]
+    lines += ["", "what was tried", *_tried(status.tried)]
+    if status.failure is not None:
+        lines += ["", "where things are", *_places(status.failure)]
+        lines += ["", f"who can help: {KINDS[status.failure.kind].helper}", f"  {what_next(status.failure)}"]
+    return "\n".join(lines)
+
+
+def what_next(failure: Failure) -> str:
+    """Return what to do next."""
+    helper = KINDS[failure.kind].helper
+    return OPERATORS.get(failure.kind, NEXT[helper]) if helper is Helper.OPERATOR else NEXT[helper]
+
+
+def last_picture(status: TaskStatus) -> str:
+    """Return the number of the newest picture of what went wrong, or nothing."""
+    return next((each.picture for each in reversed(status.tried) if each.picture), "")
+
+
+def chosen(tasks: tuple[TaskStatus, ...], wanted: str) -> TaskStatus | None:
+    """Return the task of this id; without one, the last that ended badly, or else the one that runs."""
+    if wanted:
+        return next((each for each in tasks if each.task == wanted), None)
+    bad = [each for each in tasks if each.state is TaskState.FAILED or _bad_end(each)]
+    runs = [each for each in tasks if not each.state.terminal and each.state is not TaskState.QUEUED]
+    return next(reversed(bad or runs), None)
+
+
+def _bad_end(status: TaskStatus) -> bool:
+    return status.state.terminal and status.failure is not None
+
+
+def _head(status: TaskStatus) -> Iterator[str]:
+    took = ""
+    if status.started is not None and status.ended is not None and status.started.boot == status.ended.boot:
+        took = f" after {status.ended.seconds - status.started.seconds:.1f} s of robot time"
+    phase = f", in the phase {status.progress.phase!r}" if status.progress.phase else ""
+    yield f"{status.task}: {status.state}{took}{phase}, {status.progress.fraction:.0%} done"
+    yield f"  asked for: {json.dumps(status.request)}"
+    if status.failure is None:
+        yield "  it has not failed" if status.state.terminal else "  it is under way and has not failed"
+
+
+def _chain(failure: Failure, indent: str = "  ") -> Iterator[str]:
+    node, _, skill = failure.where.partition(": ")
+    way = "".join(f"{part} -> " for part in (node, skill) if part)
+    yield f"{indent}{way}{failure.kind}: {failure.message}"
+    yield f"{indent}  that is: {KINDS[failure.kind].meaning}"
+    measured = {name: value for name, value in failure.evidence.items() if name not in PLACES}
+    if measured:
+        yield f"{indent}  evidence: " + ", ".join(f"{name} {value}" for name, value in measured.items())
+    for cause in failure.causes:
+        yield f"{indent}  after"
+        yield from _chain(cause, indent + "    ")
+
+
+def _tried(tried: tuple[Attempt, ...]) -> Iterator[str]:
+    if not tried:
+        yield "  nothing: no recovery took it"
+        return
+    for attempt in tried:
+        at = "" if attempt.at is None else f"{attempt.at.seconds:8.1f} s  "
+        failure, seen = attempt.failure, f"  (picture {attempt.picture})" if attempt.picture else ""
+        where = f" at {failure.where}" if failure.where else ""
+        did = f"{attempt.recovery}, for the {_nth(attempt.times)} time" if attempt.recovery else "nothing"
+        yield f"  {at}{failure.kind}{where}: {failure.message}{seen}"
+        yield f"  {' ' * len(at)}-> {did}"
+    counts: dict[str, int] = {}
+    for attempt in tried:
+        if attempt.recovery:
+            counts[attempt.recovery] = counts.get(attempt.recovery, 0) + 1
+    if counts:
+        yield "  in all: " + ", ".join(f"{name} {times} x" for name, times in counts.items())
+
+
+def _nth(number: int) -> str:
+    return {1: "1st", 2: "2nd", 3: "3rd"}.get(number, f"{number}th")
+
+
+def _places(failure: Failure) -> Iterator[str]:
+    known = {name: failure.evidence[name] for name in PLACES if name in failure.evidence}
+    for name, value in known.items():
+        yield f"  {PLACES[name]} {value}"
+    if not known:
+        yield "  not told; `tandem watch` and world/state tell what is believed now"
