@@ -14,6 +14,7 @@ from skills.arm.planning.path import find_path
 from skills.arm.planning.settings import PlannerName, PlannerSettings
 from skills.arm.planning.straight import Broken, Hand, Line, follow, foresee, line_ends
 from skills.arm.problem import Arm, Moment, Plan, words
+from skills.arm.retreat import deepest, longest_first, ways_back
 from skills.arm.scene import to_base
 from skills.arm.timing import time_curve, time_path
 from skills.arm.trajectory import Trajectory
@@ -61,20 +62,22 @@ class MovePlanner:
         checker = self._arm.checker(moment, goal)
         yield CHECKS_AT_ONCE  # making the checker took about as long
         start = self._arm.start(moment)
-        # Only a straight approach may touch the item; on the way to where it begins, nothing may.
-        checker.touch(allowed=goal.straight)
-        stuck = checker.let_rest(start)
+        # Only a straight approach or a retreat may touch items; on the way to where it begins, nothing may.
+        checker.touch(allowed=goal.straight or bool(goal.by))
+        stuck = checker.let_rest(start, deepest=deepest(goal))
         yield CHECKS_AT_ONCE
         if stuck:
-            deepest = stuck[0]
+            worst = stuck[0]
             return self._failure(
                 FailureKind.NO_PATH,
-                f"the group stands in collision: {words(deepest)}",
-                contact=words(deepest),
-                depth_m=deepest.depth,
+                f"the group stands in collision: {words(worst)}",
+                contact=words(worst),
+                depth_m=worst.depth,
                 at_start=True,
             )
         motions = self._motions(checker)
+        if goal.by:
+            return (yield from self._retreat(goal, motions, start))
         if goal.candidates and goal.straight:
             return (yield from self._straight(goal, moment, motions, start))
         if goal.candidates:
@@ -111,9 +114,9 @@ class MovePlanner:
         """Check a motion, from ``after`` seconds on, against another moment's world."""
         checker = self._arm.checker(moment, goal, padded=padded)
         yield CHECKS_AT_ONCE
-        checker.touch(allowed=goal.straight)
-        checker.let_rest(trajectory.positions[0])
-        if goal.touch_support:
+        checker.touch(allowed=goal.straight or bool(goal.by))
+        checker.let_rest(trajectory.positions[0], deepest=deepest(goal))
+        if goal.touch_support or goal.by:
             checker.let_rest(trajectory.positions[-1], carried_only=True)
         yield CHECKS_AT_ONCE
         graze = yield from self._check(self._motions(checker), trajectory, after)
@@ -246,6 +249,38 @@ class MovePlanner:
                 return Plan(trajectory, number, target)
             failures.append(self._grazed(wrong, motions.checker))
         return failures[0].model_copy(update={"causes": tuple(failures[1:])})
+
+    def _retreat(self, goal: MoveGoal, motions: Motions, start: Array) -> Steps:
+        """Take the first way back that is whole, else the longest part of one."""
+        hand = self._hand(motions.checker)
+        parts: list[tuple[int, Line]] = []
+        failures: list[Failure] = []
+        for number, target in enumerate(ways_back(hand.chain.pose(start, hand.frame), goal.by)):
+            yield from self._permit_support(motions.checker, start, target)
+            line = yield from follow(hand, motions.checker, start, target)
+            wrong = self._broken(line, FailureKind.NO_PATH, motions.checker)
+            if line.broken is None:
+                plan = yield from self._along(goal, motions, line.path, number)
+                if isinstance(plan, Plan):
+                    return plan
+                wrong = self._grazed(plan, motions.checker)
+            failures.append(wrong)
+            parts.append((number, line))
+        for number, path in longest_first(hand, parts):
+            plan = yield from self._along(goal, motions, path, number)
+            if isinstance(plan, Plan):
+                return plan
+        return failures[0].model_copy(update={"causes": tuple(failures[1:])})
+
+    def _along(
+        self, goal: MoveGoal, motions: Motions, path: Array, number: int
+    ) -> Generator[int, None, Plan | _Graze]:
+        """Time and check a retreat along a path; it ends where the path does."""
+        hand = self._hand(motions.checker)
+        trajectory = time_curve(through(path), self._arm.motion_limits.scaled(goal.speed))
+        yield 20
+        wrong = yield from self._check(motions, trajectory)
+        return wrong or Plan(trajectory, number, hand.chain.pose(path[-1], hand.frame))
 
     def _permit_support(
         self, checker: CollisionChecker, start: Array, target: Pose

@@ -127,7 +127,7 @@ class Arm:
             self._with_hand(moment, goal.hand_width),
             () if base is None else obstacles(moment.scene, base, self._reach, padded=padded),
             carried(moment.scene, self.description),
-            touchable=allowed(moment.scene, goal.touch_item, touch),
+            touchable=allowed(moment.scene, goal.touch_item, touch, every=bool(goal.by)),
         )
 
     def _with_hand(self, moment: Moment, width: float | None) -> Mapping[str, float]:

@@ -44,10 +44,12 @@ def carried(scene: PlanningScene, description: RobotDescription) -> tuple[Carrie
 
 
 def allowed(
-    scene: PlanningScene, touch_item: int | None, touch_links: tuple[str, ...]
+    scene: PlanningScene, touch_item: int | None, touch_links: tuple[str, ...], *, every: bool = False
 ) -> tuple[tuple[str, str], ...]:
-    """Return the pairs that may touch: the item that is grasped, and the links of the hand."""
-    names = [each.name for each in scene.objects if touch_item is not None and each.item == touch_item]
+    """Return the pairs that may touch: the item that is grasped (or every one), and the links of the hand."""
+    names = [
+        each.name for each in scene.objects if each.item is not None and (every or each.item == touch_item)
+    ]
     return tuple((name, link) for name in names for link in touch_links)
 
 

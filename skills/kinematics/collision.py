@@ -157,7 +157,9 @@ class CollisionChecker:
         nearest = int(np.argmin(distances))
         return Clearance(distances[nearest], *self._names_of(numbers[nearest]))
 
-    def let_rest(self, q: Array, *, carried_only: bool = False) -> tuple[Contact, ...]:
+    def let_rest(
+        self, q: Array, *, carried_only: bool = False, deepest: float = MAX_RESTING_DEPTH
+    ) -> tuple[Contact, ...]:
         """Permit the shallow contacts that there are at q, as long as they get no deeper nearby.
 
         So an item can be lifted from the table on which it stands, set down on it, and a hand can leave
@@ -167,6 +169,7 @@ class CollisionChecker:
         Args:
             q: the reference configuration (n,): the start, or the place to set down.
             carried_only: permit the contacts of carried things, not of links.
+            deepest: metres of overlap beyond which a contact is not permitted.
 
         Returns:
             The contacts that are too deep, or of a link though ``carried_only``.
@@ -181,7 +184,7 @@ class CollisionChecker:
                 continue
             pair = self._geometry.collisionPairs[k]
             carried = self._bodies.is_carried(pair.first) or self._bodies.is_carried(pair.second)
-            if depth > MAX_RESTING_DEPTH or (carried_only and not carried):
+            if depth > deepest or (carried_only and not carried):
                 if not self._may_rest(k, depth):
                     refused.append(Contact(*self._names_of(k), depth))
                 continue

@@ -47,9 +47,13 @@ class MoveGoal(Message):
     ``straight`` the tool moves in a straight line. In straight lines the hand may touch
     ``touch_item``, and, with ``touch_support``, what it holds may touch what it stands on.
 
-    ``by`` is a retreat from whatever the hand is at: straight ways of the tool, in metres in its own frame
-    ((-0.1, 0, 0) draws the hand back), tried in order. On it the hand may touch every item, and what
-    it holds what that stands on.
+    ``by`` is a retreat from whatever the hand is at: straight ways of the tool from where it stands, in
+    metres in its own frame ((-0.1, 0, 0) draws the hand back), tried in order; then 10 cm straight up in the
+    map; then the longest part of any of them, of 2 cm at the least. On it the hand may touch every item, what
+    it holds may touch what it stands on, and contacts in which it begins, however deep, may go on as long as
+    they get no deeper. The result's ``candidate`` is the way's number (``len(by)``: up), and its error is
+    against where the way, or its part, ended. ``frame`` and ``straight`` mean nothing for it, and the robot
+    need not know where it is.
     """
 
     joints: tuple[float, ...] | None = None
