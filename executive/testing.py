@@ -7,6 +7,8 @@ status = bench.run("fetch", {"item": 29})
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
@@ -22,6 +24,7 @@ from trees.knowledge import Knowledge
 from trees.registry import discover
 
 STEP = 0.01
+"""Robot seconds of a period, unless another one is asked for."""
 OWNER = "executive"
 
 
@@ -36,6 +39,7 @@ class TreeBench:
         seen_at_look: int = 1,
         duration: float = 0.0,
         localised: bool = False,
+        step: float = STEP,
     ) -> None:
         """See ``MockRobot`` for the arguments."""
         self.clocks = SteppedClocks("bench")
@@ -54,31 +58,37 @@ class TreeBench:
         )
         self._knowledge = Knowledge(bus, self.clocks, site)
         self._clients = Clients(bus, self.clocks, OWNER)
-        self._runs = 0
+        self._runs, self._step = 0, step
         self.context = self._new_context()
         self.root: Behaviour | None = None
         self.visited: list[tuple[str, Status]] = []
-        """Each change of a node's status: its name and the new status, in order."""
+        """What each node became when it was ticked, in order: RUNNING once, INVALID when interrupted."""
+        self.events: dict[str, Callable[[MockRobot], None]] = {}
+        """What happens to the robot when a leaf first runs, by the leaf's name."""
+        self._running: dict[Behaviour, None] = {}
 
     def start(self, task: str, request: dict[str, object]) -> Behaviour:
         """Build the task's tree for a request document and return its root."""
         kind = discover()[task]
         self.context = self._new_context()
-        self.visited = []
+        self.visited, self._running = [], {}
         self.root = kind.build(kind.request.model_validate({"task": task, **request}), self.context)
         return self.root
 
     def step(self) -> Status:
         """Let one period pass: skills, then one tick of the tree; return the root's status."""
         assert self.root is not None, "start a task first"
-        self.clocks.advance(STEP)
+        self.clocks.advance(self._step)
         self.robot.step()
         self.context.poll()
-        before = {node.name: node.status for node in self.root.iterate()}
-        self.root.tick_once()
-        self.visited.extend(
-            (node.name, node.status) for node in self.root.iterate() if node.status is not before[node.name]
-        )
+        for node in self.root.tick():
+            if node.status is not Status.RUNNING or node not in self._running:
+                self.visited.append((node.name, node.status))
+            if node.status is Status.RUNNING:
+                self._running[node] = None
+            else:
+                self._running.pop(node, None)
+        self._note_interrupted()
         return self.root.status
 
     def run(self, task: str, request: dict[str, object], *, steps: int = 5000) -> Status:
@@ -95,10 +105,11 @@ class TreeBench:
         """Stop the tree as a cancel does; return whether all skills came to rest within ``steps``."""
         assert self.root is not None, "start a task first"
         self.root.stop(Status.INVALID)
+        self._note_interrupted()
         for _ in range(steps):
             if self.context.quiet:
                 return True
-            self.clocks.advance(STEP)
+            self.clocks.advance(self._step)
             self.robot.step()
             self.context.poll()
         return False
@@ -113,6 +124,11 @@ class TreeBench:
         leaves = {node.name for node in self.root.iterate() if not node.children}
         ended = (name for name, status in self.visited if status in {Status.SUCCESS, Status.FAILURE})
         return tuple(name for name in ended if name in leaves)
+
+    def _note_interrupted(self) -> None:
+        for node in [each for each in self._running if each.status is Status.INVALID]:
+            self.visited.append((node.name, Status.INVALID))
+            del self._running[node]
 
     def _new_context(self) -> TreeContext:
         self._runs += 1

@@ -150,6 +150,7 @@ class MockRobot:
         self.hands: dict[Side, int | None] = {"left": None, "right": None}
         """What each hand holds in truth."""
         self.world = WorldState(stamp=RobotTime(boot="mock", seconds=0.0), version=0)
+        self.bus = bus
         self._bus, self._clocks, self._site, self._items = bus, clocks, site, dict(items)
         self._seen_at_look, self._duration = seen_at_look, duration
         self._extent: dict[Side, float] = {"left": TUCKED, "right": TUCKED}
@@ -268,6 +269,11 @@ class MockRobot:
             for name, served in self._servers.items()
             if served.there and isinstance(served.server, ActionServer) and served.server.busy
         )
+
+    def stretch(self, side: Side) -> None:
+        """Have an arm be out, whatever it was at."""
+        self._extent[side] = STRETCHED
+        self.tell()
 
     def drop(self, side: Side) -> None:
         """Let what the hand holds fall where nobody sees it happen: the keeper learns from the hand."""

@@ -72,6 +72,11 @@ class Act(Behaviour, Generic[G, F, R]):
         self.failure: Failure | None = None
 
     @property
+    def skill(self) -> str:
+        """The action's name, once it has been started."""
+        return self._skill
+
+    @property
     def holder(self) -> str:
         """The id of the goal of this attempt."""
         return f"{self._context.task}/{self.name}/{self._attempt}"
@@ -107,10 +112,13 @@ class Act(Behaviour, Generic[G, F, R]):
 
     def terminate(self, new_status: Status) -> None:
         """Have the skill come to rest when the tree turns to something else."""
-        handle = self._handle
-        if new_status is Status.INVALID and handle is not None and not handle.ended:
+        handle, holder, resources = self._handle, self.holder, self._context.resources
+        if new_status is not Status.INVALID or handle is None:
+            return
+        if handle.ended:  # and this leaf has not been ticked since
+            resources.release(holder)
+        else:
             handle.cancel()
-            holder, resources = self.holder, self._context.resources
             handle.when_ended(lambda: resources.release(holder))
             self.feedback_message = "cancelled"
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from skills.ports.actions.arm import ArmState
 from skills.ports.actions.base import ARM_MARGIN
-from skills.ports.world import Side
+from skills.ports.world import SIDES, Side
 from trees.behaviours.check import Check
 from trees.context import TreeContext
 
@@ -23,6 +23,6 @@ def tucked(context: TreeContext, side: Side) -> bool:
     return at_rest(context, side) and status.extent <= description.footprint_radius + ARM_MARGIN
 
 
-def arm_tucked(context: TreeContext, side: Side, where: str) -> Check:
-    """Return the condition "the arm is tucked in"; ``where`` in the tree makes its name unique."""
-    return Check(f"{where}: {side} arm tucked?", lambda: tucked(context, side))
+def arms_tucked(name: str, context: TreeContext) -> Check:
+    """Return the condition "both arms are tucked in"."""
+    return Check(name, lambda: all(tucked(context, side) for side in SIDES))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final
 
 from skills.ports.actions.arm import MoveFeedback, MoveGoal, MoveResult, move
@@ -14,14 +15,15 @@ WAYS: Final = ((-0.12, 0.0, 0.0), (-0.07, 0.0, 0.0))
 """Metres in the tool's frame, x out of the hand: as far as from a grasp to its pre-grasp, or half of it."""
 
 
-def retreat(name: str, context: TreeContext, side: Side) -> Act[MoveGoal, MoveFeedback, MoveResult]:
+def retreat(
+    name: str, context: TreeContext, side: Callable[[], Side]
+) -> Act[MoveGoal, MoveFeedback, MoveResult]:
     """Return the leaf; with something in the hand the skill lifts it instead, when back is no way."""
-    group = f"arm_{side}"
     return Act(
         name,
         context,
-        move(group),
+        lambda: move(f"arm_{side()}"),
         lambda: MoveGoal(by=WAYS),
-        resources=(group,),
-        believed=lambda _: at_rest(context, side),
+        resources=lambda: (f"arm_{side()}",),
+        believed=lambda _: at_rest(context, side()),
     )

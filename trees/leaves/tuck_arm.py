@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from skills.ports.actions.arm import MoveFeedback, MoveGoal, MoveResult, move
 from skills.ports.world import Side
 from trees.behaviours.act import Act
@@ -9,15 +11,21 @@ from trees.conditions.arm_tucked import at_rest
 from trees.context import TreeContext
 
 
-def tuck_arm(name: str, context: TreeContext, side: Side) -> Act[MoveGoal, MoveFeedback, MoveResult]:
+def tuck_arm(
+    name: str, context: TreeContext, side: Callable[[], Side]
+) -> Act[MoveGoal, MoveFeedback, MoveResult]:
     """Return the leaf: the arm goes to its posture ``carry`` with something in the hand, else ``home``."""
-    group = f"arm_{side}"
 
     def goal() -> MoveGoal:
         world = context.knowledge.world
-        holds = world is not None and world.in_hand(side) is not None
+        holds = world is not None and world.in_hand(side()) is not None
         return MoveGoal(posture="carry" if holds else "home")
 
     return Act(
-        name, context, move(group), goal, resources=(group,), believed=lambda _: at_rest(context, side)
+        name,
+        context,
+        lambda: move(f"arm_{side()}"),
+        goal,
+        resources=lambda: (f"arm_{side()}",),
+        believed=lambda _: at_rest(context, side()),
     )

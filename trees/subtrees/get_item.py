@@ -24,7 +24,8 @@ from trees.conditions.kinds.looking_again_helps import looking_again_helps
 from trees.conditions.kinds.searching_again_helps import searching_again_helps
 from trees.context import TreeContext
 from trees.leaves.edit_scene import forget
-from trees.subtrees.home import free_and_tuck, home
+from trees.subtrees.arms_in import free_and_tuck
+from trees.subtrees.home import home
 from trees.subtrees.pick import pick
 from trees.subtrees.rungs import another_way, localise_again, wait_back
 from trees.subtrees.search import search

@@ -20,7 +20,7 @@ from trees.leaves.pre_grasp import grasp_candidates, pre_grasp
 from trees.leaves.reach import reach
 from trees.leaves.retract import retract
 from trees.leaves.survey import Reach
-from trees.subtrees.home import tuck
+from trees.subtrees.arms_in import tuck
 from trees.subtrees.stand import stand_near, unknown
 
 

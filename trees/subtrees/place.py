@@ -33,8 +33,9 @@ from trees.leaves.put_down import put_down
 from trees.leaves.slot_is_free import slot_is_free
 from trees.leaves.survey import Reach
 from trees.leaves.withdraw import withdraw
-from trees.subtrees.home import free_and_tuck, home
-from trees.subtrees.rungs import another_way, localise_again, wait_back
+from trees.subtrees.arms_in import free_and_tuck
+from trees.subtrees.home import home
+from trees.subtrees.rungs import a_moment, another_way, localise_again, wait_back
 from trees.subtrees.stand import stand_near, unknown
 
 WITHIN: Final = 300.0
@@ -121,7 +122,7 @@ def _leave_item(context: TreeContext, board: FetchBoard) -> Behaviour:
     )
     rungs = (
         wait_back("leave", context),
-        Rung("leave: once more", trying_again_helps, LEAVES, free_and_tuck(context, "leave: draw back")),
+        Rung("leave: once more", trying_again_helps, LEAVES, a_moment("leave", context)),
     )
     return Recovery("get away from item", context, main, rungs, within=LEAVE_WITHIN)
 
@@ -137,7 +138,6 @@ def _another_slot(context: TreeContext, board: FetchBoard) -> Behaviour:
         "place: take another slot",
         memory=True,
         children=[
-            free_and_tuck(context, "place: before another slot"),
             Note("place: note the slot is taken", note),
             bind_slot("place: bind another slot", context, board),
         ],
@@ -145,19 +145,14 @@ def _another_slot(context: TreeContext, board: FetchBoard) -> Behaviour:
 
 
 def _another_stand(context: TreeContext, board: FetchBoard) -> Behaviour:
+    """Take another stand; the arm is tucked in before the base moves."""
+
     def note() -> str:
         if context.knowledge.robot is not None:
             board.avoid.append(context.knowledge.robot.base_in_map)
         return f"{len(board.avoid)} stands are not tried again"
 
-    return Sequence(
-        "place: from another stand",
-        memory=True,
-        children=[
-            free_and_tuck(context, "place: before another stand"),
-            Note("place: avoid this stand", note),
-        ],
-    )
+    return Note("place: avoid this stand", note)
 
 
 def _from_home(context: TreeContext, board: FetchBoard) -> Behaviour:

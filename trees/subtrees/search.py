@@ -22,7 +22,7 @@ from trees.context import TreeContext
 from trees.leaves.drive import drive
 from trees.leaves.look import look
 from trees.leaves.turn import turn
-from trees.subtrees.home import free_and_tuck
+from trees.subtrees.arms_in import free_and_tuck
 
 TURNS = 12
 """Turns of 30 degrees make 360."""

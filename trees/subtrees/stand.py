@@ -20,7 +20,7 @@ from trees.conditions.at_pose import at_any
 from trees.context import TreeContext
 from trees.leaves.drive import drive
 from trees.leaves.survey import Reach, survey_stands
-from trees.subtrees.home import tuck
+from trees.subtrees.arms_in import free_and_tuck, tuck
 
 FACES: Final = {0: "", 1: ", left face", -1: ", right face"}
 """Names of an item's faces by quarter turns, seen from above, from the one that is seen."""
@@ -120,7 +120,7 @@ def _go(
                         f"go to {what}",
                         memory=True,
                         children=[
-                            tuck(context, f"before {what}"),
+                            (tuck if here_first else free_and_tuck)(context, f"before {what}"),
                             drive(f"drive to {what}", context, lambda: board.stands, serves_item=board.item),
                             *(() if then is None else (then,)),
                         ],
