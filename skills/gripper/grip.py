@@ -1,7 +1,8 @@
 """GRIP: open, close, grasp, and say whether the hand is full.
 
 Full means: the pads stopped before they met, at about the width expected, and press on something. A grasp
-that closed all the way is empty; pads that stopped where nothing was expected are stuck.
+that closed all the way is empty; pads that stopped where nothing was expected are stuck. A cancel or a pause
+stops pads that move; pads that squeeze go on squeezing.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Generator
 from typing import Final
 
+from skills.gripper.commands import Order, name_command
 from skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
 from skills.ports.bus import Bus, Pending
 from skills.ports.clocks import Clocks, robot_seconds
@@ -50,6 +52,7 @@ class Gripping:
         self._service = gripper_command(hand.side)
         self._state, self._stop = Latest(bus, gripper_state(hand.side)), Latest(bus, STOP_STATE)
         self._command = Command.GO_ON
+        self._sent = ""
 
     @property
     def action(self) -> ActionType[GripGoal, GripFeedback, GripResult]:
@@ -76,12 +79,12 @@ class Gripping:
 
     def run(self, goal: GripGoal, goal_id: str) -> Grips:
         """Move the pads, wait for rest, judge."""
-        self._command = Command.GO_ON
+        self._command, self._sent = Command.GO_ON, ""
         resting = False
         try:
             wrong = yield from self._heard()
-            if wrong is None and goal.grip is not Grip.CHECK:
-                wrong = yield from self._move(goal, goal_id, self._target(goal))
+            if wrong is None and goal.grip is not Grip.CHECK and self._command is not Command.CANCEL:
+                wrong = yield from self._move(goal, goal_id)
             if self._command is Command.CANCEL:
                 yield from self._hold(goal_id)
                 resting = True
@@ -89,8 +92,8 @@ class Gripping:
             resting = True
             return failed(wrong) if wrong is not None else self._judge(goal)
         finally:
-            if not resting:
-                self._send(f"{goal_id}#hold", self._now().width)
+            if not resting and self._moves():
+                self._send(name_command(goal_id, 0, Order.HOLD), self._now().width)
 
     def _target(self, goal: GripGoal) -> float:
         if goal.grip is Grip.OPEN:
@@ -102,23 +105,39 @@ class Gripping:
         while self._state.refresh() is None:
             if robot_seconds(self._clocks) > until:
                 return self._failure(FailureKind.NOT_READY, "the gripper's state was not heard")
-            if self._look((yield GripFeedback(width=0.0, force=0.0))):
+            self._look((yield GripFeedback(width=0.0, force=0.0)))
+            if self._command is Command.CANCEL:
                 return None
         return None
 
-    def _move(self, goal: GripGoal, goal_id: str, width: float) -> Waiting:
-        """Command the width and wait until the pads are at rest there or before."""
-        start = self._now().width
-        pending = self._send(goal_id, width, goal.force)
-        refused = yield from self._answered(pending)
-        if refused is not None or self._command is Command.CANCEL:
+    def _move(self, goal: GripGoal, goal_id: str) -> Waiting:
+        """Command the width and wait until the pads are at rest there or before; a pause comes in between."""
+        order = Order.OPEN if goal.grip is Grip.OPEN else Order.CLOSE
+        number = 0
+        while True:
+            wrong = yield from self._go(goal, name_command(goal_id, number, order))
+            if wrong is not None or self._command is not Command.PAUSE:
+                return wrong
+            if self._moves():
+                yield from self._hold(goal_id, number)
+                number += 1
+            while self._command is Command.PAUSE:
+                self._look((yield self._feedback()))
+            if self._command is Command.CANCEL:
+                return None
+
+    def _go(self, goal: GripGoal, command_id: str) -> Waiting:
+        """Move until the pads are at rest, or a command comes in between."""
+        start, width = self._now().width, self._target(goal)
+        refused = yield from self._answered(self._send(command_id, width, goal.force))
+        if refused is not None or self._command is not Command.GO_ON:
             return refused
         began = robot_seconds(self._clocks)
         late = began + SLOW * abs(width - start) / self._hand.gripper.speed + 1.0
         rest_since: float | None = None
         while True:
             now, state = robot_seconds(self._clocks), self._now()
-            done = state.command_id == goal_id and state.motion is not GripperMotion.MOVING
+            done = state.command_id == command_id and state.motion is not GripperMotion.MOVING
             rest_since = (now if rest_since is None else rest_since) if done else None
             if rest_since is not None and now - rest_since >= SETTLE:
                 return None
@@ -148,18 +167,25 @@ class Gripping:
         kind = FailureKind.HARDWARE_STOPPED if stopped else FailureKind.NOT_READY
         return self._failure(kind, f"the gripper refused: {answer.reason}")
 
-    def _hold(self, goal_id: str) -> Generator[GripFeedback, Command, None]:
-        """Stop where the pads are, and wait for rest."""
-        if self._state.value is None:
+    def _moves(self) -> bool:
+        """Whether the pads are under way, as far as is known, by a command of this run."""
+        state = self._state.value
+        if state is None or not self._sent:
+            return False
+        return state.command_id != self._sent or state.motion is GripperMotion.MOVING
+
+    def _hold(self, goal_id: str, number: int = 0) -> Generator[GripFeedback, Command, None]:
+        """Stop where the pads are, and wait for rest; pads at rest squeeze on."""
+        if not self._moves():
             return
-        hold = f"{goal_id}#hold"
+        hold = name_command(goal_id, number, Order.HOLD)
         self._send(hold, self._now().width)
         until = robot_seconds(self._clocks) + ANSWER_WITHIN
         while robot_seconds(self._clocks) < until:
             state = self._now()
             if state.command_id == hold and state.motion is not GripperMotion.MOVING:
                 return
-            yield self._feedback()
+            self._look((yield self._feedback()))
 
     def _judge(self, goal: GripGoal) -> Outcome[GripResult]:
         state = self._now()
@@ -182,17 +208,17 @@ class Gripping:
         return succeeded(result)
 
     def _send(self, command_id: str, width: float, force: float | None = None) -> Pending:
-        gripper = self._hand.gripper
+        gripper, self._sent = self._hand.gripper, command_id
         command = GripperCommand(
             id=command_id, width=max(0.0, width), speed=gripper.speed, force=force or gripper.force
         )
         return self._service.query(self._bus, command)
 
     def _look(self, command: Command) -> bool:
-        """Take a command; True when the run has to end."""
-        if command is Command.CANCEL:
-            self._command = Command.CANCEL
-        return self._command is Command.CANCEL
+        """Take a command, of which a cancel stands; True when the pads have to stand."""
+        if self._command is not Command.CANCEL and command is not Command.GO_ON:
+            self._command = Command.GO_ON if command is Command.RESUME else command
+        return self._command is not Command.GO_ON
 
     def _now(self) -> GripperState:
         state = self._state.refresh()

@@ -204,7 +204,7 @@ def gripper() -> Stage:
     bus, clocks = MemoryBus(), SteppedClocks("test")
     fingers = Fingers(bus, clocks)
     fingers.width = 0.0
-    (server,) = gripper_nodes(bus, clocks, mock_description(), "left")
+    (server, _) = gripper_nodes(bus, clocks, mock_description(), "left")
     assert isinstance(server, ActionServer)
     widths = [0.0, 0.0]
 

@@ -78,7 +78,7 @@ class Rig:
     def __init__(self) -> None:
         self.bus, self.clocks = MemoryBus(), SteppedClocks("test")
         self.fingers = Fingers(self.bus, self.clocks)
-        (self.server,) = nodes(self.bus, self.clocks, mock_description(), "left")
+        (self.server, self.watch) = nodes(self.bus, self.clocks, mock_description(), "left")
         self.status = Latest(self.bus, status_topic(ACTION))
 
     def rounds(self, count: int) -> None:
