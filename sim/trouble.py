@@ -181,7 +181,7 @@ class Trouble:
         stop = self._hardware.stop_state
         if isinstance(case.fault, StopSet) and (stop.by, stop.reason) == (case.fault.by, case.fault.reason):
             self._hardware.set_stop(StopState(stopped=False))
-        self._tell(case, "ended", f"{case.fault.kind} is over")
+        self._tell(case, "ended", f"{case.fault.kind.replace('_', ' ')} is over")
 
     def _tell(self, case: _Case, phase: Literal["began", "ended", "refused"], words: str) -> None:
         event = FaultEvent(

@@ -13,9 +13,11 @@ from executive.options import BusOptions, RunOptions
 from executive.systems import ProcessSystem
 from sim.faults import CameraDark, HandOpens, HardwareSilent, ItemLifted
 from sim.scenario import ScenarioError, load_scenario
+from skills.ports.keys import BUMPERS, Latest
 from skills.ports.tasks import REQUEST
 from skills.site import load
 from skills.testing.faulty_bus import BusFaults
+from tests.fakes.ports import free_endpoint
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples" / "faults").glob("*.yaml"))
 GOOD = "faults: [{kind: camera_dark, at: 1}]\nbus: {drop: 0.1}\n"
@@ -139,3 +141,20 @@ def test_while_the_hardware_is_silent_its_clock_stands() -> None:
     lockstep.close()
     assert seen[25] == seen[45] == pytest.approx(0.2, abs=0.02)
     assert seen[-1] == pytest.approx(0.6)
+
+
+@pytest.mark.processes
+def test_over_zenoh_the_file_reaches_the_hardware_and_it_speaks_again_after_a_silence(tmp_path: Path) -> None:
+    text = "faults: [{kind: hardware_silent, lasts: 1.0}, {kind: bumper, at: 2.0}]\nbus: {double: 1.0}\n"
+    options = RunOptions(bus=BusOptions(endpoint=free_endpoint()), speed=None, faults=written(tmp_path, text))
+    with ProcessSystem(options, roles=("router", "hardware", "keeper")) as system:
+        bumpers = Latest(system.bus, BUMPERS)
+        deadline = system.clocks.monotonic() + 20.0
+        while system.clocks.monotonic() < deadline:
+            system.advance()
+            told = bumpers.refresh()
+            if told is not None and told.pressed:
+                break
+        assert told is not None
+        assert told.pressed == ("front",)
+        assert told.stamp.seconds >= 2.0
