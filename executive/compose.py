@@ -37,7 +37,7 @@ def run_demo(options: RunOptions) -> ExitCode:
 
     def work(console: Console) -> ExitCode:
         scenario, site, bus_faults = _checked(options)
-        with _system(options, scenario, bus_faults) as system:
+        with _system(options, scenario, bus_faults, console) as system:
             return _fetch(options, system, site, console)
 
     return _ended(work)
@@ -48,7 +48,7 @@ def run_up(options: RunOptions) -> ExitCode:
 
     def work(console: Console) -> ExitCode:
         scenario, _, bus_faults = _checked(options)
-        with _system(options, scenario, bus_faults) as system:
+        with _system(options, scenario, bus_faults, console) as system:
             console.print(f"ready: {options.scenario} on {options.bus.prefix} at {options.bus.endpoint}")
             console.print("in another terminal: tandem request fetch --item 29 --wait", markup=False)
             console.print("Ctrl-C ends all")
@@ -94,7 +94,9 @@ def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
 
 
 @contextmanager
-def _system(options: RunOptions, scenario: Scenario, bus_faults: BusFaults | None) -> Iterator[System]:
+def _system(
+    options: RunOptions, scenario: Scenario, bus_faults: BusFaults | None, console: Console
+) -> Iterator[System]:
     if options.lockstep:
         lockstep = LockstepSystem(scenario, options.seed, bus_faults=bus_faults)
         try:
@@ -102,7 +104,11 @@ def _system(options: RunOptions, scenario: Scenario, bus_faults: BusFaults | Non
         finally:
             lockstep.close()
         return
-    with ProcessSystem(options) as processes:
+
+    def say(line: str) -> None:
+        console.print(line, style="yellow", markup=False)
+
+    with ProcessSystem(options, say=say) as processes:
         yield processes
 
 

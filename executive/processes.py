@@ -1,4 +1,7 @@
-"""Starts the processes of the system, watches them, and ends them: nothing is left behind."""
+"""Starts the processes of the system, watches them, starts skills again that die, and ends them all.
+
+Nothing is left behind.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,7 @@ import subprocess
 import sys
 import threading
 import time
+from collections import deque
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Final, Self
@@ -21,6 +25,10 @@ FOLLOWERS_END_WITHIN: Final = 1.5
 LAST_WORDS: Final = 12
 """Lines of a dead process's log that are shown."""
 SKILL_ROLES: Final = tuple(role for role in ROLES if role not in {"router", "hardware", "executive"})
+RESTARTS: Final = 3
+"""Times that a skill's process is started again ..."""
+RESTARTS_WITHIN: Final = 60.0
+"""... in so many seconds; one that dies more often has a fault that no new start mends."""
 
 
 @dataclass(frozen=True)
@@ -31,11 +39,15 @@ class Death:
     code: int
     last_words: str
 
+    def head(self) -> str:
+        """Return which process it was, and how it ended."""
+        how = f"signal {-self.code}" if self.code < 0 else f"exit code {self.code}"
+        return f"the {self.role} process ended ({how})"
+
     def describe(self) -> str:
         """Return it in words for people."""
-        how = f"signal {-self.code}" if self.code < 0 else f"exit code {self.code}"
         said = f"; its last words:\n{self.last_words}" if self.last_words else "; it said nothing"
-        return f"the {self.role} process ended ({how}){said}"
+        return f"{self.head()}{said}"
 
 
 @dataclass(eq=False)
@@ -68,6 +80,9 @@ class Supervisor:
 
     folder: Path
     children: list[Child] = field(default_factory=list)
+    _restarted: dict[str, deque[float]] = field(default_factory=dict)
+    _orphans: dict[int, float] = field(default_factory=dict)
+    """Groups of dead processes that may still have followers, and when these are killed."""
 
     def __enter__(self) -> Self:
         """Start with no process."""
@@ -108,6 +123,28 @@ class Supervisor:
             if child.process.poll() is not None
         )
 
+    def restart(self, role: str) -> bool:
+        """Start a skill's dead process again, as it was; return whether it may be."""
+        child, now = self.child(role), time.monotonic()
+        times = self._restarted.setdefault(role, deque(maxlen=RESTARTS))
+        often = len(times) == RESTARTS and now - times[0] < RESTARTS_WITHIN
+        if role not in SKILL_ROLES or often:
+            return False
+        times.append(now)
+        self.children.remove(child)
+        child.stream.close()
+        self._orphans[child.process.pid] = now + FOLLOWERS_END_WITHIN
+        _tell_group(child.process.pid, signal.SIGTERM)
+        self.start(child.settings)
+        return True
+
+    def tidy(self) -> None:
+        """See to the followers of processes that were started again. Never waits."""
+        now = time.monotonic()
+        for group, end in tuple(self._orphans.items()):
+            if not _tell_group(group, signal.SIGKILL if now > end else 0):
+                del self._orphans[group]
+
     def collect_logs(self, into: Path) -> None:
         """Write the logs of all roles into one file, one role after the other."""
         into.parent.mkdir(parents=True, exist_ok=True)
@@ -130,6 +167,9 @@ class Supervisor:
             for child in going:
                 _end(child, deadline)
         self.children.clear()
+        for group in self._orphans:
+            _end_group(group)
+        self._orphans.clear()
 
 
 def _end(child: Child, deadline: float) -> None:
@@ -140,6 +180,15 @@ def _end(child: Child, deadline: float) -> None:
         child.process.wait()
     _end_group(child.process.pid)
     child.stream.close()
+
+
+def _tell_group(group: int, number: int) -> bool:
+    """Send a signal to what is left of a group; return whether anything is."""
+    try:
+        os.killpg(group, number)
+    except ProcessLookupError:
+        return False
+    return True
 
 
 def _end_group(group: int) -> None:

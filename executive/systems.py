@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Final, Protocol, Self
 
 from executive.options import RunOptions
-from executive.processes import Supervisor
+from executive.processes import Death, Supervisor
 from executive.settings import ROLES, Role, WorkerSettings
 from sim.chatter import unheard
 from sim.scenario import Scenario, load_scenario
@@ -110,13 +110,21 @@ class ProcessSystem:
     Args:
         options: scenario, seed, speed, endpoint.
         roles: which processes to start.
+        say: takes a line when a skill's process has died and is started again.
 
     Raises:
         ScenarioError: when the scenario is wrong.
     """
 
-    def __init__(self, options: RunOptions, *, roles: tuple[Role, ...] = ROLES) -> None:
-        self._options, self._roles = options, roles
+    def __init__(
+        self,
+        options: RunOptions,
+        *,
+        roles: tuple[Role, ...] = ROLES,
+        say: Callable[[str], None] = lambda _: None,
+    ) -> None:
+        self._options, self._roles, self._say = options, roles, say
+        self._ready = False
         self._site = load_scenario(options.scenario).site
         self._folder = tempfile.TemporaryDirectory(prefix="tandem-")
         self.supervisor = Supervisor(Path(self._folder.name) / "logs")
@@ -186,6 +194,7 @@ class ProcessSystem:
         self._await(lambda: not self._not_started(), f"not all processes of {bus.prefix} started")
         if "executive" in self._roles:
             self._await(self._executive_answers, f"the executive of {bus.prefix} did not answer")
+        self._ready = True
 
     def _not_started(self) -> tuple[str, ...]:
         alive = self.bus.alive()
@@ -240,9 +249,16 @@ class ProcessSystem:
         )
 
     def _look_after(self) -> None:
-        deaths = self.supervisor.deaths()
-        if deaths:
-            raise SystemFailure("\n".join(death.describe() for death in deaths))
+        """Start skills again that have died; what died in the start, or too often, ends the system."""
+        deaths, fatal = self.supervisor.deaths(), list[Death]()
+        for death in deaths:
+            if self._ready and self.supervisor.restart(death.role):
+                self._say(f"{death.head()}; started again")
+            else:
+                fatal.append(death)
+        if fatal:
+            raise SystemFailure("\n".join(death.describe() for death in fatal))
+        self.supervisor.tidy()
 
 
 def wait_for(system: System, pending: Pending, within: float) -> bytes | None:

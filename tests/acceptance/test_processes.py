@@ -6,6 +6,7 @@ import signal
 import subprocess
 import time
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ import pytest
 from executive.cli.exit_codes import ExitCode
 from executive.demo import Caller
 from executive.options import RunOptions
+from executive.processes import RESTARTS
 from executive.settings import ROLES, Role
 from executive.systems import ProcessSystem, SystemFailure, wait_for
 from sim.scenario import load_scenario
@@ -135,8 +137,8 @@ def test_a_second_system_at_the_same_endpoint_refuses(live: ProcessSystem) -> No
     live.advance()
 
 
-@pytest.mark.parametrize("role", ROLES)
-def test_a_process_that_dies_is_named_and_the_rest_ends(role: Role) -> None:
+@pytest.mark.parametrize("role", ["router", "hardware", "executive"])
+def test_a_process_that_nobody_can_do_without_is_named_and_the_rest_ends(role: Role) -> None:
     ends = {}
 
     def one_dies() -> None:
@@ -151,6 +153,29 @@ def test_a_process_that_dies_is_named_and_the_rest_ends(role: Role) -> None:
     codes = {name: end.returncode for name, end in ends.items()}
     assert codes == {name: -9 if name == role else 0 for name in ROLES}
     assert left_behind(end.pid for end in ends.values()) == ()
+
+
+def replaced(system: ProcessSystem, dead: int) -> bool:
+    return system.pids()["base"] != dead
+
+
+def test_a_skill_that_dies_is_started_again_until_it_dies_too_often() -> None:
+    said: list[str] = []
+    groups: list[int] = []
+
+    def one_dies_often() -> None:
+        with ProcessSystem(RunOptions(bus=own_bus(), scenario="Defaults"), say=said.append) as system:
+            for _ in range(RESTARTS + 1):
+                groups.extend(system.pids().values())
+                dead = system.pids()["base"]
+                kill(dead)
+                go_on(system, partial(replaced, system, dead), within=10.0)
+
+    with pytest.raises(SystemFailure) as caught:
+        one_dies_often()
+    assert said == ["the base process ended (signal 9); started again"] * RESTARTS
+    assert str(caught.value).startswith("the base process ended (signal 9)")
+    assert left_behind(groups) == ()
 
 
 def test_a_process_that_can_not_start_is_named_with_its_last_words(tmp_path: Path) -> None:
