@@ -117,8 +117,16 @@ class Beliefs:
             return False
         if fact.seen.boot == stamp.boot and fact.seen.seconds >= stamp.seconds:
             return False
-        del self._items[number]
-        self._placed.pop(number, None)
+        return self.forget(number)
+
+    def forget(self, number: int) -> bool:
+        """Forget where the item stands; say whether it was known. What is in a hand stays there."""
+        if self.hand_of(number) is not None:
+            return False
+        known = self._items.pop(number, None) is not None
+        if self._placed.pop(number, None) is None and not known:
+            return False
+        self._removed.discard(number)
         self.version += 1
         return True
 

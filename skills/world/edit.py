@@ -1,4 +1,4 @@
-"""Edit: the trees tell what they did to the world - added, attached, detached, removed."""
+"""Edit: the trees tell what they did to the world - added, attached, detached, removed, forgotten."""
 
 from __future__ import annotations
 
@@ -40,7 +40,8 @@ class Edit:
             SceneEdit.ADD: self._check_add,
             SceneEdit.ATTACH: self._check_attach,
             SceneEdit.DETACH: self._check_detach,
-            SceneEdit.REMOVE: self._check_remove,
+            SceneEdit.REMOVE: self._check_in_no_hand,
+            SceneEdit.FORGET: self._check_in_no_hand,
         }
         return checks[goal.edit](goal)
 
@@ -66,8 +67,11 @@ class Edit:
             beliefs.add(goal.item)
         elif goal.edit is SceneEdit.REMOVE:
             beliefs.remove(goal.item)
+        elif goal.edit is SceneEdit.FORGET:
+            beliefs.forget(goal.item)
         elif goal.edit is SceneEdit.ATTACH and goal.side is not None and goal.item_in_tool is not None:
             beliefs.attach(goal.item, goal.side, goal.item_in_tool, now)
+            self._keeper.attached(goal.side, now)
         else:
             beliefs.detach(goal.item, goal.item_in_map, _placed(goal), now)
         return None
@@ -123,7 +127,7 @@ class Edit:
             return _refusal(goal, FailureKind.DESTINATION_FULL, message, holds=other)
         return None
 
-    def _check_remove(self, goal: EditGoal) -> Failure | None:
+    def _check_in_no_hand(self, goal: EditGoal) -> Failure | None:
         side = self._keeper.beliefs.hand_of(goal.item)
         if side is not None:
             return _refusal(goal, FailureKind.INVALID_GOAL, f"item {goal.item} is in the {side} hand")

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import logging
 from typing import Final
 
+from skills.ports.actions.gripper import HandState, HandStatus, hand_status
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.keys import Latest
 from skills.ports.message import RobotTime
 from skills.ports.site import Site
-from skills.ports.world import CLUTTER, SCENE, SIGHTINGS, WORLD
+from skills.ports.world import CLUTTER, SCENE, SIDES, SIGHTINGS, WORLD, Side
 from skills.world.beliefs import Beliefs
 from skills.world.journal import Journal
+
+log = logging.getLogger(__name__)
 
 REPEAT: Final = 1.0
 """Robot seconds between two publications when nothing changes: for those who came late."""
@@ -19,6 +23,9 @@ REPEAT: Final = 1.0
 
 class Keeper:
     """A ``Node``: merges what perception tells, and publishes on each change and every second.
+
+    A hand that tells EMPTY has lost what it is believed to hold, if it was attached before: then nobody knows
+    where that is.
 
     Args:
         bus: where perception, arms and trees are.
@@ -34,6 +41,8 @@ class Keeper:
         self.beliefs = Beliefs(site, None if journal is None else journal.remembered)
         self._sightings = Latest(bus, SIGHTINGS)
         self._clutter = Latest(bus, CLUTTER)
+        self._hands = {side: Latest(bus, hand_status(side)) for side in SIDES}
+        self._attached: dict[Side, RobotTime] = {}
         self._published = 0
         self._published_at: RobotTime | None = None
 
@@ -43,7 +52,7 @@ class Keeper:
         return self._clocks
 
     def step(self) -> bool:
-        """Take in what was seen; publish what changed."""
+        """Take in what was seen and what the hands tell; publish what changed."""
         seen, looks = self._sightings.take(), self._clutter.take()
         if seen or looks:
             before = self.beliefs.remembered(0.0)
@@ -56,8 +65,25 @@ class Keeper:
                 self.beliefs.look(look)
             if self.beliefs.remembered(0.0) != before:
                 self.keep()
+        for side, hand in self._hands.items():
+            for status in hand.take():
+                self._watch(side, status)
         self.publish()
         return False
+
+    def attached(self, side: Side, now: RobotTime) -> None:
+        """Note when the hand took what it holds: only later news of it count."""
+        self._attached[side] = now
+
+    def _watch(self, side: Side, status: HandStatus) -> None:
+        held, since = self.beliefs.in_hand(side), self._attached.get(side)
+        if held is None or status.state is not HandState.EMPTY:
+            return
+        if since is not None and since.boot == status.stamp.boot and status.stamp.seconds <= since.seconds:
+            return
+        log.warning("item %d fell out of the %s hand at %.2f s", held.item, side, status.stamp.seconds)
+        self.beliefs.detach(held.item, None, None, status.stamp)
+        self.keep()
 
     def keep(self) -> None:
         """Write what must be kept to the journal, before anybody hears of it."""
@@ -77,6 +103,8 @@ class Keeper:
         """End the subscriptions."""
         self._sightings.close()
         self._clutter.close()
+        for hand in self._hands.values():
+            hand.close()
 
     def _due(self, now: RobotTime) -> bool:
         last = self._published_at

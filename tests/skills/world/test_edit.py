@@ -80,6 +80,8 @@ class Desk:
         (E.DETACH, 7, {"item_in_map": POSE, "depot": "depot", "slot": 1}, K.DESTINATION_FULL),
         (E.DETACH, 7, {"item_in_map": POSE, "side": "right"}, K.INVALID_GOAL),
         (E.REMOVE, 7, {}, K.INVALID_GOAL),
+        (E.FORGET, 7, {}, K.INVALID_GOAL),
+        (E.FORGET, 999, {}, K.ITEM_UNKNOWN),
     ],
 )
 def test_what_contradicts_what_is_believed_is_refused(
@@ -118,6 +120,35 @@ def test_a_pick_and_a_place_in_edits() -> None:
     assert scene is not None
     assert (world.held, [each.slot for each in world.placed]) == ((), [0])
     assert [each for each in scene.objects if each.kind == "item"] == []
+
+
+def test_what_is_forgotten_is_nowhere_until_it_is_seen_again() -> None:
+    desk = Desk()
+    desk.see(29)
+    assert desk.edit(E.FORGET, 29).state is GoalState.SUCCEEDED
+    assert desk.edit(E.FORGET, 29).state is GoalState.SUCCEEDED, "the same once more"
+    world, scene = desk.world.refresh(), desk.scene.refresh()
+    assert world is not None
+    assert scene is not None
+    assert world.item(29) is None
+    assert [each for each in scene.objects if each.kind == "item"] == []
+    desk.see(29)
+    seen = desk.world.refresh()
+    assert seen is not None
+    assert seen.item(29) is not None
+
+
+def test_what_is_forgotten_lies_in_no_slot(tmp_path: Path) -> None:
+    desk = Desk(tmp_path / "journal")
+    desk.edit(E.ATTACH, 11, side="right", item_in_tool=Pose())
+    desk.edit(E.DETACH, 11, item_in_map=POSE, depot="depot", slot=1)
+    desk.edit(E.FORGET, 11)
+    second = Desk(tmp_path / "journal")
+    second.step()
+    for each in (desk, second):
+        world = each.world.refresh()
+        assert world is not None
+        assert (world.placed, world.items) == ((), ())
 
 
 def test_a_restart_brings_back_what_no_sensor_can(tmp_path: Path) -> None:

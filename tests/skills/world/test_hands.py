@@ -1,0 +1,87 @@
+"""The keeper hears what the hands are at: what fell out of one is held no more."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from skills.ports.actions.gripper import HandState, HandStatus, hand_status
+from skills.ports.actions.world import SceneEdit
+from skills.ports.geometry import Pose
+from skills.ports.message import RobotTime
+from skills.ports.world import Side
+from tests.skills.world.test_edit import Desk
+
+E = SceneEdit
+
+
+def tell(desk: Desk, state: HandState, *, side: Side = "left", ago: float = 0.0, boot: str = "b") -> None:
+    stamp = RobotTime(boot=boot, seconds=desk.clocks.seconds - ago)
+    status = HandStatus(stamp=stamp, side=side, state=state, width=0.0, force=0.0)
+    hand_status(side).publish(desk.bus, status)
+    desk.step()
+
+
+def holds(desk: Desk) -> bool:
+    world = desk.world.refresh()
+    assert world is not None
+    return world.in_hand("left") is not None
+
+
+def holding(journal: Path | None = None) -> Desk:
+    desk = Desk(journal)
+    desk.see(29)
+    desk.edit(E.ATTACH, 29, side="left", item_in_tool=Pose())
+    desk.clocks.advance(0.1)
+    desk.step()
+    assert holds(desk)
+    return desk
+
+
+def test_what_fell_is_in_no_hand_and_nobody_knows_where(tmp_path: Path) -> None:
+    desk = holding(tmp_path / "journal")
+    tell(desk, HandState.EMPTY)
+    assert not holds(desk)
+    world, scene = desk.world.refresh(), desk.scene.refresh()
+    assert world is not None
+    assert scene is not None
+    assert world.item(29) is None
+    assert [each for each in scene.objects if each.item == 29] == []
+    again = Desk(tmp_path / "journal")
+    again.step()
+    assert not holds(again), "it was written down"
+
+
+@pytest.mark.parametrize("state", [HandState.OPEN, HandState.HOLDING])
+def test_a_hand_that_is_let_go_or_holds_has_lost_nothing(state: HandState) -> None:
+    desk = holding()
+    tell(desk, state)
+    assert holds(desk)
+
+
+def test_the_other_hand_does_not_matter() -> None:
+    desk = holding()
+    tell(desk, HandState.EMPTY, side="right")
+    assert holds(desk)
+
+
+def test_news_from_before_the_grasp_does_not_matter() -> None:
+    desk = holding()
+    tell(desk, HandState.EMPTY, ago=1.0)
+    assert holds(desk)
+
+
+def test_a_new_boot_of_the_hardware_counts() -> None:
+    desk = holding()
+    tell(desk, HandState.EMPTY, ago=4.0, boot="c")
+    assert not holds(desk)
+
+
+def test_a_keeper_that_starts_again_believes_the_hand_rather_than_its_journal(tmp_path: Path) -> None:
+    holding(tmp_path / "journal").step()
+    again = Desk(tmp_path / "journal")
+    again.step()
+    assert holds(again)
+    tell(again, HandState.EMPTY)
+    assert not holds(again)
