@@ -11,6 +11,7 @@ import numpy as np
 from skills.perception import clutter, tags
 from skills.perception.aim import Aim
 from skills.perception.arms import Arms
+from skills.perception.blind import BlindCheck
 from skills.perception.camera import Camera
 from skills.perception.frames import CameraMount, JointHistory, RobotPoseHistory
 from skills.perception.head import Head
@@ -23,9 +24,10 @@ from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.compute import Compute
 from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import invert, to_pose, transform
+from skills.ports.geometry import compose, invert, to_pose, transform
 from skills.ports.grasping import item_in_map
 from skills.ports.hardware import RgbdHeader, RobotDescription
+from skills.ports.image import decode
 from skills.ports.keys import STOP_STATE, Latest
 from skills.ports.message import RobotTime
 from skills.ports.site import Site
@@ -38,6 +40,8 @@ SETTLE: Final = 0.05
 """Robot seconds between the head's rest and the picture: what still swings, settles."""
 WORK_AFTER: Final = 20.0
 """Robot seconds for a worker to read a picture: its first start takes a while."""
+BLIND_AFTER: Final = 1.5
+"""Robot seconds for which a look waits for a picture that shows something, once one did not."""
 REST_AFTER: Final = 3.0
 """Robot seconds for the head to come to rest after a cancel."""
 
@@ -91,7 +95,7 @@ class Look:
         self._body_radius = description.footprint_radius
         self._sizes = tuple((each.item, each.tag_size) for each in site.items)
         self._furniture = tuple(box.box() for each in site.furniture for box in each.boxes)
-        self._stop = Latest(bus, STOP_STATE)
+        self._stop, self._blind = Latest(bus, STOP_STATE), BlindCheck()
         self._scene, self._world = Latest(bus, SCENE, depth=4), Latest(bus, WORLD, depth=4)
 
     @property
@@ -173,16 +177,15 @@ class Look:
         missed: list[int] = []
         shot: Shot | None = None
         for taken in range(goal.pictures):
-            header, payload = yield from looking.camera.picture(session, after)
+            stamp, shot = yield from self._shot(looking, after)
             if taken + 1 == goal.pictures:
                 looking.camera.close()
-            after = header.stamp.seconds + 1e-6
-            shot = yield from self._placed(looking, header, payload)
+            after = stamp.seconds + 1e-6
             found = yield from self._read(looking, shot)
             seen.extend(found.sightings)
             missed.extend(found.absent)
             session.pictures += 1
-            looking.stamp = header.stamp
+            looking.stamp = stamp
         view = merge(seen)
         looking.sightings.extend(view)
         session.seen = tuple(sorted({each.item for each in looking.sightings}))
@@ -200,6 +203,29 @@ class Look:
         newest = looking.robot.newest
         assert newest is not None
         return self._aim.at(transform(invert(to_pose(newest.base_in_map)), goal.at), positions)
+
+    def _shot(
+        self, looking: _Looking, after: float
+    ) -> Generator[LookFeedback | Slice, Command, tuple[RobotTime, Shot]]:
+        """Return the next picture that shows something, with its time.
+
+        Raises:
+            LookError: CAMERA_BLIND when all that come are dark or stand still.
+        """
+        session = looking.session
+        blind_since: float | None = None
+        while True:
+            header, payload = yield from looking.camera.picture(session, after)
+            shot = yield from self._placed(looking, header, payload)
+            camera_in_map = compose(to_pose(shot.base_in_map), shot.camera_in_base)
+            wrong = self._blind.wrong(decode(payload), camera_in_map)
+            if not wrong:
+                return header.stamp, shot
+            blind_since = session.now if blind_since is None else blind_since
+            waited = session.now - blind_since
+            if waited >= BLIND_AFTER:
+                raise LookError(FailureKind.CAMERA_BLIND, wrong, waited_s=waited)
+            after = header.stamp.seconds + 1e-6
 
     def _placed(
         self, looking: _Looking, header: RgbdHeader, payload: bytes

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from skills.perception.jobs import warm_up
 from skills.perception.look import Look
+from skills.perception.snapshot import Snapshots
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.compute import Compute
@@ -22,9 +23,12 @@ def nodes(
     *,
     charge: bool = False,
 ) -> tuple[Node, ...]:
-    """Return the look's server. ``compute`` reads pictures; ``charge`` is the server's, for lockstep.
+    """Return the look's server and the snapshots.
+
+    ``compute`` reads pictures; ``charge`` is the server's, for lockstep.
 
     The worker is started now: its first picture should not wait for OpenCV to load.
     """
     compute.submit(warm_up, 64, cost=0.0)
-    return (ActionServer(bus, clocks, Look(bus, clocks, description, site, compute), charge=charge),)
+    look = Look(bus, clocks, description, site, compute)
+    return (ActionServer(bus, clocks, look, charge=charge), Snapshots(bus, clocks, compute))

@@ -163,6 +163,53 @@ def test_a_camera_that_is_silent_is_told() -> None:
     assert outcome.failure.kind is FailureKind.CAMERA_SILENT
 
 
+def covered(image: RgbdImage) -> RgbdImage:
+    return RgbdImage(image.header, np.zeros_like(image.colour), np.zeros_like(image.depth))
+
+
+def test_a_dark_camera_is_told_within_its_time() -> None:
+    stage = Stage(lambda pose, now: covered(paint(TAG)(pose, now)), ROBOT)
+    outcome = drive(stage, LookGoal())
+    assert outcome.failure is not None
+    assert outcome.failure.kind is FailureKind.CAMERA_BLIND
+    assert 1.5 <= float(outcome.failure.evidence["waited_s"]) < 1.8
+
+
+def test_a_moment_in_the_dark_is_waited_out() -> None:
+    painter = paint(TAG)
+
+    def dimmed(camera_in_map: Pose, now: RobotTime) -> RgbdImage:
+        image = painter(camera_in_map, now)
+        return covered(image) if len(stage.painted) < 8 else image
+
+    stage = Stage(dimmed, ROBOT)
+    outcome = drive(stage, LookGoal(item=29))
+    assert outcome.result is not None
+    assert outcome.result.found
+
+
+def frozen(painter: Callable[[Pose, RobotTime], RgbdImage]) -> Callable[[Pose, RobotTime], RgbdImage]:
+    kept: list[RgbdImage] = []
+
+    def same(camera_in_map: Pose, now: RobotTime) -> RgbdImage:
+        kept[:] = kept or [painter(camera_in_map, now)]
+        return RgbdImage(header(now.seconds), kept[0].colour, kept[0].depth)
+
+    return same
+
+
+def test_a_picture_that_stands_still_while_the_head_moves_is_told() -> None:
+    outcome = drive(Stage(frozen(paint(None)), ROBOT), LookGoal(tilts=(-0.2, -0.6)))
+    assert outcome.failure is not None
+    assert outcome.failure.kind is FailureKind.CAMERA_BLIND
+    assert "stands still" in outcome.failure.message
+
+
+def test_the_same_picture_of_the_same_view_is_no_fault() -> None:
+    outcome = drive(Stage(frozen(paint(TAG)), ROBOT), LookGoal(tilts=(-0.45,), pictures=3))
+    assert outcome.result is not None
+
+
 def test_a_robot_that_does_not_know_where_it_is_does_not_look() -> None:
     stage = Stage(paint(TAG), ROBOT, localised=False)
     outcome = drive(stage, LookGoal())

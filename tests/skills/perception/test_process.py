@@ -18,7 +18,7 @@ from tests.skills.perception.stage import DESCRIPTION, Stage
 
 def test_the_look_is_served() -> None:
     stage = Stage(lambda _pose, _now: picture((), np.random.default_rng(1)))
-    (server,) = nodes(stage.bus, stage.clocks, DESCRIPTION, site.load("lab"), InlineCompute(stage.clocks))
+    (server, _) = nodes(stage.bus, stage.clocks, DESCRIPTION, site.load("lab"), InlineCompute(stage.clocks))
     sent = SendGoal(goal_id="t/look/1", client="", goal={"tilts": [-0.4]})
     pending = goal_service("perception/look").query(stage.bus, sent)
     server.step()

@@ -1,0 +1,51 @@
+"""Is the camera blind? Dark pictures, and pictures that stay the same though the camera has moved."""
+
+from __future__ import annotations
+
+import zlib
+from typing import Final
+
+import numpy as np
+
+from skills.ports.geometry import Pose, angle_between, distance
+from skills.ports.image import RgbdImage
+
+THIN: Final = 4
+"""Every fourth pixel of every fourth row is looked at: a millisecond would be much otherwise."""
+DARK: Final = 12
+"""Grey levels (of 255) below which a pixel is dark."""
+LIT: Final = 0.005
+"""Share of the pixels that must be lit, or have a depth, for a camera that sees."""
+MOVED_METRES: Final = 0.02
+MOVED_RADIANS: Final = 0.02
+"""The camera has moved by more than its pose is uncertain: the picture can't be the same."""
+
+
+class BlindCheck:
+    """Judges one camera's pictures, one after the other, over many looks.
+
+    Pictures that are the same while nothing moves are no sign: a camera without noise gives them. Nor is a
+    picture of one colour.
+    """
+
+    def __init__(self) -> None:
+        self._print: int | None = None
+        self._taken_from = Pose()
+
+    def wrong(self, image: RgbdImage, camera_in_map: Pose) -> str:
+        """Return what is wrong with the picture in words, or nothing."""
+        colour, depth = image.colour[::THIN, ::THIN], image.depth[::THIN, ::THIN]
+        bright = float(np.mean(colour.max(axis=2) >= DARK))
+        measured = float(np.mean(depth > 0))
+        if bright < LIT and measured < LIT:
+            return "the picture is dark"
+        plain = np.ptp(colour) == 0 and np.ptp(depth) == 0
+        print_now = zlib.crc32(depth.tobytes(), zlib.crc32(colour.tobytes()))
+        if plain or print_now != self._print:
+            self._print, self._taken_from = print_now, camera_in_map
+            return ""
+        before = self._taken_from
+        metres = distance(before, camera_in_map)
+        radians = angle_between(before.orientation, camera_in_map.orientation)
+        moved = metres > MOVED_METRES or radians > MOVED_RADIANS
+        return "the picture stands still though the camera has moved" if moved else ""

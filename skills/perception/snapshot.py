@@ -1,0 +1,95 @@
+"""The head camera's next picture as JPEG, for whoever asks: what did it look like when it went wrong?"""
+
+from __future__ import annotations
+
+import struct
+from typing import Final
+
+import cv2
+
+from skills.ports.actions.perception import PICTURE
+from skills.ports.bus import Bus, Inbox, Request
+from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.compute import Compute, Job
+from skills.ports.image import decode
+from skills.ports.keys import RGBD
+
+PICTURE_AFTER: Final = 1.0
+"""Robot seconds within which a picture must come."""
+WORK_AFTER: Final = 1.0
+"""Robot seconds after that within which it must be JPEG."""
+WIDEST: Final = 640
+"""Pixels across, at the most."""
+QUALITY: Final = 80
+
+
+class Snapshots:
+    """Answers ``skill/perception/picture``; a ``Node``. It listens to the camera only while somebody asks.
+
+    Args:
+        bus: where the camera and the askers are.
+        clocks: robot time.
+        compute: who writes the JPEG.
+    """
+
+    name: Final = "perception/picture"
+
+    def __init__(self, bus: Bus, clocks: Clocks, compute: Compute) -> None:
+        self._bus, self._clocks, self._compute = bus, clocks, compute
+        self._desk = bus.serve(PICTURE)
+        self._waiting: list[Request] = []
+        self._inbox: Inbox | None = None
+        self._job: Job[bytes] | None = None
+        self._until = 0.0
+
+    def step(self) -> bool:
+        """Take questions, then the picture, then answer."""
+        asked = self._desk.drain()
+        if not asked and not self._waiting:
+            return False
+        now = robot_seconds(self._clocks)
+        if not self._waiting:
+            self._until = now + PICTURE_AFTER
+            self._inbox = self._bus.subscribe(RGBD, depth=1)
+        self._waiting += asked
+        if self._inbox is not None and (samples := self._inbox.drain()):
+            self._hush()
+            self._job = self._compute.submit(to_jpeg, samples[-1].payload, cost=0.0)
+            self._until = now + WORK_AFTER
+        if self._job is not None and self._job.done():
+            self._answer(self._job.result())
+        elif now > self._until:
+            self._answer(b"")
+        return False
+
+    def close(self) -> None:
+        """Tell whoever still waits that there is none."""
+        self._answer(b"")
+        self._desk.close()
+
+    def _answer(self, jpeg: bytes) -> None:
+        self._hush()
+        waiting, self._waiting, self._job = self._waiting, [], None
+        for request in waiting:
+            request.reply(jpeg)
+
+    def _hush(self) -> None:
+        if self._inbox is not None:
+            self._inbox.close()
+            self._inbox = None
+
+
+def to_jpeg(payload: bytes) -> bytes:
+    """Return an RGB-D payload's colours as JPEG; nothing for one that can't be read."""
+    try:
+        colour = decode(payload).colour
+    except (ValueError, struct.error):
+        return b""
+    height, width = colour.shape[:2]
+    if width > WIDEST:
+        size = (WIDEST, max(1, round(height * WIDEST / width)))
+        colour = cv2.resize(colour, size, interpolation=cv2.INTER_AREA)
+    good, written = cv2.imencode(
+        ".jpg", cv2.cvtColor(colour, cv2.COLOR_RGB2BGR), (cv2.IMWRITE_JPEG_QUALITY, QUALITY)
+    )
+    return written.tobytes() if good else b""

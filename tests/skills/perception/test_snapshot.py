@@ -1,0 +1,57 @@
+"""The camera's next picture for whoever asks."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from skills.perception.snapshot import Snapshots, to_jpeg
+from skills.ports.actions.perception import PICTURE
+from skills.ports.geometry import Pose
+from skills.ports.image import RgbdImage
+from skills.ports.keys import RGBD
+from skills.ports.message import RobotTime
+from skills.wire.workers import InlineCompute
+from tests.skills.perception.pictures import picture
+from tests.skills.perception.stage import Stage
+
+
+def painter(_: Pose, now: RobotTime) -> RgbdImage:
+    image = picture((), np.random.default_rng(1), seconds=now.seconds)
+    red = np.zeros_like(image.colour)
+    red[..., 0] = 200
+    return RgbdImage(image.header, red, image.depth)
+
+
+def ask(stage: Stage, seconds: float = 1.5) -> bytes | None:
+    node = Snapshots(stage.bus, stage.clocks, InlineCompute(stage.clocks))
+    node.step()
+    assert not stage.bus.listened(RGBD), "nobody asked"
+    pending = stage.bus.query(PICTURE, b"")
+    for _ in range(round(seconds / 0.01)):
+        stage.step()
+        node.step()
+        if (answer := pending.poll()) is not None:
+            assert not stage.bus.listened(RGBD), "it goes on listening"
+            return answer
+    return None
+
+
+def test_the_next_picture_comes_as_jpeg_in_its_colours() -> None:
+    answer = ask(Stage(painter))
+    assert answer is not None
+    image = cv2.imdecode(np.frombuffer(answer, np.uint8), cv2.IMREAD_COLOR)
+    assert image is not None
+    assert image.shape == (360, 640, 3)
+    blue, green, red = image.reshape(-1, 3).mean(axis=0)
+    assert red > 190
+    assert max(blue, green) < 10
+
+
+def test_a_silent_camera_gives_nothing_within_its_time() -> None:
+    assert ask(Stage(painter, camera_works=False), seconds=1.1) == b""
+
+
+def test_what_is_no_picture_gives_nothing() -> None:
+    assert to_jpeg(b"\x01\x00\x00\x00{") == b""
+    assert to_jpeg(b"") == b""
