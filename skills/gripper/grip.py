@@ -121,10 +121,14 @@ class Gripping:
             if self._moves():
                 yield from self._hold(goal_id, number)
                 number += 1
-            while self._command is Command.PAUSE:
-                self._look((yield self._feedback()))
-            if self._command is Command.CANCEL:
+            if (yield from self._paused()):
                 return None
+
+    def _paused(self) -> Generator[GripFeedback, Command, bool]:
+        """Wait until the goal is resumed; True when it was cancelled instead."""
+        while self._command is Command.PAUSE:
+            self._look((yield self._feedback()))
+        return self._command is Command.CANCEL
 
     def _go(self, goal: GripGoal, command_id: str) -> Waiting:
         """Move until the pads are at rest, or a command comes in between."""

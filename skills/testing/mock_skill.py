@@ -62,12 +62,17 @@ class MockSkill(Generic[G, F, R]):
         return None
 
     def run(self, goal: G, goal_id: str) -> Run[F, R]:
-        """Wait the duration, then answer."""
+        """Wait the duration, in which pauses don't count, then answer."""
         self.calls.append(goal)
         fault = self.faults.get(len(self.calls)) or self.fault_of(goal_id) or Fault()
         until = robot_seconds(self.clocks) + self.duration + fault.late
-        while fault.hangs or robot_seconds(self.clocks) < until:
+        paused_at: float | None = None
+        while fault.hangs or paused_at is not None or robot_seconds(self.clocks) < until:
             command = yield self.idle
+            if command is Command.PAUSE and paused_at is None:
+                paused_at = robot_seconds(self.clocks)
+            elif command is Command.RESUME and paused_at is not None:
+                until, paused_at = until + robot_seconds(self.clocks) - paused_at, None
             if command is Command.CANCEL:
                 yield self.idle  # a skill takes a moment to come to rest
                 return canceled()

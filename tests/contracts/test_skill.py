@@ -129,6 +129,45 @@ def test_a_cancelled_goal_ends_canceled_and_at_rest(slow: Stage, steps: int) -> 
     assert slow.send(goal_id="task/node/2").state is GoalState.RUNNING, "the next goal is taken"
 
 
+@pytest.mark.parametrize("steps", [0, 20])
+def test_a_paused_goal_rests_and_ends_well_once_it_is_resumed(slow: Stage, steps: int) -> None:
+    slow.send()
+    for _ in range(steps):
+        slow.step()
+    assert slow.command(Command.PAUSE).state is GoalState.PAUSED
+    for _ in range(150):
+        slow.step()
+    assert slow.at_rest()
+    assert slow.ask().state is GoalState.PAUSED
+    assert slow.command(Command.RESUME).state is GoalState.RUNNING
+    ended = slow.until_ended()
+    assert ended.state is GoalState.SUCCEEDED, ended
+    assert slow.at_rest()
+
+
+def test_a_paused_goal_can_be_cancelled(slow: Stage) -> None:
+    slow.send()
+    for _ in range(20):
+        slow.step()
+    slow.command(Command.PAUSE)
+    for _ in range(20):
+        slow.step()
+    slow.command(Command.CANCEL)
+    assert slow.until_ended(steps=300).state is GoalState.CANCELED
+    assert slow.at_rest()
+
+
+def test_a_late_command_for_an_old_goal_does_not_touch_the_new_one(slow: Stage) -> None:
+    slow.send()
+    slow.command(Command.CANCEL)
+    slow.until_ended(steps=300)
+    slow.send(goal_id="task/node/2")
+    slow.step()
+    assert slow.command(Command.CANCEL).state is GoalState.CANCELED, "of the old one"
+    assert slow.ask("task/node/2").state is GoalState.RUNNING
+    assert slow.until_ended("task/node/2").state is GoalState.SUCCEEDED
+
+
 def test_a_cancel_after_the_end_changes_nothing(stage: Stage) -> None:
     stage.send()
     ended = stage.until_ended()
