@@ -17,8 +17,8 @@ from sim.faults import (
     JointStall,
     LaserSilent,
 )
+from sim.gripper import HandDefects
 from sim.lens import Freeze, darken
-from sim.parts import HandDefects
 from sim.scenario import ScenarioError
 from skills.ports import keys
 

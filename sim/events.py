@@ -56,6 +56,7 @@ class Events:
     def __init__(self, bus: Bus, hardware: Hardware, world: World, robot: RobotBody) -> None:
         self._bus, self._hardware, self._world, self._robot = bus, hardware, world, robot
         self._before: dict[Occurrence, bool] = {}
+        self._aloft: set[int] = set()
         self._stood = {name: world.pose(name).position[2] for name in world.movable()}
         self._moved, self._still_since = False, 0.0
         self._links = {
@@ -76,10 +77,15 @@ class Events:
         if "camera_used" in wanted:
             so[Occurrence("camera_used")] = self._bus.listened(RGBD)
         began = [what for what, holds in so.items() if holds and not self._before.get(what, holds)]
-        self._before.update(so)
+        self._before = so
         if "item_lifted" in wanted:
             began += self._lifted()
         return [occurrence for occurrence in began if occurrence.event in wanted]
+
+    def look_away(self) -> None:
+        """Forget what was so: nobody wants to know for now, and what goes on then does not begin."""
+        self._before = {}
+        self._moved = False
 
     def _is_base_moving(self) -> bool:
         controller = self._hardware.base.controller
@@ -102,15 +108,14 @@ class Events:
             height = self._world.pose(name).position[2]
             rise = height - self._stood.setdefault(name, height)
             if abs(rise) < STIRRED:
-                self._before.pop(Occurrence("item_lifted", tag=label.tag), None)
+                self._aloft.discard(label.tag)
                 continue
             touched = self._world.physics.contacts(self._world.id_of(name))
             if any(contact.body_b != self._robot.body for contact in touched):
                 self._stood[name] = height
                 continue
             hands = [self._links[contact.link_b] for contact in touched if contact.link_b in self._links]
-            key = Occurrence("item_lifted", tag=label.tag)
-            if rise > LIFTED and hands and key not in self._before:
-                self._before[key] = True
+            if rise > LIFTED and hands and label.tag not in self._aloft:
+                self._aloft.add(label.tag)
                 found.append(Occurrence("item_lifted", hands[0], label.tag))
         return found

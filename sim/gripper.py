@@ -37,6 +37,26 @@ class FingerDrive:
     forces: tuple[float, float]
 
 
+@dataclass(frozen=True)
+class HandDefects:
+    """What is wrong with a hand: fingers that stay, come apart, or have a share of their force."""
+
+    stuck: bool = False
+    opens: bool = False
+    force: float = 1.0
+
+    def bend(self, drive: FingerDrive, speed: float, force: float) -> FingerDrive:
+        """Return what the motors do instead; ``speed`` (m/s) and ``force`` (N) are a finger's most."""
+        if self.stuck:
+            return FingerDrive((0.0, 0.0), (SELF_LOCK, SELF_LOCK))
+        if self.opens:
+            return FingerDrive((speed, speed), (force, force))
+        return FingerDrive(drive.speeds, (self.force * drive.forces[0], self.force * drive.forces[1]))
+
+
+SOUND: Final = HandDefects()
+
+
 class GripperController:
     """Drives the two fingers of one hand, each by its own motor, both along one reference.
 

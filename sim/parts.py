@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Protocol, TypeVar
 
 from pydantic import ValidationError
 
 from sim.base import BaseController, Odometer
-from sim.gripper import SELF_LOCK, FingerDrive, GripperController
+from sim.gripper import SOUND, GripperController
 from sim.joints import Report
 from sim.motors import GroupServos
 from sim.wrench import BUMPERS, WristSensor, pressed_bumpers
@@ -144,26 +143,6 @@ class GroupPart:
         self._goals.close()
         self._cancels.close()
         self._setpoints.close()
-
-
-@dataclass(frozen=True)
-class HandDefects:
-    """What is wrong with a hand: fingers that stay, come apart, or have a share of their force."""
-
-    stuck: bool = False
-    opens: bool = False
-    force: float = 1.0
-
-    def bend(self, drive: FingerDrive, speed: float, force: float) -> FingerDrive:
-        """Return what the motors do instead; ``speed`` (m/s) and ``force`` (N) are a finger's most."""
-        if self.stuck:
-            return FingerDrive((0.0, 0.0), (SELF_LOCK, SELF_LOCK))
-        if self.opens:
-            return FingerDrive((speed, speed), (force, force))
-        return FingerDrive(drive.speeds, (self.force * drive.forces[0], self.force * drive.forces[1]))
-
-
-SOUND: Final = HandDefects()
 
 
 class HandPart:

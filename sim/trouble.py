@@ -135,6 +135,7 @@ class Trouble:
     def _await_events(self, now: float) -> None:
         awaiting = [case for case in self._waiting if case.fault.when is not None and case.due == math.inf]
         if not awaiting:
+            self._events.look_away()
             return
         wanted = {case.fault.when.event for case in awaiting if case.fault.when is not None}
         for occurrence in self._events.step(self._hardware.now, wanted):

@@ -197,6 +197,14 @@ def test_an_event_strikes_at_its_nth_time(make_rig: MakeRig) -> None:
     assert rig.phases() == [("odometry_jump", BEGAN)]
 
 
+def test_what_goes_on_already_does_not_begin(make_rig: MakeRig) -> None:
+    rig = make_rig(OdometryJump(dx=1.0, when=BaseMoving()))
+    rig.drive(0.2, 0.0, 0.5)
+    rig.trouble.ask(OdometryJump(dx=1.0, when=BaseMoving()))
+    rig.drive(0.2, 0.0, 0.5)
+    assert rig.phases() == [("odometry_jump", BEGAN)]
+
+
 def test_faults_of_one_kind_overlap(make_rig: MakeRig) -> None:
     rig = make_rig(
         BumperPressed(bumper="left", at=0.1, lasts=0.1), BumperPressed(bumper="left", at=0.15, lasts=0.3)

@@ -12,6 +12,7 @@ from sim.faults import (
     CameraDark,
     CameraFrozen,
     CameraSilent,
+    CameraUsed,
     DepotTaken,
     Fault,
     FaultRequest,
@@ -90,6 +91,15 @@ def test_a_silent_camera_sends_nothing_and_then_again(stage: Stage) -> None:
     stage(CameraSilent(at=0.0, lasts=0.5))
     assert pictures(stage, 0.5) == []
     assert len(pictures(stage, 0.2)) == 1
+
+
+def test_a_camera_goes_silent_when_it_is_used(stage: Stage) -> None:
+    stage(CameraSilent(when=CameraUsed()))
+    told = keys.Latest(stage.bus, FAULTS)
+    stage.run(0.2)
+    assert told.take() == []
+    assert pictures(stage, 0.5) == []
+    assert [event.phase for event in told.take()] == ["began"]
 
 
 def test_a_silent_laser_sends_nothing_while_the_rest_goes_on(stage: Stage) -> None:
