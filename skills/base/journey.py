@@ -114,14 +114,12 @@ class Journey:
             return canceled()
         if self._ride.failure is not None:
             return failed(self._ride.failure)
-        assert done
-        return self._result()
+        return self._result() if done else failed(self._nowhere())
 
     def _travel(self) -> Motion[DriveFeedback]:
         if not (yield from self._plan_first()):
             return False
-        pose = self._goal.poses[self._chosen]
-        return (yield from self._reach(pose)) and (yield from self._finish(pose))
+        return (yield from self._reach()) and (yield from self._finish(self._goal.poses[self._chosen]))
 
     def _finish(self, pose: FloorPose) -> Motion[DriveFeedback]:
         """Turn to the pose's heading, look where the base is, and correct it a few times at the most."""
@@ -155,14 +153,17 @@ class Journey:
                 return True
             if self._ride.canceled or self._ride.failure is not None:
                 return False
-        self._ride.failure = Failure(
+        self._ride.failure = self._nowhere()
+        return False
+
+    def _nowhere(self) -> Failure:
+        return Failure(
             kind=FailureKind.BASE_NO_PATH,
             message=f"no free way to any of {len(self._goal.poses)} poses",
             where=DRIVE.name,
             evidence={"poses": len(self._goal.poses)},
             causes=tuple(self._problems),
         )
-        return False
 
     def _plan_to(self, pose: FloorPose) -> Motion[DriveFeedback]:
         """Plan from here; True with ``_plan`` set, False with the reason among ``_problems``.
@@ -206,9 +207,9 @@ class Journey:
             },
         )
 
-    def _reach(self, pose: FloorPose) -> Motion[DriveFeedback]:
+    def _reach(self) -> Motion[DriveFeedback]:
         """Drive the plan, and others around what turns out to stand in the way."""
-        ride = self._ride
+        ride, left = self._ride, MOST_REPLANS
         while self._plan is not None:
             block = yield from self._follow(*self._plan)
             if ride.canceled or ride.failure is not None:
@@ -216,15 +217,29 @@ class Journey:
             if block is None:
                 return True
             while True:
-                if self._replans == MOST_REPLANS:
-                    self._blocked(block)
+                if not left:
+                    if (yield from self._plan_to_another()):
+                        left = MOST_REPLANS
+                        break
+                    if not (ride.canceled or ride.failure is not None):
+                        self._blocked(block)
                     return False
-                self._replans += 1
-                if (yield from self._plan_to(pose)):
+                left, self._replans = left - 1, self._replans + 1
+                if (yield from self._plan_to(self._goal.poses[self._chosen])):
                     break
                 # No way round: what stands there may go away.
                 if ride.canceled or ride.failure is not None or not (yield from ride.settle(WAIT)):
                     return False
+        return False
+
+    def _plan_to_another(self) -> Motion[DriveFeedback]:
+        """Take the next of the goal's poses that has a way; those before it were given up."""
+        for index in range(self._chosen + 1, len(self._goal.poses)):
+            self._chosen = index
+            if (yield from self._plan_to(self._goal.poses[index])):
+                return True
+            if self._ride.canceled or self._ride.failure is not None:
+                return False
         return False
 
     def _follow(
@@ -239,7 +254,7 @@ class Journey:
             yield from ride.turn(follower.off(ride.pose))
         ):
             return None
-        free_at = nearer_at = ride.now
+        free_at = nearer_at = ride.active
         nearest = math.inf
         while follower.remaining > ARRIVED:
             block = self._watch.block(path, follower.way)
@@ -249,13 +264,13 @@ class Journey:
             if not (yield from ride.cycle(linear, angular)):
                 return None
             if block is None:
-                free_at = ride.now
-            elif ride.now - free_at > BLOCKED_FOR:
+                free_at = ride.active
+            elif ride.active - free_at > BLOCKED_FOR:
                 yield from ride.rest()
                 return block
             if follower.remaining < nearest - ARRIVED or block is not None or abs(angular) > HELD:
-                nearest, nearer_at = min(nearest, follower.remaining), ride.now
-            elif ride.now - nearer_at > STUCK_AFTER:
+                nearest, nearer_at = min(nearest, follower.remaining), ride.active
+            elif ride.active - nearer_at > STUCK_AFTER:
                 ride.fail(FailureKind.BASE_BLOCKED, "the base does not move", remaining_m=follower.remaining)
                 return None
         yield from ride.rest()
@@ -304,7 +319,7 @@ class Journey:
         if distance <= self._goal.position_tolerance:
             return True
         if distance > NUDGE:
-            return (yield from self._plan_to(pose)) and (yield from self._reach(pose))
+            return (yield from self._plan_to(pose)) and (yield from self._reach())
         off = wrap(math.atan2(pose.y - ride.pose.y, pose.x - ride.pose.x) - ride.pose.yaw)
         back = abs(off) > math.pi / 2
         if not (yield from ride.turn(wrap(off + math.pi) if back else off)):

@@ -32,6 +32,10 @@ HOPELESS_FIT: Final = 0.25
 """Share below which it does not even correct it."""
 LOST_AFTER: Final = 30
 """Hopeless scans in a row after which the robot does not know where it is."""
+LOST_ON_THE_WAY: Final = 8
+"""The same while the base moves."""
+LEAP: Final = (0.08, 0.15)
+"""Metres and radians by which odometry may go on more than twice the drive's limits: beyond, it jumped."""
 LOST_WAY: Final = 2.0
 """Metres and radians on poor scans after which it doesn't either; before, something may just hide the map."""
 SETTLED_AFTER: Final = 8
@@ -74,7 +78,7 @@ class Localiser:
         self._geometry = ScanGeometry(description.laser, site_map.laser_in_base)
         self._odometry_in = Latest(bus, ODOMETRY)
         self._scans_in = Latest(bus, LASER, depth=4)
-        self._buffer = OdometryBuffer()
+        self._buffer, self._drive = OdometryBuffer(), description.drive
         self._waiting: LaserScan | None = None
         self._recent: deque[ScanPoints] = deque(maxlen=10)
         self._odom_in_map = ORIGIN
@@ -138,6 +142,7 @@ class Localiser:
         """Take odometry and at most one scan; publish when it is time."""
         for odometry in self._odometry_in.take():
             self._forget_another_boot(odometry)
+            self._notice_a_leap(odometry)
             self._buffer.add(odometry)
         scans = self._scans_in.take()
         if scans:
@@ -160,6 +165,26 @@ class Localiser:
             self.localised, self.reason = False, "the hardware started anew: localise first"
             self._recent.clear()
             self._matched_at = None
+
+    def _notice_a_leap(self, odometry: Odometry) -> None:
+        """Where odometry goes on as no drive can, nobody knows where the base is."""
+        last = self._buffer.last
+        if last is None or last.stamp.boot != odometry.stamp.boot:
+            return
+        seconds = odometry.stamp.seconds - last.stamp.seconds
+        if seconds <= 0.0:
+            return
+        metres = floor_distance(last.base_in_odom, odometry.base_in_odom)
+        radians = abs(wrap(odometry.base_in_odom.yaw - last.base_in_odom.yaw))
+        if (
+            metres > 2.0 * self._drive.forward * seconds + LEAP[0]
+            or radians > 2.0 * self._drive.turn * seconds + LEAP[1]
+        ):
+            self._matched_at, self._waiting = None, None
+            self._buffer = OdometryBuffer()  # nothing of before says anything about now
+            if self.localised:
+                self.localised = False
+                self.reason = f"odometry jumped by {metres:.2f} m and {radians:.2f} rad"
 
     def _try_scan(self, scan: LaserScan) -> None:
         base_in_odom = self._buffer.at(scan.stamp.seconds)
@@ -216,7 +241,8 @@ class Localiser:
             return
         self._hopeless = self._hopeless + 1 if found.fit < HOPELESS_FIT else 0
         self._unconfirmed += floor_distance(before, predicted) + abs(wrap(predicted.yaw - before.yaw)) + TINY
-        if self._hopeless >= LOST_AFTER or self._unconfirmed > LOST_WAY:
+        moving = self.moving and self._hopeless >= LOST_ON_THE_WAY
+        if moving or self._hopeless >= LOST_AFTER or self._unconfirmed > LOST_WAY:
             self.localised = False
             self.reason = (
                 f"the scans do not fit the map (the last by {found.fit:.2f}), "

@@ -71,6 +71,7 @@ class Ride(Generic[F]):
         self._feedback, self._where, self._anywhere = feedback, where, anywhere
         self.wheels = wheels
         self._touched_before = guard.touching
+        self._paused_for = 0.0
         self.canceled = False
         self.failure: Failure | None = None
         self.turned = 0.0
@@ -82,6 +83,11 @@ class Ride(Generic[F]):
     def now(self) -> float:
         """Robot seconds."""
         return robot_seconds(self._clocks)
+
+    @property
+    def active(self) -> float:
+        """Robot seconds, pauses left out: for all that is given up after a time."""
+        return self.now - self._paused_for
 
     @property
     def pose(self) -> FloorPose:
@@ -109,7 +115,7 @@ class Ride(Generic[F]):
     def turn(self, angle: float) -> Motion[F]:
         """Turn on the spot by ``angle`` radians (more than a full turn too), as the map tells."""
         remaining, yaw = angle, self.pose.yaw
-        best, best_at = abs(remaining), self.now
+        best, best_at = abs(remaining), self.active
         drive = self.wheels.drive
         self.turned = 0.0
         while abs(remaining) > AIM or abs(self.wheels.angular) > SLOW_TURN:
@@ -120,8 +126,8 @@ class Ride(Generic[F]):
             remaining, yaw = remaining - turned, wrap(yaw + turned)
             self.turned += turned
             if abs(remaining) < best - AIM / 2 or abs(remaining) <= AIM:
-                best, best_at = abs(remaining), self.now
-            elif self.now - best_at > STUCK_AFTER:
+                best, best_at = abs(remaining), self.active
+            elif self.active - best_at > STUCK_AFTER:
                 self.fail(FailureKind.BASE_BLOCKED, "the base does not turn", remaining_rad=remaining)
                 return False
         yield from self.rest()
@@ -130,7 +136,7 @@ class Ride(Generic[F]):
     def straight(self, distance: float) -> Motion[F]:
         """Go straight by a few centimetres, back when negative (m), keeping the heading."""
         start, sign = self.pose, math.copysign(1.0, distance)
-        begun, drive = self.now, self.wheels.drive
+        begun, drive = self.active, self.wheels.drive
         top = drive.backward if distance < 0.0 else min(drive.forward, CREEP)
         while True:
             here = self.pose
@@ -141,7 +147,7 @@ class Ride(Generic[F]):
             speed = min(stopping_speed(remaining, drive.acceleration, LATENCY), top)
             if not (yield from self.cycle(sign * speed, KEEP_HEADING * wrap(start.yaw - here.yaw))):
                 return False
-            if self.now - begun > STUCK_AFTER + 2.0 * abs(distance) / top:
+            if self.active - begun > STUCK_AFTER + 2.0 * abs(distance) / top:
                 self.fail(FailureKind.BASE_BLOCKED, "the base does not move", remaining_m=remaining)
                 return False
         yield from self.rest()
@@ -149,18 +155,18 @@ class Ride(Generic[F]):
 
     def rest(self) -> Generator[F | Slice, Command, None]:
         """Brake to standstill; neither commands nor guards end it, a cancellation is noted."""
-        start = self.now
+        start = self.active
         while not self.wheels.resting or self._localiser.moving:
             self.wheels.send(0.0, 0.0)
             yield from self._wait(CYCLE)
-            if self.now - start > GIVE_UP_RESTING:
+            if self.active - start > GIVE_UP_RESTING:
                 self.fail(FailureKind.HARDWARE_LOST, "the base does not come to rest")
                 return
 
     def settle(self, seconds: float) -> Motion[F]:
         """Stand still for so long; False when the run has to end."""
-        until = self.now + seconds
-        while self.now < until:
+        until = self.active + seconds
+        while self.active < until:
             if not (yield from self.cycle(0.0, 0.0)):
                 return False
         return True
@@ -201,7 +207,7 @@ class Ride(Generic[F]):
 
     def _pause(self) -> Generator[F | Slice, Command, None]:
         """Brake, then stand until told to go on or to cancel."""
-        send_at = self.now
+        since = send_at = self.now
         while True:
             if self.now >= send_at:
                 self.wheels.send(0.0, 0.0)
@@ -210,4 +216,5 @@ class Ride(Generic[F]):
             if command is Command.CANCEL:
                 self.canceled = True
             if self.canceled or command is Command.RESUME:
+                self._paused_for += self.now - since
                 return

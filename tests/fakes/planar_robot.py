@@ -168,6 +168,10 @@ class PlanarRobot:
             STOP_STATE.publish(self.bus, StopState(stopped=self.stopped))
             BUMPERS.publish(self.bus, Bumpers(stamp=stamp, pressed=self.pressed))
 
+    def leap(self, by: FloorPose) -> None:
+        """Have odometry take a step that the base didn't."""
+        self._odometry = _advance_to(self._odometry, by)
+
     def _move(self, period: float) -> None:
         drive = self.description.drive
         command = self._commands.value

@@ -7,7 +7,7 @@ import pytest
 
 from skills.base.wheels import stopping_speed
 from skills.ports.actions.arm import ArmState
-from skills.ports.actions.base import BASE_STATUS, BaseState, DriveGoal, DriveResult, RotateGoal
+from skills.ports.actions.base import BASE_STATUS, BaseState, DriveGoal, DriveResult, LocaliseGoal, RotateGoal
 from skills.ports.failure import FailureKind
 from skills.ports.geometry import FloorPose, floor_distance, wrap
 from skills.ports.keys import Latest
@@ -123,6 +123,47 @@ def test_before_a_barrier_it_gives_up_and_names_what_stands_there() -> None:
     assert rig.robot.linear == 0.0
 
 
+def test_something_that_leaves_again_is_waited_for() -> None:
+    rig = make_rig(LAB, SOUTH)
+    barrier = SiteBox(size=(1.5, 0.3, 0.5), centre=(2.0, -1.8, 0.25))
+
+    def appear(seconds: float) -> Command:
+        rig.robot.boxes[:] = [box for box in rig.robot.boxes if box is not barrier]
+        if 1.0 < seconds < 6.0:
+            rig.robot.boxes.append(barrier)
+        return Command.GO_ON
+
+    goal = pose(2.25, -2.45)
+    outcome = go(rig, goal, command=appear)
+    assert outcome.result is not None, outcome.failure
+    assert outcome.result.replans >= 1
+    assert floor_distance(rig.robot.truth, goal) < 0.02
+
+
+def test_an_occupied_pose_is_left_for_the_next() -> None:
+    rig = make_rig(LAB, SOUTH)
+    stone = SiteBox(size=(0.4, 0.4, 0.5), centre=(0.0, -1.6, 0.25))
+    rig.robot.boxes.append(stone)
+    rig.wait(1.0)
+    outcome = go(rig, pose(0.0, -1.6), pose(-0.8, -1.6))
+    assert outcome.result is not None
+    assert outcome.result.pose == 1
+
+
+def test_where_one_pose_is_blocked_on_the_way_another_is_taken() -> None:
+    rig = make_rig(LAB, SOUTH)
+    barrier = SiteBox(size=(1.5, 0.3, 0.5), centre=(2.0, -1.8, 0.25))
+
+    def appear(seconds: float) -> Command:
+        if seconds > 1.0 and barrier not in rig.robot.boxes:
+            rig.robot.boxes.append(barrier)
+        return Command.GO_ON
+
+    outcome = go(rig, pose(2.25, -2.45), pose(-0.5, -1.6), command=appear)
+    assert outcome.result is not None, outcome.failure
+    assert outcome.result.pose == 1
+
+
 def test_cancelled_it_brakes_and_only_then_ends() -> None:
     rig = make_rig(LAB, SOUTH)
     states = Latest(rig.bus, BASE_STATUS)
@@ -185,6 +226,61 @@ def test_a_bumper_pressed_on_the_way_stops_it_but_not_one_pressed_before() -> No
     assert outcome.failure is not None
     assert outcome.failure.kind is FailureKind.BASE_BLOCKED
     assert outcome.failure.evidence["bumper"] == "ahead"
+
+
+def leap(rig: Rig) -> None:
+    rig.robot.leap(FloorPose(x=0.2, y=0.1, yaw=0.3))
+
+
+def test_odometry_that_jumps_stops_it_within_a_second_and_it_can_be_found_again() -> None:
+    rig = make_rig(LAB, SOUTH)
+    leapt = []
+
+    def command(seconds: float) -> Command:
+        if seconds > 1.5 and not leapt:
+            leap(rig)
+            leapt.append(rig.now)
+        return Command.GO_ON
+
+    outcome = go(rig, pose(2.0, -1.6), command=command)
+    assert outcome.failure is not None
+    assert outcome.failure.kind is FailureKind.NOT_LOCALISED
+    assert "jumped" in outcome.failure.message
+    assert rig.robot.linear == 0.0
+    assert rig.now - leapt[0] < 2.0, "at rest, braking included"
+    assert rig.run(rig.base.localise.run(LocaliseGoal(), "l")).result is not None
+    assert go(rig, pose(2.0, -1.6)).result is not None
+    assert floor_distance(rig.robot.truth, pose(2.0, -1.6)) < 0.02
+
+
+def test_carried_off_on_the_way_it_stops_within_a_second() -> None:
+    rig = make_rig(LAB, SOUTH)
+    carried: list[float] = []
+    lost: list[float] = []
+
+    def command(seconds: float) -> Command:
+        if seconds > 1.5 and not carried:
+            rig.robot.truth = pose(1.3, 1.9, 2.0)
+            carried.append(rig.now)
+        if carried and not lost and not rig.base.localiser.localised:
+            lost.append(rig.now)
+        return Command.GO_ON
+
+    outcome = go(rig, pose(2.0, -1.6), command=command)
+    assert outcome.failure is not None
+    assert outcome.failure.kind is FailureKind.NOT_LOCALISED
+    assert lost[0] - carried[0] < 1.0
+    assert rig.robot.linear == 0.0
+
+
+def test_the_time_of_a_pause_does_not_count() -> None:
+    rig = make_rig(LAB, SOUTH)
+    script = [(0.0, Command.PAUSE), (8.0, Command.RESUME)]
+
+    def command(seconds: float) -> Command:
+        return script.pop(0)[1] if script and seconds > script[0][0] else Command.GO_ON
+
+    assert go(rig, pose(2.0, -1.6), command=command).result is not None
 
 
 FAULTS = [
