@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
+from pydantic import JsonValue
 
 from executive.cli.exit_codes import ExitCode
 from executive.demo import Caller
@@ -19,6 +20,11 @@ from executive.settings import ROLES, Role
 from executive.systems import ProcessSystem, SystemFailure, wait_for
 from sim.scenario import load_scenario
 from sim.truth import lies_on
+from skills.ports.action import GoalState, status_topic
+from skills.ports.actions.arm import move
+from skills.ports.actions.base import DRIVE
+from skills.ports.actions.perception import LOOK
+from skills.ports.actions.world import EDIT
 from skills.ports.geometry import FloorPose
 from skills.ports.keys import Latest, Nothing
 from skills.ports.tasks import REQUEST, TASK_ANSWERS, TASK_LIST, TaskAnswer, TaskList, TaskState
@@ -176,6 +182,46 @@ def test_a_skill_that_dies_is_started_again_until_it_dies_too_often() -> None:
     assert said == ["the base process ended (signal 9); started again"] * RESTARTS
     assert str(caught.value).startswith("the base process ended (signal 9)")
     assert left_behind(groups) == ()
+
+
+@pytest.mark.parametrize(
+    ("role", "action", "goal"),
+    [
+        ("perception", LOOK.name, 2),
+        ("base", DRIVE.name, 1),
+        ("arm_left", move("arm_left").name, 2),
+        ("arm_right", move("arm_right").name, 2),
+        ("keeper", EDIT.name, 1),
+    ],
+)
+def test_a_skill_killed_at_work_is_started_again_and_the_item_gets_there(
+    tmp_path: Path, role: Role, action: str, goal: int
+) -> None:
+    """The process is killed while it is at its goal of this number."""
+    path = written(load_scenario("Demo").starting_at(BEFORE_THE_TABLE), tmp_path)
+    said: list[str] = []
+    request: dict[str, JsonValue] = {"task": "fetch", "item": 29}
+    if role.startswith("arm"):
+        request["arm"] = role.removeprefix("arm_")
+    with ProcessSystem(RunOptions(bus=own_bus(), scenario=path, speed=None), say=said.append) as system:
+        caller, statuses = (
+            Caller(system, lambda _: None),
+            Latest(system.bus, status_topic(action), depth=1024),
+        )
+        task = caller.request(request).task
+        goals: list[str] = []
+
+        def at_work() -> bool:
+            running = [each.goal_id for each in statuses.take() if each.state is GoalState.RUNNING]
+            goals.extend(each for each in dict.fromkeys(running) if each not in goals)
+            return len(goals) >= goal
+
+        go_on(system, at_work, within=300.0)
+        kill(system.pids()[role])
+        status = caller.follow(task, within=900.0)
+        assert said == [f"the {role} process ended (signal 9); started again"]
+        assert status.state is TaskState.SUCCEEDED
+        assert lies_on(caller.truth(), load("lab"), 29, "depot")
 
 
 def test_a_process_that_can_not_start_is_named_with_its_last_words(tmp_path: Path) -> None:
