@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
-from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from executive.testing import TreeBench
@@ -19,8 +18,6 @@ from skills.ports.failure import Failure, FailureKind
 from skills.ports.tasks import NodeStatus
 from skills.testing.mock_skill import Fault
 from trees.behaviours.act import Act
-from trees.behaviours.pause import Pause
-from trees.behaviours.wait_for import WaitFor
 from trees.possible import Seen, possible
 
 STEPS_WITHIN: Final = 40_000
@@ -109,28 +106,31 @@ class Coverage:
                 running.discard(name)
 
 
-def explore(worlds: Mapping[str, Make], *, depth: int, tell: Callable[[str], None]) -> Coverage:
+def explore(
+    worlds: Mapping[str, Make], corners: Mapping[str, Make], *, depth: int, tell: Callable[[str], None]
+) -> Coverage:
     """Explore plans up to ``depth`` wrongs in one.
 
     Args:
         worlds: by name; each makes a bench anew.
+        corners: worlds in which nothing more is made to go wrong.
         depth: of plans; the coverage usually is complete at 3.
         tell: gets each plan in words before it is run.
     """
-    coverage = Coverage()
+    coverage, makers = Coverage(), {**worlds, **corners}
     reached: dict[str, Plan] = {}
     tried: set[Wrong] = set()
-    waiting = deque(Plan(world) for world in worlds)
+    waiting = deque(Plan(world) for world in makers)
     while waiting:
         plan = waiting.popleft()
         tell(plan.words())
-        for leaf in _run(worlds[plan.world](), plan, coverage):
+        for leaf in _run(makers[plan.world](), plan, coverage):
             reached.setdefault(leaf, plan)
-            if len(plan.wrongs) < depth:
+            if len(plan.wrongs) < depth and plan.world in worlds:
                 waiting.extend(_next_plans(plan, leaf, tried))
     for leaf, plan in reached.items():
         tell(f"{plan.words()}; cancelled at {leaf}")
-        _interrupt(worlds[plan.world](), plan, leaf, coverage)
+        _interrupt(makers[plan.world](), plan, leaf, coverage)
     return coverage
 
 
@@ -154,7 +154,9 @@ def _run(bench: TreeBench, plan: Plan, coverage: Coverage) -> list[str]:
         accident.step()
         status = bench.step()
         steps += 1
-        for node in running_leaves(bench):
+        if moves_stretched(bench):
+            coverage.broken.append(f"{plan.words()}: base and stretched arm move together")
+        for node in bench.running_leaves():
             ran[node.name] = None
     coverage.runs += 1
     coverage.ticks += steps
@@ -171,7 +173,7 @@ def _interrupt(bench: TreeBench, plan: Plan, leaf: str, coverage: Coverage) -> N
         accident.step()
         status = bench.step()
         coverage.ticks += 1
-        if status is not Status.RUNNING or any(node.name == leaf for node in running_leaves(bench)):
+        if status is not Status.RUNNING or any(node.name == leaf for node in bench.running_leaves()):
             break
     coverage.runs += 1
     at_rest = bench.interrupt()
@@ -202,10 +204,7 @@ class _Accident:
             if self._steps >= at:
                 del self._back[action]
                 self._bench.robot.bring_back(action)
-        for node in running_leaves(self._bench):
-            event = self._bench.events.pop(node.name, None)
-            if event is not None:
-                event(self._bench.robot)
+        for node in self._bench.running_leaves():
             wrong = self._deaths.get(node.name)
             action = node.skill if isinstance(node, Act) else ""
             if wrong is None or action not in self._bench.robot.busy:
@@ -216,11 +215,11 @@ class _Accident:
                 self._back[action] = self._steps + wrong.dead_for
 
 
-def running_leaves(bench: TreeBench) -> list[Behaviour]:
-    """Return the leaves that run now."""
-    tip = None if bench.root is None else bench.root.tip()
-    lasting = isinstance(tip, (Act, WaitFor, Pause)) and tip.status is Status.RUNNING
-    return [tip] if lasting and tip is not None else []
+def moves_stretched(bench: TreeBench) -> bool:
+    """Say whether the base is under way while an arm is out or moves."""
+    busy = bench.robot.busy
+    arms = any(name.startswith("arm_") and name.endswith("/move") for name in busy)
+    return any(name in {"base/drive", "base/rotate"} for name in busy) and (arms or bench.robot.arms_out)
 
 
 def broken(bench: TreeBench, status: Status) -> list[str]:

@@ -64,7 +64,7 @@ class TreeBench:
         self.visited: list[tuple[str, Status]] = []
         """What each node became when it was ticked, in order: RUNNING once, INVALID when interrupted."""
         self.events: dict[str, Callable[[MockRobot], None]] = {}
-        """What happens to the robot when a leaf first runs, by the leaf's name."""
+        """What happens to the robot each time a node begins to run, by the node's name."""
         self._running: dict[Behaviour, None] = {}
 
     def start(self, task: str, request: dict[str, object]) -> Behaviour:
@@ -81,15 +81,25 @@ class TreeBench:
         self.clocks.advance(self._step)
         self.robot.step()
         self.context.poll()
+        begun: list[str] = []
         for node in self.root.tick():
             if node.status is not Status.RUNNING or node not in self._running:
                 self.visited.append((node.name, node.status))
             if node.status is Status.RUNNING:
+                if node not in self._running:
+                    begun.append(node.name)
                 self._running[node] = None
             else:
                 self._running.pop(node, None)
         self._note_interrupted()
+        for name in begun:
+            if name in self.events:
+                self.events[name](self.robot)
         return self.root.status
+
+    def running_leaves(self) -> list[Behaviour]:
+        """Return the leaves that are RUNNING."""
+        return [node for node in self._running if not node.children and node.status is Status.RUNNING]
 
     def run(self, task: str, request: dict[str, object], *, steps: int = 5000) -> Status:
         """Start the task and step until it ends, at most ``steps`` times."""

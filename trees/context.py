@@ -47,6 +47,8 @@ class TreeContext:
     """Robot seconds that the task has stood paused so far: timers of a tree may leave them out."""
     verdict: Failure | None = None
     """Why the task's main part failed; what failed afterwards, on the way home, comes second."""
+    exhausted: tuple[Failure | None, frozenset[Callable[[Failure], bool]]] = (None, frozenset())
+    """The failure that a recovery gave up last, and the conditions whose repairs it had tried."""
     closing: Callable[[], dict[str, str]] | None = None
     """Says at the end where everything is: evidence of the task's failure. The task's builder sets it."""
     _progress: Progress = field(default_factory=Progress)
@@ -83,7 +85,10 @@ class TreeContext:
 
     def attempted(self, failure: Failure) -> None:
         """Note what went wrong; the recovery that takes it says so next."""
-        self.attempts = [*self.attempts[1 - ATTEMPTS :], Attempt(at=self.clocks.robot(), failure=failure)]
+        kept = self.attempts
+        if kept and not kept[-1].recovery and kept[-1].failure in failure.chain():
+            kept = kept[:-1]  # given up below, and told here once more
+        self.attempts = [*kept[1 - ATTEMPTS :], Attempt(at=self.clocks.robot(), failure=failure)]
 
     def recovering(self, recovery: str, times: int) -> None:
         """Note which recovery takes what went wrong last, and how often it has been tried by now."""

@@ -151,6 +151,8 @@ class MockRobot:
         """What each hand holds in truth."""
         self.world = WorldState(stamp=RobotTime(boot="mock", seconds=0.0), version=0)
         self.bus = bus
+        self.out_of_reach = 0
+        """How many of a survey's first base poses are out of reach."""
         self._bus, self._clocks, self._site, self._items = bus, clocks, site, dict(items)
         self._seen_at_look, self._duration = seen_at_look, duration
         self._extent: dict[Side, float] = {"left": TUCKED, "right": TUCKED}
@@ -270,9 +272,14 @@ class MockRobot:
             if served.there and isinstance(served.server, ActionServer) and served.server.busy
         )
 
-    def stretch(self, side: Side) -> None:
-        """Have an arm be out, whatever it was at."""
-        self._extent[side] = STRETCHED
+    @property
+    def arms_out(self) -> bool:
+        """Whether an arm is out."""
+        return any(extent > TUCKED for extent in self._extent.values())
+
+    def put_arms(self, left: float, right: float | None = None) -> None:
+        """Have the arms be out or in, whatever they were at: STRETCHED or TUCKED (m); both unless said."""
+        self._extent = {"left": left, "right": left if right is None else right}
         self.tell()
 
     def drop(self, side: Side) -> None:
@@ -347,7 +354,8 @@ class MockRobot:
         return succeeded(MoveResult(positions=(0.0,), error=0.0, planning_steps=1, duration=0.0))
 
     def _survey(self, goal: SurveyGoal) -> Outcome[SurveyResult]:
-        return succeeded(SurveyResult(bases=tuple(range(min(goal.enough, len(goal.bases))))))
+        good = range(self.out_of_reach, len(goal.bases))
+        return succeeded(SurveyResult(bases=tuple(good[: goal.enough])))
 
     def _grip(self, side: Side, goal: GripGoal) -> Outcome[GripResult]:
         if goal.grip is Grip.GRASP:

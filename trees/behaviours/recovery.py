@@ -87,6 +87,7 @@ class Recovery(Composite):
             Allowance(f"{rung.name}: at most {rung.times}", context, rung.name, rung.times) for rung in rungs
         ]
         self._at, self._since = 0, 0.0
+        self._helps = frozenset(rung.helps for rung in rungs)
         super().__init__(name, [main, *map(self._rung, rungs, self._allowances)])
 
     def initialise(self) -> None:
@@ -145,12 +146,17 @@ class Recovery(Composite):
         return self._give_up(self._failure)
 
     def _give_up(self, failure: Failure) -> Status:
-        self._context.failed(self._conclude(failure))
+        given_up = self._conclude(failure)
+        self._context.failed(given_up)
+        self._context.exhausted = (given_up, self._helps)
         return Status.FAILURE
 
     def _rung(self, rung: Rung, allowance: Allowance) -> Behaviour:
         def takes() -> bool:
-            return self._failure is not None and rung.helps(self._failure)
+            failure, (given_up, exhausted) = self._failure, self._context.exhausted
+            # What a recovery below has given up is not tried here in the same way once more.
+            tried = failure is given_up and rung.helps in exhausted
+            return failure is not None and not tried and rung.helps(failure)
 
         return Sequence(
             rung.name, memory=True, children=[Check(f"{rung.name}?", takes), allowance, rung.repair]

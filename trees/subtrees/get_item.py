@@ -111,7 +111,8 @@ def _from_home(context: TreeContext, board: FetchBoard) -> Behaviour:
 
 def _unreachable(board: FetchBoard, failure: Failure) -> Failure:
     """Return what is told when all that helps an arm has been tried."""
-    if failure.kind is FailureKind.ITEM_UNREACHABLE or not searching_again_helps(failure):
+    told = {FailureKind.ITEM_UNREACHABLE, FailureKind.GRIPPER_STUCK}
+    if failure.kind in told or not searching_again_helps(failure):
         return failure
     return Failure(
         kind=FailureKind.ITEM_UNREACHABLE,

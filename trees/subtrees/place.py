@@ -43,7 +43,6 @@ WITHIN: Final = 300.0
 LEAVE_WITHIN: Final = 120.0
 STANDS: Final = 2
 STARTS: Final = 1
-SLOTS: Final = 4
 LEAVES: Final = 2
 
 
@@ -65,11 +64,12 @@ def place(context: TreeContext, board: FetchBoard) -> Behaviour:
         holds=lambda: _in_hand(context, board),
         otherwise=lambda: _lost(board),
     )
+    others = len(board.depot(context).slots) - 1
     rungs = (
         wait_back("place", context),
         localise_again("place", context),
         another_way("place", context, board),
-        Rung("place: another slot", another_slot_helps, SLOTS, _another_slot(context, board)),
+        Rung("place: another slot", another_slot_helps, others, _another_slot(context, board)),
         Rung("place: another stand", another_stand_helps, STANDS, _another_stand(context, board)),
         Rung("place: begin from home", another_stand_helps, STARTS, _from_home(context, board)),
     )
@@ -186,7 +186,10 @@ def _lost(board: FetchBoard) -> Failure:
 
 
 def _unreachable(board: FetchBoard, failure: Failure) -> Failure:
-    """Return what is told when all that helps an arm with the item in the hand has been tried."""
+    """Return what is told when all that helps with the item in the hand has been tried."""
+    if failure.kind is FailureKind.SLOT_TAKEN:
+        full = f"no slot of {board.destination} is free for item {board.item}"
+        return Failure(kind=FailureKind.DESTINATION_FULL, message=full, causes=(failure,))
     if failure.kind is FailureKind.DESTINATION_UNREACHABLE or not another_stand_helps(failure):
         return failure
     return Failure(

@@ -1,0 +1,23 @@
+"""Each leaf, condition and branch of the fetch succeeds, fails, runs, is interrupted; invariants hold."""
+
+from __future__ import annotations
+
+import pytest
+
+from executive.exploring import Coverage, explore
+from executive.worlds import fetch_corners, fetch_worlds
+
+DEPTH = 3
+
+
+@pytest.fixture(scope="module")
+def coverage() -> Coverage:
+    return explore(fetch_worlds(), fetch_corners(), depth=DEPTH, tell=lambda _: None)
+
+
+def test_every_node_has_been_in_every_status_it_can_have(coverage: Coverage) -> None:
+    assert coverage.missing() == {}
+
+
+def test_no_invariant_is_broken(coverage: Coverage) -> None:
+    assert coverage.broken == []

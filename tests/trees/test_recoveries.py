@@ -1,0 +1,180 @@
+"""Every row of the page of failures: what strikes once is mended; what strikes always ends the task."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import pytest
+from py_trees.common import Status
+
+from executive.testing import TreeBench
+from executive.worlds import fetch_worlds
+from skills.ports.failure import Failure, FailureKind
+from skills.testing.mock_skill import Fault
+from trees.recoveries import RECOVERIES
+
+K = FailureKind
+STEPS = 20_000
+
+
+@dataclass(frozen=True)
+class Row:
+    """A kind that strikes at a leaf; what takes it, and how the task ends when it strikes always."""
+
+    kind: FailureKind
+    leaf: str
+    recovery: str
+    """The first recovery that takes it; "" when the task ends at once."""
+    always: FailureKind | None
+    """What the task ends with when it strikes at each attempt; None when it succeeds all the same."""
+
+    def __str__(self) -> str:
+        return f"{self.kind} at {self.leaf}"
+
+
+WAIT, WAY, GRASP = "get: wait until it is back", "get: another way", "get: grasp another way"
+ROWS = (
+    Row(K.INVALID_GOAL, "drive to item", "", K.INVALID_GOAL),
+    Row(K.ITEM_UNKNOWN, "look here", "", K.ITEM_UNKNOWN),
+    Row(K.HARDWARE_STOPPED, "drive to item", "", K.HARDWARE_STOPPED),
+    Row(K.DESTINATION_UNKNOWN, "detach", "", K.DESTINATION_UNKNOWN),
+    Row(K.DESTINATION_FULL, "detach", "", K.DESTINATION_FULL),
+    Row(K.HAND_FULL, "attach", "", K.HAND_FULL),
+    *(
+        Row(kind, "drive to item", WAIT, kind)
+        for kind in (K.BUSY, K.NOT_READY, K.TIMED_OUT, K.SKILL_LOST, K.SKILL_CRASHED, K.HARDWARE_LOST)
+    ),
+    Row(K.CAMERA_SILENT, "look here", WAIT, K.CAMERA_SILENT),
+    Row(K.CAMERA_BLIND, "look closely at item", WAIT, K.CAMERA_BLIND),
+    Row(K.LASER_SILENT, "drive to item", WAIT, K.LASER_SILENT),
+    Row(K.BASE_HELD, "drive to item", WAIT, K.BASE_HELD),
+    Row(K.SKILL_LOST, "drive to slot", "place: wait until it is back", K.SKILL_LOST),
+    Row(K.SKILL_LOST, "detach", "leave: wait until it is back", K.SKILL_LOST),
+    Row(K.SKILL_LOST, "home: drive", "home: wait until it is back", K.SKILL_LOST),
+    Row(K.NOT_LOCALISED, "localise", "request: once more", K.NOT_LOCALISED),
+    Row(K.NOT_LOCALISED, "drive to item", "get: find out where I am", K.NOT_LOCALISED),
+    Row(K.NOT_LOCALISED, "drive to slot", "place: find out where I am", K.NOT_LOCALISED),
+    *(Row(kind, "drive to item", WAY, kind) for kind in (K.BASE_NO_PATH, K.BASE_BLOCKED, K.BASE_OFF_GOAL)),
+    Row(K.BASE_BLOCKED, "drive to slot", "place: another way", K.BASE_BLOCKED),
+    Row(K.BASE_BLOCKED, "home: drive", "home: let them pass", K.BASE_BLOCKED),
+    Row(K.ITEM_GONE, "look closely at item", "get: look around again", K.ITEM_UNREACHABLE),
+    *(
+        Row(kind, leaf, GRASP, K.ITEM_UNREACHABLE)
+        for kind, leaf in (
+            (K.NO_IK, "pre-grasp"),
+            (K.NO_PATH, "pre-grasp"),
+            (K.PATH_IN_COLLISION, "grasp"),
+            (K.ARM_STOPPED, "grasp"),
+            (K.ARM_OFF_GOAL, "grasp"),
+            (K.GRASP_EMPTY, "close"),
+        )
+    ),
+    Row(K.GRIPPER_STUCK, "open", GRASP, K.GRIPPER_STUCK),
+    Row(K.GRASP_LOST, "hand is full?", GRASP, None),
+    Row(K.ITEM_UNREACHABLE, "survey item again, left arm", "", None),
+    Row(K.ITEM_UNREACHABLE, "close", "get: go home and search again", K.ITEM_UNREACHABLE),
+    Row(K.SLOT_TAKEN, "look closely at slot", "place: another slot", K.DESTINATION_FULL),
+    Row(K.DESTINATION_UNREACHABLE, "place above", "place: another stand", K.DESTINATION_UNREACHABLE),
+    Row(K.NO_PATH, "place above", "place: another stand", K.DESTINATION_UNREACHABLE),
+    Row(K.GRIPPER_STUCK, "let go", "leave: once more", K.GRIPPER_STUCK),
+    Row(K.ARM_STOPPED, "withdraw", "leave: once more", None),
+)
+
+
+def run(key: str | tuple[str, int], kind: FailureKind, world: str = "in view") -> tuple[TreeBench, Status]:
+    bench = fetch_worlds()[world]()
+    bench.robot.leaf_faults[key] = Fault(failure=Failure(kind=kind, message="as the test asked"))
+    for _ in range(STEPS):
+        status = bench.step()
+        if status is not Status.RUNNING:
+            return bench, status
+    raise AssertionError("the task did not end")
+
+
+def test_every_kind_has_a_row() -> None:
+    """ITEM_NOT_FOUND comes from a whole search, which is a world of its own."""
+    assert {row.kind for row in ROWS} == set(FailureKind) - {K.ITEM_NOT_FOUND}
+
+
+@pytest.mark.parametrize("row", [row for row in ROWS if row.recovery], ids=str)
+def test_what_strikes_once_is_mended(row: Row) -> None:
+    bench, status = run((row.leaf, 1), row.kind)
+    assert status is Status.SUCCESS
+    assert [(each.failure.kind, each.recovery, each.times) for each in bench.context.attempts] == [
+        (row.kind, row.recovery, 1)
+    ]
+    assert bench.robot.base == bench.context.site.home
+
+
+@pytest.mark.parametrize("row", ROWS, ids=str)
+def test_what_strikes_always_ends_the_task_with_its_reason(row: Row) -> None:
+    bench, status = run(row.leaf, row.kind)
+    failure = bench.failure()
+    if row.always is None:
+        assert status is Status.SUCCESS
+        return
+    assert status is Status.FAILURE
+    assert failure is not None
+    assert failure.kind is row.always
+    assert row.kind in {each.kind for each in failure.chain()}
+
+
+@pytest.mark.parametrize("row", [row for row in ROWS if not row.recovery and row.always], ids=str)
+def test_what_nothing_helps_is_not_tried_again(row: Row) -> None:
+    bench, _ = run(row.leaf, row.kind)
+    assert [each.recovery for each in bench.context.attempts] == [""]
+    assert RECOVERIES[row.kind] == ""
+
+
+@pytest.mark.parametrize(
+    "row", [r for r in ROWS if r.always and r.leaf not in {"localise", "home: drive"}], ids=str
+)
+def test_a_failed_task_says_where_everything_is(row: Row) -> None:
+    bench, _ = run(row.leaf, row.kind)
+    failure = bench.failure()
+    assert failure is not None
+    assert str(failure.evidence["robot_is"]).startswith("at home")
+    assert failure.evidence["item_is"]
+
+
+def test_the_arms_recovery_is_the_papers() -> None:
+    """000, III-A.4: HOME, search, estimate anew, try again; at most twice; then unreachable."""
+    bench, _ = run("pre-grasp", K.NO_IK)
+    tried = [each.recovery for each in bench.context.attempts]
+    assert tried == [GRASP, GRASP, "get: go home and search again", "get: go home and search again", ""]
+    assert bench.robot.calls_of("base/drive") >= 2
+    failure = bench.failure()
+    assert failure is not None
+    assert failure.kind is K.ITEM_UNREACHABLE
+
+
+def test_the_bases_recovery_changes_the_distance_twice() -> None:
+    bench, _ = run("drive to item", K.BASE_NO_PATH)
+    goals = [goal.poses for name, goal in bench.robot.calls if name == "base/drive" and goal.serves_item]  # type: ignore[attr-defined]
+    assert len(goals) == 3
+    assert not set(goals[0]) & set(goals[1])
+    assert not set(goals[1]) & set(goals[2])
+
+
+def test_a_dropped_item_is_fetched_again() -> None:
+    bench = fetch_worlds()["dropped on the way"]()
+    while (status := bench.step()) is Status.RUNNING:
+        pass
+    assert status is Status.SUCCESS
+    assert [(each.failure.kind, each.recovery) for each in bench.context.attempts] == [
+        (K.GRASP_LOST, "fetch it again")
+    ]
+
+
+def test_a_taken_slot_is_left_alone() -> None:
+    bench = fetch_worlds()["a slot taken"]()
+    while bench.step() is Status.RUNNING:
+        pass
+    assert [each.slot for each in bench.robot.world.placed] == [1]
+
+
+def test_a_repeat_is_bounded_in_time_too() -> None:
+    """A camera that is silent for good costs a task's patience, not its day."""
+    bench, _ = run("look here", K.CAMERA_SILENT)
+    assert bench.context.attempts[-1].recovery == ""
+    assert bench.clocks.seconds < 60.0
