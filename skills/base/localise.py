@@ -173,8 +173,11 @@ class Localise:
         start = robot_seconds(self._clocks)
         known = self._localiser.recent[-1].stamp.seconds if self._localiser.recent else start
         while len(scans) < SCANS and robot_seconds(self._clocks) - start < PATIENCE:
-            if (yield LocaliseFeedback(progress=0.0)) is Command.CANCEL:
+            command = yield LocaliseFeedback(progress=0.0)
+            heard_at = robot_seconds(self._clocks)
+            if (yield from _stand(command)):
                 return True
+            start += robot_seconds(self._clocks) - heard_at  # a pause does not count
             if self._localiser.moving:
                 scans.clear()
                 known = robot_seconds(self._clocks)
@@ -187,9 +190,9 @@ class Localise:
         """Run the search to its end; True: cancelled."""
         for number, progress in enumerate(search.slices()):
             command = yield Slice(SLICE_COST)
-            if number % 20 == 0 and command is not Command.CANCEL:
+            if number % 20 == 0 and command is Command.GO_ON:
                 command = yield LocaliseFeedback(progress=min(progress, 1.0))
-            if command is Command.CANCEL:
+            if (yield from _stand(command)):
                 return True
         return False
 
@@ -231,6 +234,14 @@ class Localise:
 
     def _failure(self, kind: FailureKind, message: str, **evidence: str | float | bool) -> Failure:
         return Failure(kind=kind, message=message, where=LOCALISE.name, evidence=dict(evidence))
+
+
+def _stand(command: Command) -> Steps:
+    """Wait, after a pause, until the run is resumed; True: cancelled."""
+    if command is Command.PAUSE:
+        while command not in {Command.RESUME, Command.CANCEL}:
+            command = yield LocaliseFeedback(progress=0.0)
+    return command is Command.CANCEL
 
 
 def _together(views: list[_View]) -> FloatArray:

@@ -101,3 +101,20 @@ def test_cancelled_in_the_search_it_ends_at_once() -> None:
         rig.base.localise.run(LocaliseGoal(), "g"), lambda t: Command.CANCEL if t > 0.3 else Command.GO_ON
     )
     assert outcome.canceled
+
+
+@pytest.mark.parametrize("at", [0.05, 0.4])
+def test_paused_it_stands_and_resumed_it_ends_well(at: float) -> None:
+    start = FloorPose(x=-2.535, y=2.524, yaw=2.16)
+    rig = make_rig(LAB, start, localised=False)
+    script = [(at, Command.PAUSE), (6.0, Command.RESUME)]
+    stood = []
+
+    def command(seconds: float) -> Command:
+        if 4.0 < seconds < 6.0:
+            stood.append((rig.robot.angular, rig.base.localiser.localised))
+        return script.pop(0)[1] if script and seconds > script[0][0] else Command.GO_ON
+
+    outcome = rig.run(rig.base.localise.run(LocaliseGoal(), "g"), command)
+    assert outcome.result is not None, outcome.failure
+    assert set(stood) == {(0.0, False)}

@@ -1,0 +1,95 @@
+"""The action server, where its skill fails it."""
+
+from __future__ import annotations
+
+from skills.ports.action import (
+    AskResult,
+    GoalCommand,
+    GoalState,
+    GoalStatus,
+    SendGoal,
+    command_service,
+    goal_service,
+    result_service,
+)
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.message import Message
+from skills.ports.skill import ActionType, Command, Run
+from skills.server import ActionServer
+from skills.wire.clocks import SteppedClocks
+from skills.wire.memory import MemoryBus
+
+
+class Nothing(Message):
+    """Nothing to tell."""
+
+
+class Clumsy:
+    """Goes on until it is cancelled, which it stumbles over; notes whether it sent a stop at the last."""
+
+    action = ActionType("test/clumsy", Nothing, Nothing, Nothing, timeout=10.0)
+    period = 0.02
+
+    def __init__(self) -> None:
+        self.stopped = 0
+
+    def check(self, goal: Nothing) -> Failure | None:  # noqa: ARG002
+        return None
+
+    def run(self, goal: Nothing, goal_id: str) -> Run[Nothing, Nothing]:  # noqa: ARG002
+        try:
+            while (yield Nothing()) is not Command.CANCEL:
+                pass
+            raise RuntimeError("stumbled over the cancel")
+        finally:
+            self.stopped += 1
+
+
+class Desk:
+    def __init__(self) -> None:
+        self.bus, self.skill = MemoryBus(), Clumsy()
+        self.start()
+
+    def start(self) -> None:
+        self.server = ActionServer(self.bus, SteppedClocks("test"), self.skill)
+
+    def send(self, goal_id: str) -> None:
+        goal_service("test/clumsy").query(self.bus, SendGoal(goal_id=goal_id, client="", goal={}))
+        self.server.step()
+
+    def cancel(self, goal_id: str) -> None:
+        command_service("test/clumsy").query(self.bus, GoalCommand(goal_id=goal_id, command=Command.CANCEL))
+        self.server.step()
+
+    def ask(self, goal_id: str) -> GoalStatus:
+        pending = result_service("test/clumsy").query(self.bus, AskResult(goal_id=goal_id))
+        self.server.step()
+        return GoalStatus.model_validate_json(pending.poll() or b"")
+
+
+def test_an_error_while_it_is_cancelled_ends_the_goal_all_the_same() -> None:
+    desk = Desk()
+    desk.send("t/a/1")
+    desk.cancel("t/a/1")
+    status = desk.ask("t/a/1")
+    assert status.state is GoalState.FAILED
+    assert status.failure is not None
+    assert status.failure.kind is FailureKind.SKILL_CRASHED
+    assert desk.skill.stopped == 1
+    desk.send("t/a/2")
+    assert desk.ask("t/a/2").state is GoalState.RUNNING
+
+
+def test_closing_has_the_skill_send_its_stop() -> None:
+    desk = Desk()
+    desk.send("t/a/1")
+    desk.server.close()
+    assert desk.skill.stopped == 1
+
+
+def test_a_server_that_starts_again_does_not_know_the_goals_of_before() -> None:
+    desk = Desk()
+    desk.send("t/a/1")
+    desk.server.close()
+    desk.start()
+    assert desk.ask("t/a/1").state is GoalState.UNKNOWN
