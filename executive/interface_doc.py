@@ -35,6 +35,7 @@ from skills.ports.keys import Service, Topic
 from skills.ports.message import Message
 from skills.ports.skill import ActionType
 from skills.wire import loop
+from trees.recoveries import RECOVERIES
 from trees.registry import discover
 
 _Entry = Topic[Message] | Service[Message, Message]
@@ -158,10 +159,16 @@ def _action_table() -> str:
 
 def _failure_table() -> str:
     rows = [
-        (f"`{kind}`", facts.meaning, "yes" if facts.retryable else "no", f"`{facts.helper}`")
+        (
+            f"`{kind}`",
+            facts.meaning,
+            "yes" if facts.retryable else "no",
+            f"`{facts.helper}`",
+            RECOVERIES[kind] or "none",
+        )
         for kind, facts in KINDS.items()
     ]
-    return _table(("kind", "meaning", "again?", "who can help"), rows)
+    return _table(("kind", "meaning", "again?", "who can help", "the recovery that takes it"), rows)
 
 
 def _exit_code_table() -> str:
