@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Final
 
 import numpy as np
@@ -58,15 +57,10 @@ class FetchCampaign(Message):
     runs: tuple[FetchRun, ...]
 
 
-def run_number(work: Callable[[int], FetchRun], first: int, run: int) -> FetchRun:
-    """Do the work for run ``first + run``."""
-    return work(first + run)
-
-
 def run_fetch(scenario: Scenario, seed: int, run: int) -> FetchRun:
     """Draw and run fetch number ``run`` of the campaign ``seed``; the same numbers give the same run."""
     site = load(scenario.site)
-    radius = _radius()
+    radius = free_radius()
     draw = draw_fetch(site, scenario, np.random.default_rng((seed, run)), radius)
     rejected = tuple(
         f"{each.what} at ({each.x:.2f}, {each.y:.2f}, {each.yaw:.2f}): {each.reason}"
@@ -79,7 +73,8 @@ def run_fetch(scenario: Scenario, seed: int, run: int) -> FetchRun:
         system.close()
 
 
-def _radius() -> float:
+def free_radius() -> float:
+    """Return the radius (m) that must be free where the robot starts."""
     from sim.robot import compose_robot  # noqa: PLC0415 - only here, and it is made anew for each run
 
     return compose_robot().description.footprint_radius + ARM_MARGIN

@@ -12,6 +12,11 @@ from skills.ports.message import Message
 Run = TypeVar("Run", bound=Message)
 
 
+def run_number(work: Callable[[int], Run], first: int, run: int) -> Run:
+    """Do the work for run ``first + run``."""
+    return work(first + run)
+
+
 def series(work: Callable[[int], Run], runs: int, *, jobs: int) -> Iterator[Run]:
     """Yield the results of ``work(0)`` to ``work(runs - 1)``, as they end.
 

@@ -13,6 +13,7 @@ from executive.cli.exit_codes import ExitCode
 
 if TYPE_CHECKING:
     from executive.campaigns.fetch import FetchRun
+    from executive.campaigns.recovery import RecoveryRun
 
 Runs = Annotated[int, typer.Option("--runs", min=1, max=10_000, help="How many.")]
 Seed = Annotated[int, typer.Option("--seed", min=0, help="Of all draws and all noise.")]
@@ -25,6 +26,9 @@ ReportFile = Annotated[
 Jobs = Annotated[int, typer.Option("--jobs", min=1, max=64, help="Processes beside each other.")]
 First = Annotated[int, typer.Option("--first", min=0, help="Number of the first run: repeats a run alone.")]
 
+RECOVERED_SHARE = 58 / 60
+"""Of the runs that can be mended, as the aim has it."""
+
 
 def add_to(app: typer.Typer) -> None:
     """Add the command."""
@@ -32,6 +36,7 @@ def add_to(app: typer.Typer) -> None:
         help="Series of seeded runs in lockstep, each with its aim.", no_args_is_help=True
     )
     campaigns.command("fetch")(fetch)
+    campaigns.command("recovery")(recovery)
     app.add_typer(campaigns, name="campaign")
 
 
@@ -45,8 +50,8 @@ def fetch(
     first: First = 0,
 ) -> None:
     """Fetch drawn items from drawn starts. Ends with 0 only when every fetch is right, in truth."""
-    from executive.campaigns.fetch import FetchCampaign, run_fetch, run_number  # noqa: PLC0415
-    from executive.campaigns.series import series  # noqa: PLC0415
+    from executive.campaigns.fetch import FetchCampaign, run_fetch  # noqa: PLC0415
+    from executive.campaigns.series import run_number, series  # noqa: PLC0415
     from executive.cli.scenario_commands import checked  # noqa: PLC0415
 
     drawn_from = checked(scenario)
@@ -64,6 +69,70 @@ def fetch(
         campaign = FetchCampaign(scenario=scenario, seed=seed, right=right, runs=tuple(done))
         report.write_text(campaign.model_dump_json(indent=2) + "\n", encoding="utf-8")
     raise typer.Exit(ExitCode.OK if right == runs else ExitCode.TASK_FAILED)
+
+
+def recovery(
+    *,
+    runs: Annotated[int, typer.Option("--runs", min=0, max=10_000, help="How many that can be mended.")] = 60,
+    hopeless: Annotated[int, typer.Option("--hopeless", min=0, max=10_000, help="How many that can't.")] = 20,
+    seed: Seed = 1,
+    scenario: Scenario = "Demo",
+    report: ReportFile = None,
+    jobs: Jobs = 2,
+    first: First = 0,
+) -> None:
+    """Fetch while things go wrong.
+
+    Ends with 0 only when at least 58 of 60 fetches that can be mended end with the item in the depot, in
+    truth, and all that can't be end with the right kind of failure; the robot at rest after each.
+    """
+    from executive.campaigns.recovery import RecoveryCampaign, run_hopeless, run_recovery  # noqa: PLC0415
+    from executive.campaigns.series import run_number, series  # noqa: PLC0415
+    from executive.cli.scenario_commands import checked  # noqa: PLC0415
+
+    drawn_from = checked(scenario)
+    console = Console(highlight=False, soft_wrap=True)
+    done: list[RecoveryRun] = []
+    for count, what in ((runs, run_recovery), (hopeless, run_hopeless)):
+        work = partial(run_number, partial(what, drawn_from, seed), first)
+        part: list[RecoveryRun] = []
+        for run in series(work, count, jobs=jobs):
+            part.append(run)
+            _tell_recovery(run, console)
+        done += sorted(part, key=lambda each: each.run)
+    recovered = sum(run.right for run in done if not run.hopeless)
+    right_kind = sum(run.right for run in done if run.hopeless)
+    console.print(f"{recovered} of {runs} recovered, {right_kind} of {hopeless} hopeless ones ended rightly")
+    if report is not None:
+        report.parent.mkdir(parents=True, exist_ok=True)
+        campaign = RecoveryCampaign(
+            scenario=scenario,
+            seed=seed,
+            recovered=recovered,
+            recoverable=runs,
+            right_kind=right_kind,
+            hopeless=hopeless,
+            runs=tuple(done),
+        )
+        report.write_text(campaign.model_dump_json(indent=2) + "\n", encoding="utf-8")
+    reached = recovered >= runs * RECOVERED_SHARE and right_kind == hopeless
+    raise typer.Exit(ExitCode.OK if reached else ExitCode.TASK_FAILED)
+
+
+def _tell_recovery(run: RecoveryRun, console: Console) -> None:
+    mark = "ok  " if run.right else "FAIL"
+    why = "" if run.failure is None else f"  {run.failure.where}: {run.failure.kind}: {run.failure.message}"
+    console.print(
+        f"{mark} {run.run:3d}  item {run.item:3d}  {run.trouble}: {run.robot_seconds:.1f} s  "
+        f"{run.state.lower()}{'' if run.at_rest else ', NOT AT REST'}{why}",
+        markup=False,
+    )
+    for struck in run.struck:
+        console.print(f"         {struck}", markup=False)
+    for each in run.tried:
+        took = f"{each.recovery}, time {each.times}" if each.recovery else "given up"
+        at = 0.0 if each.at is None else each.at.seconds
+        console.print(f"         {at:.2f} s {each.failure.where}: {each.failure.kind}: {took}", markup=False)
 
 
 def _tell(run: FetchRun, console: Console) -> None:
