@@ -261,7 +261,8 @@ class Executive:
         if status is None:
             return
         if status.state is not run.state or _worth_telling(status.progress, run.progress):
-            self._tell(self.book.move_on(run.context.task, run.state, run.progress))
+            now = self._clocks.robot()
+            self._tell(self.book.move_on(run.context.task, run.state, run.progress, now))
 
     def _note_tries(self) -> None:
         for tries in self._tries:

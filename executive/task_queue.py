@@ -103,9 +103,12 @@ class TaskBook:
         """Note that the task runs."""
         return self._change(task, {"state": TaskState.RUNNING, "started": now})
 
-    def move_on(self, task: str, state: TaskState, progress: Progress) -> TaskStatus:
-        """Note where the task stands and how far it is."""
-        return self._change(task, {"state": state, "progress": progress})
+    def move_on(
+        self, task: str, state: TaskState, progress: Progress, now: RobotTime | None = None
+    ) -> TaskStatus:
+        """Note where the task stands and how far it is; ``now`` is its start if none was heard then."""
+        started = self._tasks[task].started or now
+        return self._change(task, {"state": state, "progress": progress, "started": started})
 
     def tried(self, task: str, tried: tuple[Attempt, ...]) -> TaskStatus:
         """Note what went wrong so far."""
