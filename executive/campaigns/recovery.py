@@ -32,7 +32,7 @@ STILL: Final = 0.01
 
 
 class RecoveryRun(Message):
-    """One run. ``right``: it ended as it must, hopeless ones with the right kind, and the robot is at rest."""
+    """One run. ``right``: it ended as it must, hopeless ones with the right kind; the robot is at rest."""
 
     run: int
     item: int

@@ -30,7 +30,7 @@ from skills.ports.hardware import (
     TrajectoryGoal,
     Wrench,
 )
-from skills.ports.message import Message
+from skills.ports.message import Message, RobotTime
 
 M = TypeVar("M", bound=Message)
 Asked = TypeVar("Asked", bound=Message)
@@ -77,6 +77,8 @@ class Service(Generic[Asked, Answered]):
 class Latest(Generic[M]):
     """The newest message of a topic. Call ``refresh`` (or ``take``) in each step of the node.
 
+    A message with a stamp that is older than what is known (of the same boot) has been overtaken on its way,
+    and does not become the value.
     Messages that don't decode are dropped and counted in ``broken``.
     """
 
@@ -95,8 +97,8 @@ class Latest(Generic[M]):
                 arrived.append(self._topic.decode(sample.payload))
             except ValidationError:
                 self.broken += 1
-        if arrived:
-            self.value = arrived[-1]
+        for message in arrived:
+            self._put(message)
         return arrived
 
     def refresh(self) -> M | None:
@@ -104,15 +106,25 @@ class Latest(Generic[M]):
         samples = self._inbox.drain()
         for sample in reversed(samples):
             try:
-                self.value = self._topic.decode(sample.payload)
+                self._put(self._topic.decode(sample.payload))
                 break
             except ValidationError:
                 self.broken += 1
         return self.value
 
+    def _put(self, message: M) -> None:
+        known, newer = _stamp(self.value), _stamp(message)
+        if known is None or newer is None or known.boot != newer.boot or newer.seconds >= known.seconds:
+            self.value = message
+
     def close(self) -> None:
         """End the subscription."""
         self._inbox.close()
+
+
+def _stamp(message: Message | None) -> RobotTime | None:
+    stamp: object = getattr(message, "stamp", None)
+    return stamp if isinstance(stamp, RobotTime) else None
 
 
 # The hardware.

@@ -1,7 +1,8 @@
 """A bus around a bus that loses, delays, doubles and mixes up messages: what a bad network does.
 
 All of it happens at the receiving end, where what has arrived is held back until its time: so nothing needs a
-thread or a pump. It gets out when the node next drains its inbox, asks its desk or polls its query.
+thread or a pump. It gets out when the node next drains its inbox, asks its desk or polls its query. Each such
+call takes in what has arrived at all ends of the bus: what nobody has read for long did not arrive just now.
 """
 
 from __future__ import annotations
@@ -18,6 +19,8 @@ from skills.ports.message import Message
 
 T = TypeVar("T", Sample, Request)
 
+HEARD_EVERY: Final = 0.005
+"""Seconds after which all ends are asked again for what has arrived."""
 OVERTAKEN_BY: Final = 0.1
 """Seconds that a message which others shall overtake is held back on top of its delay."""
 
@@ -56,8 +59,8 @@ class _Queue(Generic[T]):
     count: int = 0
     last: float = 0.0
 
-    def take(self, arrived: list[T], *, drop: float) -> list[T]:
-        """Take in what has arrived and return what is due, in its order."""
+    def arrive(self, arrived: list[T], *, drop: float) -> None:
+        """Take in what has arrived."""
         now = self.clocks.monotonic()
         for each in arrived:
             if not self.faults.concerns(each.key):
@@ -67,6 +70,10 @@ class _Queue(Generic[T]):
                 continue
             for _ in range(1 + (self.rng.random() < self.faults.double)):
                 self._delay(each, now)
+
+    def take(self) -> list[T]:
+        """Return what is due, in its order."""
+        now = self.clocks.monotonic()
         self.held.sort(key=lambda entry: entry[:2])
         due = [each for at, _, each in self.held if at <= now]
         del self.held[: len(due)]
@@ -91,13 +98,21 @@ class FaultyInbox:
 
     inner: Inbox
     queue: _Queue[Sample]
+    bus: FaultyBus
+
+    def hear(self) -> None:
+        """Take in what has arrived."""
+        self.queue.arrive(self.inner.drain(), drop=self.queue.faults.drop)
 
     def drain(self) -> list[Sample]:
         """Take all that has got through by now."""
-        return self.queue.take(self.inner.drain(), drop=self.queue.faults.drop)
+        self.bus.hear()
+        self.hear()
+        return self.queue.take()
 
     def close(self) -> None:
         """End the subscription; what is under way is lost."""
+        self.bus.forget(self)
         self.queue.held.clear()
         self.inner.close()
 
@@ -108,13 +123,21 @@ class FaultyDesk:
 
     inner: Desk
     queue: _Queue[Request]
+    bus: FaultyBus
+
+    def hear(self) -> None:
+        """Take in what has arrived."""
+        self.queue.arrive(self.inner.drain(), drop=0.0)
 
     def drain(self) -> list[Request]:
         """Take all that has got through by now. Of a doubled request the first answer counts."""
-        return self.queue.take(self.inner.drain(), drop=0.0)
+        self.bus.hear()
+        self.hear()
+        return self.queue.take()
 
     def close(self) -> None:
         """Stop serving; what waits ends without an answer."""
+        self.bus.forget(self)
         self.queue.held.clear()
         self.inner.close()
 
@@ -165,6 +188,20 @@ class FaultyBus:
     def __init__(self, bus: Bus, clocks: Clocks, seed: str, faults: BusFaults | None) -> None:
         self._bus, self._clocks, self._faults = bus, clocks, faults
         self._rng = random.Random(seed)  # noqa: S311 - no secret hangs on it
+        self._ends: list[FaultyInbox | FaultyDesk] = []
+        self._heard_at = float("-inf")
+
+    def hear(self) -> None:
+        """Take in what has arrived at all ends, unless that has just been done."""
+        now = self._clocks.monotonic()
+        if now - self._heard_at >= HEARD_EVERY:
+            self._heard_at = now
+            for end in self._ends:
+                end.hear()
+
+    def forget(self, end: FaultyInbox | FaultyDesk) -> None:
+        """Take an end out that is closed."""
+        self._ends = [each for each in self._ends if each is not end]
 
     def publish(self, key: str, payload: bytes) -> None:
         """Send; what goes wrong with it goes wrong where it arrives."""
@@ -175,7 +212,9 @@ class FaultyBus:
         inner = self._bus.subscribe(key, depth=depth)
         if self._faults is None:
             return inner
-        return FaultyInbox(inner, _Queue(self._faults, self._rng, self._clocks))
+        inbox = FaultyInbox(inner, _Queue(self._faults, self._rng, self._clocks), self)
+        self._ends.append(inbox)
+        return inbox
 
     def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
         """Ask; the question or the answer may get lost, and the answer may be late."""
@@ -193,7 +232,9 @@ class FaultyBus:
         inner = self._bus.serve(key)
         if self._faults is None:
             return inner
-        return FaultyDesk(inner, _Queue(self._faults, self._rng, self._clocks))
+        desk = FaultyDesk(inner, _Queue(self._faults, self._rng, self._clocks), self)
+        self._ends.append(desk)
+        return desk
 
     def listened(self, key: str) -> bool:
         """Say whether anybody subscribes to the key."""
