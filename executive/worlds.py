@@ -30,6 +30,8 @@ AFTER_ONE_SPOT: Final = 28
 
 _NO_WAY: Final = Fault(failure=Failure(kind=FailureKind.NO_PATH, message="in this world there is no way"))
 
+_GONE: Final = Fault(failure=Failure(kind=FailureKind.ITEM_GONE, message="in this world it is gone"))
+
 Happening = Callable[[MockRobot], None]
 Make = Callable[[], TreeBench]
 
@@ -96,6 +98,28 @@ def fetch_corners(site: Site | None = None) -> Mapping[str, Make]:
             "other stands at the depot, arms stay out": partial(
                 slot_stands, faults=("before slot again: tuck arm",)
             ),
+            "a parcel seen closely": partial(
+                world, events={"look closely at slot": partial(_clutter, slots[:1])}
+            ),
+            "a parcel seen at last": partial(
+                world,
+                events={
+                    "survey slot again, left arm": _stretch_and_move_away,
+                    "look once more at slot": partial(_clutter, slots[:1]),
+                },
+            ),
+            "hand stuck before looking": partial(
+                world,
+                faults=("get: before looking: tuck arm",),
+                gone=("look closely at item",),
+                events={"look closely at item": _stretch},
+            ),
+            "hand with other item stuck before looking": partial(
+                other,
+                faults=("get: before looking: tuck arm",),
+                gone=("look closely at item",),
+                events={"look closely at item": _stretch_right},
+            ),
             "item stuck, arm too": partial(world, faults=("retract", tucks[0])),
             "item stuck, arm always": partial(world, faults=("retract", *tucks, "get: home: tuck arm")),
             "all slots but one full": partial(
@@ -145,12 +169,13 @@ def _world(
     begin: Happening | None = None,
     events: Mapping[str, Happening] = MappingProxyType({}),
     faults: tuple[str, ...] = (),
+    gone: tuple[str, ...] = (),
 ) -> TreeBench:
     bench = TreeBench(site, items={ITEM: TAG}, seen_at_look=seen_at_look, localised=localised, step=STEP)
     if begin is not None:
         begin(bench.robot)
     bench.events.update({name: copy(event) for name, event in events.items()})
-    bench.robot.leaf_faults.update(dict.fromkeys(faults, _NO_WAY))
+    bench.robot.leaf_faults.update(dict.fromkeys(faults, _NO_WAY) | dict.fromkeys(gone, _GONE))
     bench.start("fetch", {"item": ITEM, **request})
     return bench
 

@@ -98,10 +98,6 @@ def test_while_driving_home_and_then_another_request_works(run: Course) -> None:
     assert run.delivered(29)
 
 
-@pytest.mark.xfail(
-    reason="the next task looks for the item behind its own hand, and can't tuck a hand that touches an item",
-    strict=True,
-)
 def test_while_the_hand_closes_and_then_another_request_works() -> None:
     facing = BEFORE_THE_TABLE.model_copy(update={"yaw": 0.0})
     with course(load_scenario("Demo").starting_at(facing)) as run:

@@ -36,6 +36,7 @@ def attach(context: TreeContext, board: FetchBoard) -> Edit:
         x, y, z = compose(board.chosen_grasp().grasp, board.chosen_grasp().item_in_tool).position
         bottom = (x, y, z - board.site_item(context).size[2] / 2.0)
         board.origin = Slot(position=bottom, facing=board.facing or 0.0)
+        board.sides = (board.chosen_side(),)
         board.forget_tries()
 
     return _edit("attach", context, goal, note)

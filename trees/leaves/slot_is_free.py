@@ -1,4 +1,4 @@
-"""Is the slot free, now that it has been looked at?"""
+"""Is the slot free, as far as it has been seen?"""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ ABOVE: Final = 0.01
 """Metres above the slot from which on something stands on it: lower is the depot's own top."""
 
 
-def slot_is_free(context: TreeContext, board: FetchBoard) -> Decide:
+def slot_is_free(name: str, context: TreeContext, board: FetchBoard) -> Decide:
     """Return the leaf: SLOT_TAKEN when an item or clutter stands where the item would be put."""
 
     def decide() -> str | Failure:
@@ -35,7 +35,7 @@ def slot_is_free(context: TreeContext, board: FetchBoard) -> Decide:
                 )
         return "nothing stands there"
 
-    return Decide("slot is free", context, decide)
+    return Decide(name, context, decide)
 
 
 def _covers(box: Box, point: Vector3, around: float) -> bool:

@@ -66,7 +66,7 @@ def survey_stands(
         here = _here(context) if here_first else ()
         asked[:] = _untried(board, [*here, *_where_there_is_room(context, found.bases)])
         if not asked:
-            return Failure(kind=FailureKind.BASE_NO_PATH, message="nowhere near is untried room for the base")
+            return Failure(kind=unreachable, message="nowhere near is untried room for the base")
         return SurveyGoal(
             bases=tuple(asked),
             candidates=found.candidates,

@@ -59,12 +59,24 @@ def get_item(context: TreeContext, board: FetchBoard) -> Behaviour:
         wait_back("get", context),
         localise_again("get", context),
         another_way("get", context, board),
-        Rung("get: look around again", looking_again_helps, LOOKS, forget("get: forget it", context, board)),
+        Rung("get: look around again", looking_again_helps, LOOKS, _look_around(context, board)),
         Rung("get: grasp another way", another_grasp_helps, GRASPS, _another_grasp(context, board)),
         Rung("get: go home and search again", searching_again_helps, SEARCHES, _from_home(context, board)),
     )
     return Recovery(
         "get item", context, main, rungs, within=WITHIN, conclude=lambda failure: _unreachable(board, failure)
+    )
+
+
+def _look_around(context: TreeContext, board: FetchBoard) -> Behaviour:
+    """Forget the item, but tuck the arms in first: a hand may be around it, and what is forgotten is hit."""
+    return Sequence(
+        "get: forget and look",
+        memory=True,
+        children=[
+            free_and_tuck(context, "get: before looking"),
+            forget("get: forget it", context, board),
+        ],
     )
 
 

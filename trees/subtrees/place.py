@@ -55,8 +55,8 @@ def place(context: TreeContext, board: FetchBoard) -> Behaviour:
             "bring item to slot",
             memory=True,
             children=[
+                slot_is_free("slot not known to be taken", context, board),
                 approach_slot(context, board),
-                slot_is_free(context, board),
                 place_above(context, board),
                 put_down(context, board),
             ],
@@ -95,6 +95,16 @@ def approach_slot(context: TreeContext, board: FetchBoard) -> Behaviour:
         bases = proximity_poses(slot.position, slot.facing, hand.work_point, hand.work_heading)
         return Reach(bases=bases, candidates=place_candidates(ways))
 
+    def look(name: str) -> Behaviour:
+        return Sequence(
+            f"{name}, and see",
+            memory=True,
+            children=[
+                look_at_slot(name, context, board),
+                slot_is_free(f"{name}: slot free", context, board),
+            ],
+        )
+
     return stand_near(
         "slot",
         context,
@@ -102,7 +112,7 @@ def approach_slot(context: TreeContext, board: FetchBoard) -> Behaviour:
         reach,
         touch_support=True,
         unreachable=FailureKind.DESTINATION_UNREACHABLE,
-        look=lambda name: look_at_slot(name, context, board),
+        look=look,
     )
 
 
