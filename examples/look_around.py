@@ -19,7 +19,7 @@ from trees.conditions.localised import localised
 from trees.context import TreeContext
 from trees.leaves.localise import localise
 from trees.leaves.turn import turn
-from trees.subtrees.home import tuck
+from trees.subtrees.arms_in import tuck
 from trees.task import TaskType
 
 

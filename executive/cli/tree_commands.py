@@ -10,6 +10,7 @@ import typer
 
 from executive.cli.arguments import Connect, Output, Robot, SiteFile, SiteKey, bus_options
 from executive.cli.errors import CommandError
+from executive.cli.exit_codes import ExitCode
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
 
 if TYPE_CHECKING:
@@ -32,6 +33,8 @@ def add_to(app: typer.Typer) -> None:
     group = typer.Typer(help="The trees of the tasks.", no_args_is_help=True)
     group.command("list")(list_all)
     group.command("render")(render)
+    group.command("coverage")(coverage)
+    group.command("properties")(properties)
     app.add_typer(group, name="tree")
 
 
@@ -88,6 +91,53 @@ def render(
     else:
         sys.stdout.buffer.write(content)
         sys.stdout.flush()
+
+
+def coverage(
+    task: Annotated[str, typer.Argument(metavar="TASK", help="As `tandem tree list` tells it.")],
+    *,
+    depth: Annotated[int, typer.Option("--depth", min=0, max=9, help="Failing leaves in one plan.")] = 3,
+    plans: Annotated[bool, typer.Option("--plans", help="Tell each plan before it is run.")] = False,
+) -> None:
+    """Have each leaf fail in each way, with mocked skills. Ends with 1 when a status or a rule was missed."""
+    from executive.exploring import explore  # noqa: PLC0415
+    from executive.worlds import fetch_corners, fetch_worlds  # noqa: PLC0415
+
+    if task != "fetch":
+        raise CommandError(f"no worlds to explore {task!r} in; there are some for fetch")
+    tell = typer.echo if plans else _tell_nobody
+    seen = explore(fetch_worlds(), fetch_corners(), depth=depth, tell=tell)
+    for name, gaps in seen.missing().items():
+        typer.echo(f"not seen  {name}: {', '.join(status.lower() for status in gaps)}")
+    for broken in seen.broken:
+        typer.echo(f"broken    {broken}")
+    whole = not seen.missing() and not seen.broken
+    typer.echo(
+        f"{len(seen.wanted)} nodes, {seen.runs} runs, {seen.ticks} ticks:"
+        f" {len(seen.missing())} nodes not seen in every status, {len(seen.broken)} invariants broken"
+    )
+    raise typer.Exit(ExitCode.OK if whole else ExitCode.TASK_FAILED)
+
+
+def properties(
+    task: Annotated[str, typer.Argument(metavar="TASK", help="As `tandem tree list` tells it.")],
+    *,
+    ticks: Annotated[int, typer.Option("--ticks", min=1, max=10**9, help="Ticks of the tree.")] = 1_000_000,
+    seed: Annotated[int, typer.Option("--seed", min=0, help="Of all draws.")] = 1,
+) -> None:
+    """Run drawn schedules of faults with mocked skills. Ends with 1 when one broke a rule, and tells it."""
+    from executive.properties import search  # noqa: PLC0415
+    from executive.worlds import fetch_worlds  # noqa: PLC0415
+
+    if task != "fetch":
+        raise CommandError(f"no worlds to explore {task!r} in; there are some for fetch")
+    runs, bad = search(fetch_worlds(), ticks=ticks, seed=seed, tell=typer.echo)
+    typer.echo(f"{runs} fetches, {ticks} ticks or a few more: {bad} broke a rule")
+    raise typer.Exit(ExitCode.TASK_FAILED if bad else ExitCode.OK)
+
+
+def _tell_nobody(_: str) -> None:
+    """Tell nobody."""
 
 
 def _running(options: BusOptions) -> TreeNode:

@@ -199,7 +199,9 @@ def _unreachable(board: FetchBoard, failure: Failure) -> Failure:
     """Return what is told when all that helps with the item in the hand has been tried."""
     if failure.kind is FailureKind.SLOT_TAKEN:
         full = f"no slot of {board.destination} is free for item {board.item}"
-        return Failure(kind=FailureKind.DESTINATION_FULL, message=full, causes=(failure,))
+        return Failure(
+            kind=FailureKind.DESTINATION_FULL, message=full, where=failure.where, causes=(failure,)
+        )
     if failure.kind is FailureKind.DESTINATION_UNREACHABLE or not another_stand_helps(failure):
         return failure
     return Failure(

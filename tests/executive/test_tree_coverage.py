@@ -1,0 +1,28 @@
+"""``tandem tree coverage`` and ``tandem tree properties``."""
+
+import pytest
+import typer
+from typer.testing import CliRunner
+
+from executive.cli import tree_commands
+from executive.cli.exit_codes import ExitCode
+
+
+@pytest.fixture
+def app() -> typer.Typer:
+    made = typer.Typer()
+    tree_commands.add_to(made)
+    return made
+
+
+def test_gaps_are_named_and_end_with_1(app: typer.Typer) -> None:
+    done = CliRunner().invoke(app, ["tree", "coverage", "fetch", "--depth", "0"])
+    assert done.exit_code == ExitCode.TASK_FAILED
+    assert "not seen  drive to item: FAILURE".lower() in done.output.lower()
+    assert "0 invariants broken" in done.output
+
+
+def test_drawn_schedules_are_counted(app: typer.Typer) -> None:
+    done = CliRunner().invoke(app, ["tree", "properties", "fetch", "--ticks", "500", "--seed", "3"])
+    assert done.exit_code == ExitCode.OK
+    assert "0 broke a rule" in done.output
