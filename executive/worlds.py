@@ -136,21 +136,28 @@ def fetch_corners(site: Site | None = None) -> Mapping[str, Make]:
             "home is at the depot": partial(
                 world, faults=("place above",), events={"place above": _Third(_at_home(at))}
             ),
-            **{f"only {face}": partial(world, faults=_all_but(face)) for face in _FACES},
-            **{
-                f"{what} unreachable, {side} arm asked for": partial(
-                    world,
-                    faults=tuple(f"survey {what}, {face}" for face in _FACES),
-                    request={"arm": side},
-                )
-                for what in ("item", "item again")
-                for side in SIDES
-            },
+            **_surveys(world),
         }
     )
 
 
 _FACES: Final = tuple(f"{side} arm{face}" for face in ("", ", left face", ", right face") for side in SIDES)
+
+
+def _surveys(world: Callable[..., TreeBench]) -> Mapping[str, Make]:
+    """Return the corners in which an arm gets to one face of the item only, or to none."""
+    return {
+        **{f"only {face}": partial(world, faults=_all_but(face)) for face in _FACES},
+        **{
+            f"{what} unreachable, {side} arm asked for": partial(
+                world,
+                faults=tuple(f"survey {what}, {face}" for face in _FACES),
+                request={"arm": side},
+            )
+            for what in ("item", "item again")
+            for side in SIDES
+        },
+    }
 
 
 def _all_but(face: str) -> tuple[str, ...]:

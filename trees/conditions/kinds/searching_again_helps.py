@@ -5,21 +5,9 @@ from __future__ import annotations
 from typing import Final
 
 from skills.ports.failure import Failure, FailureKind
+from trees.conditions.kinds import another_grasp_helps
 
-KINDS: Final = frozenset(
-    (
-        FailureKind.NO_IK,
-        FailureKind.NO_PATH,
-        FailureKind.PATH_IN_COLLISION,
-        FailureKind.ARM_STOPPED,
-        FailureKind.ARM_OFF_GOAL,
-        FailureKind.GRASP_EMPTY,
-        FailureKind.GRASP_LOST,
-        FailureKind.GRIPPER_STUCK,
-        FailureKind.ITEM_GONE,
-        FailureKind.ITEM_UNREACHABLE,
-    )
-)
+KINDS: Final = another_grasp_helps.KINDS | {FailureKind.ITEM_GONE, FailureKind.ITEM_UNREACHABLE}
 
 
 def searching_again_helps(failure: Failure) -> bool:

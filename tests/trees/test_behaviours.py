@@ -1,0 +1,162 @@
+"""Each behaviour alone: a tree of one or two nodes, and a clock."""
+
+from __future__ import annotations
+
+import pytest
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from executive.testing import TreeBench
+from skills.ports.failure import Failure, FailureKind
+from skills.site import load
+from trees.behaviours.again import Again
+from trees.behaviours.each import Each
+from trees.behaviours.give_up import GiveUp
+from trees.behaviours.guarded import Guarded
+from trees.behaviours.note import Note
+from trees.behaviours.pause import Pause
+from trees.behaviours.recovery import Recovery, Rung
+from trees.context import TreeContext
+
+K = FailureKind
+S, F, R = Status.SUCCESS, Status.FAILURE, Status.RUNNING
+
+
+class Script(Behaviour):
+    """Does what it is told, one status a tick; each FAILURE is a failure of this kind."""
+
+    def __init__(
+        self, name: str, context: TreeContext, *statuses: Status, kind: FailureKind = K.NO_IK
+    ) -> None:
+        super().__init__(name)
+        self._context, self._statuses, self._kind, self.ticks = context, list(statuses), kind, 0
+
+    def update(self) -> Status:
+        self.ticks += 1
+        status = self._statuses.pop(0) if len(self._statuses) > 1 else self._statuses[0]
+        if status is F:
+            self._context.failed(Failure(kind=self._kind, message=self.name))
+        return status
+
+
+@pytest.fixture
+def bench() -> TreeBench:
+    return TreeBench(load("lab"), items={}, step=0.1)
+
+
+def play(bench: TreeBench, root: Behaviour, most: int = 100) -> list[Status]:
+    """Tick until the end; return the statuses."""
+    seen = []
+    for _ in range(most):
+        bench.clocks.advance(0.1)
+        root.tick_once()
+        seen.append(root.status)
+        if root.status is not R:
+            break
+    return seen
+
+
+def always(_: Failure) -> bool:
+    return True
+
+
+def recovery(context: TreeContext, main: Behaviour, *rungs: Rung, within: float = 100.0) -> Recovery:
+    return Recovery("recovery", context, main, rungs, within=within)
+
+
+def test_recovery_asks_the_cheap_rung_first_and_the_dear_one_when_that_is_used_up(bench: TreeBench) -> None:
+    context = bench.context
+    main = Script("main", context, F, F, F, S)
+    cheap, dear = Script("cheap repair", context, S), Script("dear repair", context, S)
+    tree = recovery(context, main, Rung("cheap", always, 2, cheap), Rung("dear", always, 1, dear))
+    assert play(bench, tree)[-1] is S
+    assert [(each.recovery, each.times) for each in context.attempts] == [
+        ("cheap", 1),
+        ("cheap", 2),
+        ("dear", 1),
+    ]
+
+
+def test_recovery_gives_up_when_all_is_used_up(bench: TreeBench) -> None:
+    context = bench.context
+    tree = recovery(context, Script("main", context, F), Rung("rung", always, 2, Note("repair", lambda: "")))
+    assert play(bench, tree)[-1] is F
+    assert [each.recovery for each in context.attempts] == ["rung", "rung", ""]
+
+
+def test_recovery_hands_over_to_the_next_rung_when_a_repair_fails(bench: TreeBench) -> None:
+    context = bench.context
+    bad, good = Script("bad repair", context, F), Script("good repair", context, S)
+    tree = recovery(
+        context, Script("main", context, F, S), Rung("bad", always, 1, bad), Rung("good", always, 1, good)
+    )
+    assert play(bench, tree)[-1] is S
+    assert good.ticks == 1
+
+
+def test_recovery_repairs_nothing_that_no_rung_takes(bench: TreeBench) -> None:
+    context = bench.context
+    repair = Script("repair", context, S)
+    tree = recovery(context, Script("main", context, F), Rung("never", lambda _: False, 5, repair))
+    assert play(bench, tree) == [F]
+    assert repair.ticks == 0
+
+
+def test_recovery_is_bounded_in_robot_time(bench: TreeBench) -> None:
+    context = bench.context
+    slow = Rung("slow", always, 100, Pause("pause", context, 3.0))
+    tree = recovery(context, Script("main", context, F), slow, within=5.0)
+    assert play(bench, tree, most=1000)[-1] is F
+    assert bench.clocks.seconds < 8.0
+
+
+def test_what_a_recovery_below_has_given_up_is_not_tried_above_in_the_same_way(bench: TreeBench) -> None:
+    context = bench.context
+    main = Script("main", context, F)
+    below = Recovery(
+        "below", context, main, (Rung("again below", always, 2, Note("n1", lambda: "")),), within=99.0
+    )
+    above = Recovery(
+        "above", context, below, (Rung("again above", always, 2, Note("n2", lambda: "")),), within=99.0
+    )
+    assert play(bench, above)[-1] is F
+    assert main.ticks == 3
+
+
+def test_guarded_stops_its_child_and_fails_with_the_reason(bench: TreeBench) -> None:
+    context, child, holds = bench.context, Script("child", bench.context, R), [True]
+    lost = Failure(kind=K.GRASP_LOST, message="fell")
+    tree = Guarded("guard", context, child, holds=lambda: holds[0], otherwise=lambda: lost)
+    assert play(bench, tree, most=3) == [R, R, R]
+    holds[0] = False
+    assert play(bench, tree, most=3) == [F]
+    assert child.status is Status.INVALID
+    assert context.last_failure().kind is K.GRASP_LOST
+
+
+def test_again_stops_at_a_kind_that_does_not_allow_it(bench: TreeBench) -> None:
+    child = Script("child", bench.context, F, kind=K.CAMERA_SILENT)
+    tree = Again("again", bench.context, child, 9, lambda failure: failure.kind is K.ITEM_NOT_FOUND)
+    assert play(bench, tree) == [F]
+
+
+@pytest.mark.parametrize(("statuses", "times", "last"), [((F, F, S), 3, S), ((F, F, S), 2, F)])
+def test_again_counts(bench: TreeBench, statuses: tuple[Status, ...], times: int, last: Status) -> None:
+    tree = Again("again", bench.context, Script("child", bench.context, *statuses), times, always)
+    assert play(bench, tree)[-1] is last
+
+
+def test_each_goes_on_until_nothing_is_left(bench: TreeBench) -> None:
+    child = Script("child", bench.context, S)
+    tree = Each("each", child, lambda: child.ticks == 2, 5)
+    assert play(bench, tree) == [R, S]
+
+
+def test_pause_takes_its_time(bench: TreeBench) -> None:
+    assert len(play(bench, Pause("pause", bench.context, 1.0))) == 11
+
+
+def test_give_up_says_why(bench: TreeBench) -> None:
+    tree = GiveUp("give up", bench.context, lambda: Failure(kind=K.ITEM_NOT_FOUND, message="nowhere"))
+    assert play(bench, tree) == [F]
+    assert bench.context.last_failure().where == "give up"
