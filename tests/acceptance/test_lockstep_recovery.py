@@ -36,7 +36,7 @@ def test_a_dropped_item_is_noticed_within_half_a_second_and_the_robot_stops() ->
         opened = events.value.stamp.seconds
         run.until(lambda: not (run.world() or pytest.fail("no world")).held, within=NOTICED_WITHIN)
         run.until(
-            lambda: not any("while the item is in the hand" in path for path in run.running()),
+            lambda: not any("bring item to slot" in path for path in run.running()),
             within=NOTICED_WITHIN,
         )
         assert run.seconds - opened < NOTICED_WITHIN + 0.1, "a tick of the tree later at the most"
