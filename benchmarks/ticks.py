@@ -98,10 +98,21 @@ def fetches(count: int) -> tuple[Times, Times, list[float]]:
             mocked.executive.step()
             run = mocked.executive._running  # noqa: SLF001 - the tick alone is wanted
             assert run is not None
-            root = run._root  # noqa: SLF001
-            root.tick_once = ticks.timed(root.tick_once)  # type: ignore[method-assign]
+            _time_ticks(run._root, ticks)  # noqa: SLF001
             mocked.run(timed)
     return ticks, steps, sent
+
+
+def _time_ticks(root: Behaviour, times: Times) -> None:
+    """Have each tick of the tree timed."""
+    tick, ticked = root.tick, list[tuple[Behaviour, ...]]()
+    timed = times.timed(lambda: ticked.append(tuple(tick())))
+
+    def lazily() -> Iterator[Behaviour]:  # py_trees makes this generator also where it does not tick
+        timed()
+        yield from ticked.pop()
+
+    root.tick = lazily  # type: ignore[method-assign]
 
 
 def first_steps(count: int) -> Times:
