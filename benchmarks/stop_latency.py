@@ -1,14 +1,19 @@
-"""How soon a stop and a cancel get through, at random moments of fetches, planning included.
+"""How soon a stop and a cancel get through, at drawn moments of fetches, planning included.
 
-All processes in real time. ``hw/stop`` is answered by the hardware once all its parts have begun to brake; a
-cancel has reached a skill when its status is CANCELING. When a trajectory was being followed, the time until
-the joints are first measured slower is told too; joint states come every 10 ms.
+All processes in real time. ``hw/stop`` is answered by the hardware once all its parts have begun to brake. A
+cancel has reached a skill when its status is CANCELING; a base that moves has been reached when a smaller
+velocity is sent to it than the one before. When an arm moves, the time until its joints are first measured
+slower is told too: it is longer than what it took to reach the hardware, since joint states come every 10 ms.
+
+What moves has to come to rest within its stated decelerations: in the longest time that one of its speeds
+takes at the limit that the description tells. Told is by how much, in robot time, it took longer.
 """
 
 from __future__ import annotations
 
 import tempfile
 import time
+from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -20,38 +25,46 @@ import yaml
 from benchmarks.fetch_time import NEAR_THE_TABLE, REQUESTED
 from benchmarks.processes import free_endpoint
 from benchmarks.rows import Row, quantile, spread
-from benchmarks.stillness import speed
+from benchmarks.standing import Motion
 from executive.demo import ANSWER_WITHIN, Caller
 from executive.options import BusOptions, RunOptions
-from executive.systems import ProcessSystem, wait_for
+from executive.systems import ProcessSystem, SystemFailure, wait_for
 from sim.scenario import load_scenario
 from skills.ports.action import GoalState, GoalStatus
 from skills.ports.hardware import Stop
-from skills.ports.keys import JOINT_STATES, STOP, STOP_RELEASE, Latest, Nothing
+from skills.ports.keys import DESCRIPTION, STOP, STOP_RELEASE, Latest, Nothing
 from skills.ports.tasks import TASK_CANCEL, TASK_STATUS, CancelTask, TaskState
 
 TRIALS: Final = 24
-"""Of each kind; every other one while an arm is planned for."""
-LATEST: Final = 8.0
-"""Seconds of a fetch in which the other moments lie: survey, drive, looks and the first motions of an arm."""
-PLANNED_WITHIN: Final = 15.0
-"""Seconds in which a planning is waited for."""
+"""Of each kind; a third of them while an arm is planned for, a third while something moves."""
+LATEST: Final = 2.5
+"""Seconds after which a fetch is stopped at the latest; the next one goes on from where the robot is then."""
+WITHIN: Final = 6.0
+"""Seconds in which a planning or a motion is waited for."""
+SPANS: Final = {"moving": 1.0, "planning": 0.05, "any": LATEST}
+"""Kinds of moments, and the seconds after their beginning in which they are drawn."""
+KINDS: Final = tuple(SPANS)
 AIM: Final = 20.0
-MOST: Final = 300.0
+MOST: Final = 60.0
 """Host seconds after which no more trials are begun."""
-MOVING: Final = 0.2
-"""rad/s from which a joint is followed to see it slow down."""
+MOST_QUICK: Final = 10.0
+RESTS_WITHIN: Final = 2.0
+"""Seconds in which rest is waited for after a stop."""
 
 
 @dataclass
 class Trial:
-    """One stop or cancel; seconds after it was asked for, None for what did not happen."""
+    """One stop or cancel; host seconds after it was asked for, None for what did not happen."""
 
+    phase: str
     planning: bool
     answered: float | None = None
     canceling: float | None = None
+    braked: float | None = None
     slower: float | None = None
     ended: float | None = None
+    longer: float | None = None
+    """Robot seconds from the asking to standing still, beyond those at the stated decelerations."""
 
 
 @dataclass
@@ -59,16 +72,16 @@ class Watch:
     """Listens to what a stop or a cancel brings about."""
 
     system: ProcessSystem
+    motion: Motion
     task: str = ""
+    phase: str = ""
     state: TaskState | None = None
-    speed: float = 0.0
     canceling_at: float | None = None
     goals: dict[str, GoalStatus] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         bus = self.system.bus
         self._goals = bus.subscribe("skill/*/*/status", depth=1024)
-        self._joints = Latest(bus, JOINT_STATES, depth=1024)
         self._tasks = Latest(bus, TASK_STATUS, depth=1024)
 
     @property
@@ -90,9 +103,8 @@ class Watch:
                 self.canceling_at = now
         for told in self._tasks.take():
             if told.task == self.task:
-                self.state = told.state
-        states = self._joints.refresh()
-        self.speed = 0.0 if states is None else speed(states)
+                self.state, self.phase = told.state, told.progress.phase
+        self.motion.look(now)
 
     def until(self, holds: Callable[[], bool], within: float) -> bool:
         """Look until it holds, at most so many seconds."""
@@ -111,92 +123,120 @@ class Watch:
 
 def rows(*, quick: bool = False) -> Iterator[Row]:
     """Measure."""
-    count = 2 if quick else TRIALS
-    stops, cancels = trials(count, latest=3.0 if quick else LATEST)
-    for what, done in (("stop", stops), ("cancel", cancels)):
-        during = f"{sum(each.planning for each in done)} of them while an arm was planned for"
+    count, most = (2, MOST_QUICK) if quick else (TRIALS, MOST)
+    stops, cancels = trials(count, most=most)
+    answers = [each.answered for each in stops if each.answered is not None]
+    yield from spread("from hw/stop to the hardware's answer", answers, aim=AIM, note=_when(stops), most=True)
+    heard = [each.canceling for each in cancels if each.canceling is not None]
+    name = "from task/cancel to the skill's CANCELING"
+    yield from spread(name, heard, aim=AIM, note=_when(cancels), most=True)
+    braked = [each.braked for each in cancels if each.braked is not None]
+    name = "from task/cancel to the base's first braking command"
+    yield from _some(name, braked, aim=AIM, note="the base moving and not slowing down already")
+    for what, done in (("hw/stop", stops), ("task/cancel", cancels)):
         slower = [each.slower for each in done if each.slower is not None]
-        if what == "stop":
-            answers = [each.answered for each in done if each.answered is not None]
-            yield from spread(
-                "from hw/stop to the hardware's answer", answers, aim=AIM, note=during, most=True
-            )
-        else:
-            heard = [each.canceling for each in done if each.canceling is not None]
-            name = "from task/cancel to the skill's CANCELING"
-            yield from spread(name, heard, aim=AIM, note=during, most=True)
-        note = f"of {len(slower)}, an arm moving; joint states come every 10 ms"
-        yield Row(f"from a {what} to slower joints, median", 1e3 * quantile(slower, 0.5), "ms", note=note)
-        yield Row(f"from a {what} to slower joints, max", 1e3 * max(slower, default=float("nan")), "ms")
-    rest = [each.ended for each in cancels if each.ended is not None]
-    yield Row("from task/cancel to the task's end, at rest, max", max(rest, default=float("nan")), "s")
+        note = "an arm moving; joint states come every 10 ms"
+        yield from _some(f"from {what} to slower joints", slower, aim=None, note=note)
+    for what, done in (("hw/stop", stops), ("task/cancel", cancels)):
+        longer = [each.longer for each in done if each.longer is not None]
+        name = f"from {what} to standing, beyond v / deceleration"
+        yield from _some(name, longer, aim=None, note="moving; robot time")
+    ends = [each.ended for each in cancels if each.ended is not None]
+    if ends:
+        median, most = quantile(ends, 0.5), max(ends)
+        yield Row("from task/cancel to the task's end, at rest, median", median, "s", note=f"of {len(ends)}")
+        yield Row("from task/cancel to the task's end, at rest, max", most, "s")
 
 
-def trials(count: int, *, latest: float, seed: int = 1) -> tuple[list[Trial], list[Trial]]:
-    """Return so many stops and cancels, at moments drawn from the first ``latest`` seconds of fetches."""
+def _some(name: str, seconds: list[float], *, aim: float | None, note: str) -> list[Row]:
+    """Return the rows of what happened in some trials only; none when it happened in none."""
+    return spread(name, seconds, aim=aim, note=note, most=True) if seconds else []
+
+
+def _when(done: list[Trial]) -> str:
+    counts = Counter(each.phase or "start" for each in done)
+    phases = ", ".join(f"{phase} {count}" for phase, count in counts.items())
+    return f"{sum(each.planning for each in done)} while an arm was planned for; {phases}"
+
+
+def trials(count: int, *, most: float, seed: int = 1) -> tuple[list[Trial], list[Trial]]:
+    """Return so many stops and cancels at drawn moments, or fewer when ``most`` host seconds are over."""
     rng = np.random.default_rng(seed)
     stops: list[Trial] = []
     cancels: list[Trial] = []
-    began = time.monotonic()
     with tempfile.TemporaryDirectory() as folder:
         scenario = Path(folder) / "near.yaml"
         near = load_scenario("Demo").starting_at(NEAR_THE_TABLE)
         scenario.write_text(yaml.safe_dump(near.model_dump(mode="json")), encoding="utf-8")
         options = RunOptions(bus=BusOptions(endpoint=free_endpoint()), scenario=str(scenario))
         with ProcessSystem(options) as system:
-            watch = Watch(system)
+            watch = Watch(system, _motion(system))
             caller = Caller(system, lambda _: None)
-            while len(stops) + len(cancels) < 2 * count and time.monotonic() - began < MOST:
+            began = time.monotonic()
+            while len(stops) + len(cancels) < 2 * count and time.monotonic() - began < most:
                 done, act = (stops, _stop) if len(stops) <= len(cancels) else (cancels, _cancel)
-                planning = len(done) % 2 == 1
-                seconds = float(rng.uniform(0.0, 0.05) if planning else rng.uniform(0.05, latest))
-                if _under_way(watch, caller, seconds, planning=planning):
+                if _under_way(watch, caller, KINDS[len(done) % len(KINDS)], rng):
                     done.append(act(watch))
+                elif watch.state is TaskState.SUCCEEDED:
+                    break  # the item is where it was wanted: nothing is left to be stopped
     return stops, cancels
 
 
-def _under_way(watch: Watch, caller: Caller, seconds: float, *, planning: bool) -> bool:
-    """Ask for a fetch and go on so long, or so long after an arm is planned for; False when it has ended."""
+def _motion(system: ProcessSystem) -> Motion:
+    payload = wait_for(system, DESCRIPTION.query(system.bus, Nothing()), ANSWER_WITHIN)
+    if payload is None:
+        raise SystemFailure("the hardware did not tell its description")
+    return Motion(system.bus, DESCRIPTION.decode_answer(payload))
+
+
+def _under_way(watch: Watch, caller: Caller, kind: str, rng: np.random.Generator) -> bool:
+    """Ask for a fetch and go on to a moment of that kind; False when the fetch has ended before."""
     watch.state, watch.canceling_at = None, None
     watch.goals.clear()
     watch.task = caller.request(REQUESTED).task
     watch.until(lambda: watch.state is TaskState.RUNNING, ANSWER_WITHIN)
-    if planning:
-        watch.until(lambda: watch.over or watch.planning, PLANNED_WITHIN)
-    watch.until(lambda: watch.over, seconds)
+    if kind == "planning":
+        watch.until(lambda: watch.over or watch.planning, WITHIN)
+    elif kind == "moving":
+        watch.until(lambda: watch.over or watch.motion.fast, WITHIN)
+    watch.until(lambda: watch.over, float(rng.uniform(0.0, SPANS[kind])))
     return not watch.over
 
 
 def _stop(watch: Watch) -> Trial:
-    trial, before = Trial(planning=watch.planning), watch.speed
+    trial = Trial(watch.phase, planning=watch.planning)
+    watch.motion.mark()
     began = time.perf_counter()
     pending = STOP.query(watch.system.bus, Stop(by="benchmark", reason="how soon?"))
-    end = began + 1.0
-    while (trial.answered is None or trial.slower is None) and time.perf_counter() < end:
+    end = began + RESTS_WITHIN
+    while (
+        not (trial.answered is not None and watch.over and watch.motion.stands) and time.perf_counter() < end
+    ):
         watch.look()
-        now = time.perf_counter() - began
         if trial.answered is None and pending.poll() is not None:
-            trial.answered = now
-        _slower(trial, watch, before, now)
+            trial.answered = time.perf_counter() - began
+    _read(trial, watch, began)
     watch.until(lambda: watch.over, ANSWER_WITHIN)
     wait_for(watch.system, STOP_RELEASE.query(watch.system.bus, Nothing()), ANSWER_WITHIN)
     return trial
 
 
 def _cancel(watch: Watch) -> Trial:
-    trial, before = Trial(planning=watch.planning), watch.speed
+    trial = Trial(watch.phase, planning=watch.planning)
+    watch.motion.mark()
     began = time.perf_counter()
     TASK_CANCEL.query(watch.system.bus, CancelTask(task=watch.task))
-    while not watch.over and time.perf_counter() < began + ANSWER_WITHIN:
-        watch.look()
-        now = time.perf_counter() - began
-        if trial.canceling is None and watch.canceling_at is not None:
-            trial.canceling = watch.canceling_at - began
-        _slower(trial, watch, before, now)
-    trial.ended = time.perf_counter() - began if watch.over else None
+    if watch.until(lambda: watch.over, ANSWER_WITHIN):
+        trial.ended = time.perf_counter() - began
+    watch.until(lambda: watch.motion.stands, RESTS_WITHIN)
+    if watch.canceling_at is not None:
+        trial.canceling = watch.canceling_at - began
+    _read(trial, watch, began)
     return trial
 
 
-def _slower(trial: Trial, watch: Watch, before: float, now: float) -> None:
-    if trial.slower is None and before > MOVING and watch.speed < 0.98 * before:
-        trial.slower = now
+def _read(trial: Trial, watch: Watch, began: float) -> None:
+    motion = watch.motion
+    trial.braked = None if motion.braked_at is None else motion.braked_at - began
+    trial.slower = None if motion.slower_at is None else motion.slower_at - began
+    trial.longer = motion.longer
