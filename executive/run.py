@@ -311,11 +311,10 @@ class Run:
     def _with_places(self, failure: Failure) -> Failure:
         """Add where everything is, as the task's builder tells it."""
         try:
-            places = {} if self.context.closing is None else self.context.closing()
+            return self.context.with_places(failure)
         except Exception:  # noqa: BLE001 - the end is told in any case
             _LOG.exception("%s: where everything is could not be told", self.context.task)
             return failure
-        return failure.model_copy(update={"evidence": {**failure.evidence, **places}})
 
     def _last_failure(self) -> Failure | None:
         return self.context.failure() if self._ending is None else self._ending.failure

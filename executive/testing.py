@@ -125,8 +125,9 @@ class TreeBench:
         return False
 
     def failure(self) -> Failure | None:
-        """Return why the task failed."""
-        return self.context.failure()
+        """Return why the task failed, and where everything is, as the executive tells it."""
+        failure = self.context.failure()
+        return None if failure is None else self.context.with_places(failure)
 
     def path(self) -> tuple[str, ...]:
         """Return the leaves' names in the order in which they first succeeded or failed."""

@@ -8,7 +8,7 @@ from typing import Final
 
 from py_trees.behaviour import Behaviour
 
-from skills.ports.clocks import Clocks
+from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.site import Site
 from skills.ports.tasks import Attempt, Progress
@@ -44,7 +44,7 @@ class TreeContext:
     wind_down: Behaviour | None = None
     """What is still done after a cancel, once all is at rest; set by a builder that was asked for it."""
     paused_for: float = 0.0
-    """Robot seconds that the task has stood paused so far: timers of a tree may leave them out."""
+    """Robot seconds that the task has stood paused so far; ``seconds`` leaves them out."""
     verdict: Failure | None = None
     """Why the task's main part failed; what failed afterwards, on the way home, comes second."""
     exhausted: tuple[Failure | None, frozenset[Callable[[Failure], bool]]] = (None, frozenset())
@@ -52,6 +52,11 @@ class TreeContext:
     closing: Callable[[], dict[str, str]] | None = None
     """Says at the end where everything is: evidence of the task's failure. The task's builder sets it."""
     _progress: Progress = field(default_factory=Progress)
+
+    @property
+    def seconds(self) -> float:
+        """Robot seconds for the timers of trees: they stand while the task is paused."""
+        return robot_seconds(self.clocks) - self.paused_for
 
     @property
     def site(self) -> Site:
@@ -98,7 +103,7 @@ class TreeContext:
     def failure(self) -> Failure | None:
         """Return why the task failed: its main part's failure or else the last; with what came before.
 
-        The causes are the newest different ones, newest first; the evidence says where everything is.
+        The causes are the newest different ones, newest first.
         """
         if not self.failures:
             return None
@@ -108,10 +113,12 @@ class TreeContext:
             if (each.kind, each.where) not in seen:
                 seen.add((each.kind, each.where))
                 causes.append(each)
-        closing = {} if self.closing is None else self.closing()
-        return head.model_copy(
-            update={"causes": (*head.causes, *causes[:CAUSES]), "evidence": {**head.evidence, **closing}}
-        )
+        return head.model_copy(update={"causes": (*head.causes, *causes[:CAUSES])})
+
+    def with_places(self, failure: Failure) -> Failure:
+        """Add to a failure's evidence where everything is, as the task's builder tells it."""
+        places = {} if self.closing is None else self.closing()
+        return failure.model_copy(update={"evidence": {**failure.evidence, **places}})
 
     def enter(self, phase: str, fraction: float) -> None:
         """Say which phase the task is in and how far it is; it never runs backwards."""

@@ -9,7 +9,7 @@ from typing import Final
 
 from skills.ports.bus import Bus
 from skills.ports.chain import Chain
-from skills.ports.geometry import FloorPose, Pose, compose, to_pose, wrap
+from skills.ports.geometry import FloorPose, Pose, wrap
 from skills.ports.hardware import JointStates, RobotDescription
 from skills.ports.keys import JOINT_STATES, Latest
 from skills.ports.message import RobotTime
@@ -117,11 +117,6 @@ class CameraMount:
     def camera_in_base(self, positions: Mapping[str, float]) -> Pose:
         """Return the camera's pose at these joint positions."""
         return self._chain.pose(positions)
-
-
-def in_map(base_in_map: FloorPose, pose_in_base: Pose) -> Pose:
-    """Return the pose in the map."""
-    return compose(to_pose(base_in_map), pose_in_base)
 
 
 def _before(a: RobotTime, b: RobotTime) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import random
 from dataclasses import dataclass, field
-from typing import Annotated, Final, Generic, TypeVar
+from typing import Annotated, Final, Generic, Protocol, TypeVar
 
 from pydantic import Field
 
@@ -92,51 +92,39 @@ class _Queue(Generic[T]):
         self.count += 1
 
 
-@dataclass(eq=False)
-class FaultyInbox:
-    """A subscription through a bad network."""
+class _Source(Protocol[T]):
+    """An inbox or a desk."""
 
-    inner: Inbox
-    queue: _Queue[Sample]
+    def drain(self) -> list[T]: ...
+
+    def close(self) -> None: ...
+
+
+@dataclass(eq=False)
+class FaultyEnd(Generic[T]):
+    """A subscription, or the desk of a service, through a bad network.
+
+    ``drop`` is the share that gets lost: of queries none, for it is who asks that loses them. Of a doubled
+    query the first answer counts.
+    """
+
+    inner: _Source[T]
+    queue: _Queue[T]
     bus: FaultyBus
+    drop: float
 
     def hear(self) -> None:
         """Take in what has arrived."""
-        self.queue.arrive(self.inner.drain(), drop=self.queue.faults.drop)
+        self.queue.arrive(self.inner.drain(), drop=self.drop)
 
-    def drain(self) -> list[Sample]:
+    def drain(self) -> list[T]:
         """Take all that has got through by now."""
         self.bus.hear()
         self.hear()
         return self.queue.take()
 
     def close(self) -> None:
-        """End the subscription; what is under way is lost."""
-        self.bus.forget(self)
-        self.queue.held.clear()
-        self.inner.close()
-
-
-@dataclass(eq=False)
-class FaultyDesk:
-    """Queries through a bad network: doubled, late, out of order. Who asks loses them, not who serves."""
-
-    inner: Desk
-    queue: _Queue[Request]
-    bus: FaultyBus
-
-    def hear(self) -> None:
-        """Take in what has arrived."""
-        self.queue.arrive(self.inner.drain(), drop=0.0)
-
-    def drain(self) -> list[Request]:
-        """Take all that has got through by now. Of a doubled request the first answer counts."""
-        self.bus.hear()
-        self.hear()
-        return self.queue.take()
-
-    def close(self) -> None:
-        """Stop serving; what waits ends without an answer."""
+        """End it; what is under way is lost, and a query that waits ends without an answer."""
         self.bus.forget(self)
         self.queue.held.clear()
         self.inner.close()
@@ -188,7 +176,7 @@ class FaultyBus:
     def __init__(self, bus: Bus, clocks: Clocks, seed: str, faults: BusFaults | None) -> None:
         self._bus, self._clocks, self._faults = bus, clocks, faults
         self._rng = random.Random(seed)  # noqa: S311 - no secret hangs on it
-        self._ends: list[FaultyInbox | FaultyDesk] = []
+        self._ends: list[FaultyEnd[Sample] | FaultyEnd[Request]] = []
         self._heard_at = float("-inf")
 
     def hear(self) -> None:
@@ -199,7 +187,7 @@ class FaultyBus:
             for end in self._ends:
                 end.hear()
 
-    def forget(self, end: FaultyInbox | FaultyDesk) -> None:
+    def forget(self, end: FaultyEnd[Sample] | FaultyEnd[Request]) -> None:
         """Take an end out that is closed."""
         self._ends = [each for each in self._ends if each is not end]
 
@@ -212,7 +200,8 @@ class FaultyBus:
         inner = self._bus.subscribe(key, depth=depth)
         if self._faults is None:
             return inner
-        inbox = FaultyInbox(inner, _Queue(self._faults, self._rng, self._clocks), self)
+        queue = _Queue[Sample](self._faults, self._rng, self._clocks)
+        inbox = FaultyEnd(inner, queue, self, self._faults.drop)
         self._ends.append(inbox)
         return inbox
 
@@ -232,7 +221,8 @@ class FaultyBus:
         inner = self._bus.serve(key)
         if self._faults is None:
             return inner
-        desk = FaultyDesk(inner, _Queue(self._faults, self._rng, self._clocks), self)
+        queue = _Queue[Request](self._faults, self._rng, self._clocks)
+        desk = FaultyEnd(inner, queue, self, 0.0)
         self._ends.append(desk)
         return desk
 

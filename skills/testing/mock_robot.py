@@ -153,7 +153,7 @@ class MockRobot:
         self.bus = bus
         self.out_of_reach = 0
         """How many of a survey's first base poses are out of reach."""
-        self._bus, self._clocks, self._site, self._items = bus, clocks, site, dict(items)
+        self.bus, self._clocks, self._site, self._items = bus, clocks, site, dict(items)
         self._seen_at_look, self._duration = seen_at_look, duration
         self._extent: dict[Side, float] = {"left": TUCKED, "right": TUCKED}
         self._description = mock_description()
@@ -202,9 +202,9 @@ class MockRobot:
     def tell(self) -> None:
         """Publish all beliefs."""
         stamp = self._clocks.robot() or self.world.stamp
-        WORLD.publish(self._bus, self.world)
+        WORLD.publish(self.bus, self.world)
         scene = PlanningScene(stamp=stamp, version=self.world.version, objects=self._clutter)
-        SCENE.publish(self._bus, scene)
+        SCENE.publish(self.bus, scene)
         pose = RobotPose(
             stamp=stamp,
             localised=self.localised,
@@ -214,11 +214,11 @@ class MockRobot:
             yaw_sigma=0.01,
             moving=False,
         )
-        ROBOT_POSE.publish(self._bus, pose)
+        ROBOT_POSE.publish(self.bus, pose)
         for side in SIDES:
             group = f"arm_{side}"
             status = ArmStatus(stamp=stamp, group=group, state=ArmState.ARM_IDLE, extent=self._extent[side])
-            arm_status(group).publish(self._bus, status)
+            arm_status(group).publish(self.bus, status)
 
     def believe(self, **changes: object) -> None:
         """Change the keeper's facts and tell."""
@@ -240,7 +240,7 @@ class MockRobot:
         def serve(at: Bus) -> Node:
             return ActionServer(at, self._clocks, skill)
 
-        self._servers[action.name] = _Served(serve, serve(mortal or self._bus), mortal)
+        self._servers[action.name] = _Served(serve, serve(mortal or self.bus), mortal)
 
     def _fault_of(self, goal_id: str) -> Fault | None:
         _, _, rest = goal_id.partition("/")

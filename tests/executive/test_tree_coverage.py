@@ -5,6 +5,7 @@ import typer
 from typer.testing import CliRunner
 
 from executive.cli import tree_commands
+from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 
 
@@ -26,3 +27,10 @@ def test_drawn_schedules_are_counted(app: typer.Typer) -> None:
     done = CliRunner().invoke(app, ["tree", "properties", "fetch", "--ticks", "500", "--seed", "3"])
     assert done.exit_code == ExitCode.OK
     assert "0 broke a rule" in done.output
+
+
+@pytest.mark.parametrize("command", ["coverage", "properties"])
+def test_an_unknown_task_is_named(app: typer.Typer, command: str) -> None:
+    done = CliRunner().invoke(app, ["tree", command, "dance"])
+    assert isinstance(done.exception, CommandError)
+    assert "'dance'" in str(done.exception)

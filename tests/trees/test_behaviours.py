@@ -8,7 +8,9 @@ from py_trees.common import Status
 
 from executive.testing import TreeBench
 from skills.ports.failure import Failure, FailureKind
+from skills.ports.geometry import FloorPose
 from skills.site import load
+from skills.testing.mock_skill import Fault
 from trees.behaviours.again import Again
 from trees.behaviours.each import Each
 from trees.behaviours.give_up import GiveUp
@@ -16,7 +18,9 @@ from trees.behaviours.guarded import Guarded
 from trees.behaviours.note import Note
 from trees.behaviours.pause import Pause
 from trees.behaviours.recovery import Recovery, Rung
+from trees.behaviours.wait_for import WaitFor
 from trees.context import TreeContext
+from trees.leaves.drive import drive
 
 K = FailureKind
 S, F, R = Status.SUCCESS, Status.FAILURE, Status.RUNNING
@@ -132,6 +136,79 @@ def test_guarded_stops_its_child_and_fails_with_the_reason(bench: TreeBench) -> 
     assert play(bench, tree, most=3) == [F]
     assert child.status is Status.INVALID
     assert context.last_failure().kind is K.GRASP_LOST
+
+
+def test_a_failure_is_told_as_the_recovery_concludes_it(bench: TreeBench) -> None:
+    context = bench.context
+    tree = Recovery(
+        "recovery",
+        context,
+        Script("main", context, F),
+        (),
+        within=1.0,
+        conclude=lambda failure: Failure(kind=K.ITEM_UNREACHABLE, message="", causes=(failure,)),
+    )
+    assert play(bench, tree) == [F]
+    assert [each.kind for each in context.last_failure().chain()] == [K.ITEM_UNREACHABLE, K.NO_IK]
+
+
+class AtWork(Script):
+    """Has a skill at work, which needs a moment to come to rest when it is cancelled."""
+
+    def initialise(self) -> None:
+        self._leaf = drive("drive", self._context, lambda: (FloorPose(x=1.0, y=0.0, yaw=0.0),))
+
+    def update(self) -> Status:
+        self._leaf.tick_once()
+        return self._leaf.status
+
+    def terminate(self, new_status: Status) -> None:
+        self._leaf.stop(new_status)
+
+
+def test_guarded_waits_for_rest_before_it_fails(bench: TreeBench) -> None:
+    context, holds = bench.context, [True]
+    bench.robot.leaf_faults["drive"] = Fault(hangs=True)
+    lost = Failure(kind=K.GRASP_LOST, message="fell")
+    tree = Guarded(
+        "guard", context, AtWork("child", context, R), holds=lambda: holds[0], otherwise=lambda: lost
+    )
+    bench.root = tree
+    for _ in range(5):
+        bench.step()
+    holds[0] = False
+    seen = [bench.step() for _ in range(10)]
+    assert seen[0] is R
+    assert seen[seen.index(F) - 1] is R
+    assert bench.robot.busy == ()
+
+
+def test_a_resource_is_free_when_its_goal_ended_unseen(bench: TreeBench) -> None:
+    context = bench.context
+    leaf = drive("drive", context, lambda: (FloorPose(x=1.0, y=0.0, yaw=0.0),))
+    leaf.tick_once()
+    assert context.resources.holder("base") is not None
+    for _ in range(5):  # the goal ends, and the leaf is not ticked
+        bench.clocks.advance(0.1)
+        bench.robot.step()
+        context.poll()
+    assert context.quiet
+    leaf.stop(Status.INVALID)
+    assert context.resources.holder("base") is None
+
+
+def test_wait_for_takes_at_least_its_time(bench: TreeBench) -> None:
+    never = Failure(kind=K.TIMED_OUT, message="never")
+    tree = WaitFor("wait", bench.context, lambda: True, lambda: never, patience=5.0, at_least=1.0)
+    assert len(play(bench, tree)) == 11
+
+
+def test_timers_stand_while_the_task_is_paused(bench: TreeBench) -> None:
+    tree = Pause("pause", bench.context, 1.0)
+    play(bench, tree, most=5)
+    bench.clocks.advance(100.0)
+    bench.context.paused_for += 100.0
+    assert play(bench, tree, most=3) == [R, R, R]
 
 
 def test_again_stops_at_a_kind_that_does_not_allow_it(bench: TreeBench) -> None:

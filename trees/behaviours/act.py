@@ -9,7 +9,6 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from skills.ports.action import GoalState
-from skills.ports.clocks import robot_seconds
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.message import Message
 from skills.ports.skill import ActionType
@@ -123,7 +122,7 @@ class Act(Behaviour, Generic[G, F, R]):
             self.feedback_message = "cancelled"
 
     def _impatient(self) -> bool:
-        now = robot_seconds(self._context.clocks)
+        now = self._context.seconds
         self._ended_at = now if self._ended_at is None else self._ended_at
         return now - self._ended_at > BELIEF_WITHIN
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from skills.ports.clocks import robot_seconds
 from trees.context import TreeContext
 
 
@@ -24,10 +23,10 @@ class Pause(Behaviour):
 
     def initialise(self) -> None:
         """Note the time."""
-        self._since = robot_seconds(self._context.clocks)
+        self._since = self._context.seconds
 
     def update(self) -> Status:
         """Watch the time."""
-        waited = robot_seconds(self._context.clocks) - self._since
+        waited = self._context.seconds - self._since
         self.feedback_message = f"{waited:.1f} of {self._seconds:.0f} s"
         return Status.SUCCESS if waited >= self._seconds else Status.RUNNING

@@ -9,7 +9,6 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Composite, Sequence
 
-from skills.ports.clocks import robot_seconds
 from skills.ports.failure import Failure
 from trees.behaviours.check import Check
 from trees.context import TreeContext
@@ -92,7 +91,7 @@ class Recovery(Composite):
 
     def initialise(self) -> None:
         """Begin with main and with all tries."""
-        self._at, self._since, self._failure = 0, robot_seconds(self._context.clocks), None
+        self._at, self._since, self._failure = 0, self._context.seconds, None
         for allowance in self._allowances:
             allowance.reset()
 
@@ -134,7 +133,7 @@ class Recovery(Composite):
         self._failure = self._context.last_failure()
         self.feedback_message = f"{self._failure.kind}: {self._failure.message}"
         self._context.attempted(self._failure)
-        if robot_seconds(self._context.clocks) - self._since > self._within:
+        if self._context.seconds - self._since > self._within:
             return self._give_up(self._failure)
         return self._next()
 

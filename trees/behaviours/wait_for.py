@@ -7,7 +7,6 @@ from collections.abc import Callable
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from skills.ports.clocks import robot_seconds
 from skills.ports.failure import Failure
 from trees.context import TreeContext
 
@@ -36,11 +35,11 @@ class WaitFor(Behaviour):
 
     def initialise(self) -> None:
         """Note the time."""
-        self._since = robot_seconds(self._context.clocks)
+        self._since = self._context.seconds
 
     def update(self) -> Status:
         """Ask, and watch the time."""
-        waited = robot_seconds(self._context.clocks) - self._since
+        waited = self._context.seconds - self._since
         if waited >= self._at_least and self._holds():
             self.feedback_message = "yes"
             return Status.SUCCESS
