@@ -54,13 +54,41 @@ class Depot(Message):
     slots: Annotated[tuple[Slot, ...], Field(min_length=1)]
 
 
+class GraspPoint(Message):
+    """Where a hand takes hold of an item that needs two: g_L or g_R (002, 4.1.1), on its surface.
+
+    Told in the item's frame (its centre, x out of the tagged face, z up at rest); ``inwards`` is the
+    direction in which the hand presses.
+    """
+
+    side: Literal["left", "right"]
+    position: Vector3
+    inwards: Vector3
+
+
 class SiteItem(Message):
-    """An item: tag number, full edges (m), edge of the black square (m), and its hands."""
+    """An item: tag number, full edges (m), edge of the black square (m), and its hands.
+
+    One with ``grasp_points`` needs both hands at once (O_H2 in 002, 4.1.1); else ``hands`` says which hands
+    it is for (O_HL, O_HR, or both).
+    """
 
     item: Annotated[int, Field(ge=0, le=586)]
     size: tuple[Edge, Edge, Edge]
     tag_size: Edge
     hands: tuple[Literal["left", "right"], ...] = ("left", "right")
+    grasp_points: tuple[GraspPoint, ...] = ()
+
+    @property
+    def needs_two(self) -> bool:
+        """Whether it takes both hands."""
+        return bool(self.grasp_points)
+
+    @model_validator(mode="after")
+    def _one_point_for_each_hand(self) -> SiteItem:
+        if self.grasp_points and sorted(each.side for each in self.grasp_points) != ["left", "right"]:
+            raise ValueError("one grasp point for the left and one for the right hand were expected")
+        return self
 
 
 class Site(Message):

@@ -1,0 +1,106 @@
+"""Approach an item that may move: the improved potential field of document 002, 2.4 and 4.2."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated, Final
+
+from pydantic import Field
+
+from skills.ports.geometry import Pose
+from skills.ports.keys import Topic
+from skills.ports.message import Message, RobotTime, Vector3
+from skills.ports.skill import ActionType
+from skills.ports.world import Side
+
+GOAL_RADIUS: Final = 0.10
+"""Metres before the grasp at which the field ends: the proximity pose (002, 4.3, "goal radius")."""
+
+
+class ApproachGoal(Message):
+    """Bring the hand to the proximity pose of ``item``, wherever it is by then.
+
+    ``grasps`` are tool poses at the grasp, told in the item's own frame (its centre, z up at rest), the
+    preferred one first; so they move with the item. The proximity pose lies ``radius`` metres before a grasp,
+    against the tool's x. The first grasp that the arm can reach is taken, and may change while the
+    item moves.
+    """
+
+    item: Annotated[int, Field(ge=0)]
+    grasps: Annotated[tuple[Pose, ...], Field(min_length=1)]
+    radius: Annotated[float, Field(gt=0.0, le=0.5)] = GOAL_RADIUS
+    hand_width: Annotated[float, Field(ge=0.0)] | None = None
+    """Metres between the pads that are planned with; as they are unless given."""
+    tolerance: Annotated[float, Field(gt=0.0)] = 0.015
+    """Metres from the proximity pose within which it has been reached."""
+    speed: Annotated[float, Field(gt=0.0, le=1.0)] = 1.0
+    """Share of the joints' limits."""
+
+
+class ApproachPhase(StrEnum):
+    """What an approach is at."""
+
+    FIELD = "FIELD"
+    ESCAPING = "ESCAPING"
+    """Drawn by an escape point rather than by the goal."""
+    PLANNED = "PLANNED"
+    """The field was stuck; the planner's motion is followed."""
+    HELD = "HELD"
+    """Stands, because the coordination says so."""
+    BACK = "BACK"
+    """Goes back along its own record, because the coordination says so."""
+    STOPPING = "STOPPING"
+
+
+class ApproachFeedback(Message):
+    """How far the hand is from its proximity pose (m), and what it does."""
+
+    phase: ApproachPhase
+    distance: float
+
+
+class ApproachResult(Message):
+    """Where it ended: which grasp, how far off, and what it took."""
+
+    grasp: int
+    positions: tuple[float, ...]
+    error: float
+    duration: float
+    """Robot seconds."""
+    escapes: int = 0
+    """How often an escape point was turned to."""
+    planned: int = 0
+    """How often a stuck field was given to the planner."""
+    stops: int = 0
+    """How often the coordination stopped it."""
+
+
+class ApproachStatus(Message):
+    """What everybody may know of an arm's approach; owner: the arm. 20 Hz while one runs, and on each change.
+
+    The other arm takes ``goal_in_base`` for an obstacle (002, 4.3); the coordination compares the distances
+    and counts the record.
+    """
+
+    stamp: RobotTime
+    side: Side
+    active: bool
+    phase: ApproachPhase = ApproachPhase.FIELD
+    distance: float = 0.0
+    """Metres from the hand to its proximity pose."""
+    goal_in_base: Vector3 | None = None
+    """The item's centre."""
+    recorded: int = 0
+    """Samples of the record (002, Algorithm 3), thinned by phi: the safe start is sample 0."""
+    at: int = 0
+    """The sample at which the arm stands or to which it goes back."""
+
+
+def approach(group: str) -> ActionType[ApproachGoal, ApproachFeedback, ApproachResult]:
+    """Return the action of a group with a hand: ``arm_left/approach``."""
+    return ActionType(f"{group}/approach", ApproachGoal, ApproachFeedback, ApproachResult, timeout=60.0)
+
+
+def approach_status(group: str) -> Topic[ApproachStatus]:
+    """Return the topic of what a group's approach is at."""
+    return Topic(f"skill/{group}/approach_state", ApproachStatus)
