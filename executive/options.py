@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from executive.settings import ROLES, Role
+
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 DEFAULT_SITE: Final = "lab"
 DEFAULT_ROBOT: Final = "tiago"
@@ -20,6 +22,10 @@ class BusOptions:
     """First part of every key."""
     robot: str = DEFAULT_ROBOT
     """Second part of every key."""
+    keys: Path | None = None
+    """Folder of keys for mutual TLS; None: without."""
+    holder: str = ""
+    """Whose keys of that folder are shown."""
 
     @property
     def prefix(self) -> str:
@@ -53,5 +59,9 @@ class RunOptions:
     log: Path | None = None
     """Where logs of all processes go; None: standard error when ``verbose``."""
     verbose: bool = False
+    listen: tuple[str, ...] = ()
+    """Endpoints at which the router listens besides that of ``bus``."""
+    only: tuple[Role, ...] = ROLES
+    """Roles that are started here."""
     request: str = ""
     """The demo's request as a JSON document; empty: the demo's own choice."""

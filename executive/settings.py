@@ -38,6 +38,12 @@ class WorkerSettings(Message):
     journal: str | None = None
     """File in which the keeper keeps what no sensor can restore."""
     verbose: bool = False
+    listen: tuple[str, ...] = ()
+    """Endpoints at which the router listens besides its own."""
+    keys: str | None = None
+    """Folder of keys, with which every process shows who it is; None: nobody asks."""
+    holder: str = ""
+    """The robot's name in that folder."""
 
 
 class RefusalError(RuntimeError):

@@ -12,6 +12,8 @@ from pydantic import ValidationError
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 from executive.options import BusOptions
+from executive.security.holders import KeysError
+from executive.security.identity import Identity
 from skills.ports.bus import Pending
 from skills.ports.keys import DESCRIPTION, Nothing, Service
 from skills.ports.message import Message
@@ -38,7 +40,10 @@ class Connection:
         self.options = options
         self._deadline = time.monotonic() + ANSWER_WITHIN
         try:
-            self.bus = ZenohBus(options.endpoint, options.prefix, patience=ROUTER_WITHIN)
+            shown = None if options.keys is None else Identity(options.keys, options.holder).client()
+            self.bus = ZenohBus(options.endpoint, options.prefix, patience=ROUTER_WITHIN, credentials=shown)
+        except KeysError as error:
+            raise CommandError(str(error)) from error
         except BusError as error:
             raise _no_router(options) from error
 
@@ -109,6 +114,8 @@ class Connection:
         options = self.options
         there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))
         seen = f"there are only {there}" if there else "nobody is there"
+        if there and options.keys is not None:
+            seen = f"{there} are there; perhaps the key of {options.holder} does not allow to ask there"
         return (
             f"no executive on {options.prefix} at {options.endpoint}: {seen}; "
             "start the system with `tandem up`, or name another robot with --site-key and --robot"

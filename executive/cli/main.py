@@ -18,6 +18,7 @@ from executive.cli import (
     bench_command,
     campaign_command,
     doctor,
+    keys_command,
     request_command,
     run_commands,
     scenario_commands,
@@ -43,6 +44,7 @@ _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     schema_command.add_to,
     campaign_command.add_to,
     bench_command.add_to,
+    keys_command.add_to,
     doctor.add_to,
 )
 

@@ -7,8 +7,9 @@ from typing import Annotated
 
 import typer
 
-from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
+from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.cli.logs import LogOptions
+from executive.cli.opening import checked_endpoints, checked_roles, owner_of
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions
 
 Scenario = Annotated[
@@ -31,6 +32,22 @@ Lockstep = Annotated[
 ReportFile = Annotated[Path | None, typer.Option("--report", metavar="FILE", help="Write the report here.")]
 Picture = Annotated[
     Path | None, typer.Option("--picture", metavar="FILE", help="Save the last scene's picture here.")
+]
+Listen = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--listen", metavar="ENDPOINT", help="Where the router listens too, as tls/HOST:PORT; again for more."
+    ),
+]
+Insecure = Annotated[
+    bool,
+    typer.Option(
+        "--insecure", help="Listen beyond this host without TLS: whoever gets there moves the robot."
+    ),
+]
+Only = Annotated[
+    str | None,
+    typer.Option("--only", metavar="ROLE,...", help="Start these processes alone; the others run elsewhere."),
 ]
 
 
@@ -88,11 +105,17 @@ def up(
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    listen: Listen = None,
+    insecure: Insecure = False,
+    keys: Keys = None,
+    holder: As = "",
+    only: Only = None,
 ) -> None:
     """Start router, simulated robot, skills and executive, and watch them until Ctrl-C."""
     logs = _logs(context)
+    bus, roles = owner_of(bus_options(connect, site_key, robot, keys, holder)), checked_roles(only)
     options = RunOptions(
-        bus=bus_options(connect, site_key, robot),
+        bus=bus,
         scenario=_scenario(scenario, faults),
         faults=faults,
         seed=seed,
@@ -102,6 +125,8 @@ def up(
         report=report,
         log=logs.file,
         verbose=logs.verbose,
+        listen=checked_endpoints(bus, listen or (), insecure=insecure) if "router" in roles else (),
+        only=roles,
     )
     from executive.compose import run_up  # noqa: PLC0415 - loads the whole system
 

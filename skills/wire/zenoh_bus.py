@@ -1,20 +1,22 @@
-"""The bus over zenoh: between processes, through a router. The only module that imports zenoh.
+"""The bus over zenoh: between processes, through a router.
 
 zenoh's callbacks only enqueue and wake the one loop; everything else happens in the loop's own thread.
 """
 
 from __future__ import annotations
 
-import json
 import threading
 import time
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
 import zenoh
 
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
+from skills.wire.configs import client_config
+from skills.wire.credentials import Credentials
 from skills.wire.memory import MemorySample
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
@@ -137,28 +139,6 @@ class ZenohDesk:
                 request.query = None
 
 
-def client_config(endpoint: str, patience: float = 2.0) -> zenoh.Config:
-    """Return the configuration of a client of the router at ``endpoint``: no scouting, no listening.
-
-    ``patience``: seconds in which the router must answer.
-    """
-    connect = {"endpoints": [endpoint], "timeout_ms": round(patience * 1000), "exit_on_failure": True}
-    return _config({"mode": "client", "connect": connect})
-
-
-def router_config(endpoint: str) -> zenoh.Config:
-    """Return the configuration of a router that listens at ``endpoint`` and nowhere else."""
-    return _config({"mode": "router", "listen": {"endpoints": [endpoint], "exit_on_failure": True}})
-
-
-def _config(entries: dict[str, object]) -> zenoh.Config:
-    config = zenoh.Config()
-    scouting = {"multicast": {"enabled": False}, "gossip": {"enabled": False}}
-    for key, value in {**entries, "scouting": scouting}.items():
-        config.insert_json5(key, json.dumps(value))
-    return config
-
-
 def open_session(config: zenoh.Config, endpoint: str) -> zenoh.Session:
     """Open a session.
 
@@ -171,6 +151,21 @@ def open_session(config: zenoh.Config, endpoint: str) -> zenoh.Session:
         raise BusError(f"no zenoh router answers at {endpoint}; is `tandem up` running there?") from error
 
 
+class RouterSession:
+    """A session that passes on what others say.
+
+    Raises:
+        BusError: when it can't listen.
+    """
+
+    def __init__(self, config: zenoh.Config, endpoints: Sequence[str]) -> None:
+        self._session = open_session(config, ", ".join(endpoints))
+
+    def close(self) -> None:
+        """End it; its clients look for another."""
+        self._session.close()  # type: ignore[no-untyped-call]
+
+
 class ZenohBus:
     """One process's end; implements ``skills.ports.bus.Bus``. Close it, or the process hangs at its exit.
 
@@ -178,15 +173,18 @@ class ZenohBus:
         endpoint: the router's, such as ``tcp/127.0.0.1:7447``.
         prefix: ``<site>/<robot>``, put before every key.
         patience: seconds in which the router must answer.
+        credentials: for a router that speaks TLS.
 
     Raises:
         BusError: when it does not.
     """
 
-    def __init__(self, endpoint: str, prefix: str, *, patience: float = 2.0) -> None:
+    def __init__(
+        self, endpoint: str, prefix: str, *, patience: float = 2.0, credentials: Credentials | None = None
+    ) -> None:
         self.waker = Waker()
         self._prefix = prefix
-        self._session = open_session(client_config(endpoint, patience), endpoint)
+        self._session = open_session(client_config(endpoint, patience, credentials), endpoint)
         self._publishers: dict[str, zenoh.Publisher] = {}
         self._tokens: list[zenoh.LivelinessToken] = []
         self._names: dict[str, None] = {}

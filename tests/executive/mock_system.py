@@ -14,7 +14,8 @@ from skills.ports.message import RobotTime
 from skills.site import load
 from skills.testing.mock_robot import MockRobot
 from skills.wire.clocks import ProcessClocks
-from skills.wire.zenoh_bus import ZenohBus, open_session, router_config
+from skills.wire.configs import router_config
+from skills.wire.zenoh_bus import ZenohBus, open_session
 from trees.registry import discover
 
 
