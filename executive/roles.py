@@ -109,10 +109,14 @@ def executive_node(bus: Bus, clocks: Clocks, site: Site, *, start: str) -> Node:
     """Return the executive, with all tasks there are; ``start`` becomes a part of the tasks' ids."""
     from importlib.metadata import version  # noqa: PLC0415
 
+    from executive.doors import Doors  # noqa: PLC0415
     from executive.service import Executive  # noqa: PLC0415
     from trees.registry import discover  # noqa: PLC0415
 
-    return Executive(bus, clocks, site, discover(), start=start, version=version("tandem-executive"))
+    doors = Doors(bus, clocks)
+    executive = Executive(doors, clocks, site, discover(), start=start, version=version("tandem-executive"))
+    doors.tasks = executive.book.all
+    return executive
 
 
 def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:

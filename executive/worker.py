@@ -17,6 +17,8 @@ from executive import roles
 from executive.settings import RefusalError, WorkerSettings
 
 REFUSED: Final = 4
+SWITCH_INTERVAL: Final = 0.0005
+"""Seconds after which a thread that computes lets another go on."""
 
 
 @dataclass(eq=False)
@@ -47,6 +49,9 @@ def main(argv: list[str]) -> int:
         format=f"%(asctime)s {settings.role} %(levelname)s %(name)s: %(message)s",
         stream=sys.stderr,
     )
+    # zenoh's callbacks wait until the loop's thread lets them go on: at Python's 5 ms for each message, a busy
+    # loop would hear 200 a second.
+    sys.setswitchinterval(SWITCH_INTERVAL)
     ending = Ending()
     ending.listen()
     try:

@@ -17,6 +17,7 @@ from executive.security.identity import Identity
 from skills.ports.bus import Pending
 from skills.ports.keys import DESCRIPTION, Nothing, Service
 from skills.ports.message import Message
+from skills.ports.tasks import TASK_CANCEL, by_client
 from skills.wire.zenoh_bus import BusError, ZenohBus
 
 Sent = TypeVar("Sent", bound=Message)
@@ -77,6 +78,17 @@ class Connection:
                 f"{key} was answered by a program of another version: {error.error_count()} fields differ",
                 ExitCode.NOBODY_THERE,
             ) from error
+
+    def own(self, key: str) -> str:
+        """Return the key at which the holder of a key asks in its own name; without keys the key itself."""
+        return key if self.options.keys is None else by_client(self.options.holder, key)
+
+    def cancel_key(self) -> str:
+        """Return where this client cancels: a requester its own tasks, everybody else any."""
+        options = self.options
+        if options.keys is None or Identity(options.keys, options.holder).role() != "requester":
+            return TASK_CANCEL.key
+        return self.own(TASK_CANCEL.key)
 
     def raw(self, key: str, payload: bytes) -> bytes | None:
         """Return what is answered as it is, or None when nobody answers in time."""

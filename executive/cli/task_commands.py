@@ -68,7 +68,8 @@ def cancel(
     from skills.ports.tasks import TASK_CANCEL, CancelTask  # noqa: PLC0415
 
     with Connection(bus_options(connect, site_key, robot, keys, holder)) as connection:
-        answer = connection.ask(TASK_CANCEL, CancelTask(task=task))
+        asked = CancelTask(task=task).model_dump_json().encode()
+        answer = connection.answer(connection.cancel_key(), asked, TASK_CANCEL.answered)
     if not answer.accepted:
         raise CommandError(f"{task} can't be cancelled: {answer.reason}", ExitCode.BAD_INPUT)
     typer.echo(f"{task} is being cancelled")

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import threading
 import time
-from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Final
@@ -17,6 +16,7 @@ import zenoh
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
 from skills.wire.configs import client_config
 from skills.wire.credentials import Credentials
+from skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
 from skills.wire.memory import MemorySample
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
@@ -52,15 +52,12 @@ class Waker:
 class ZenohInbox:
     """What a subscription holds until it is drained."""
 
-    waiting: deque[MemorySample]
+    waiting: KeyedQueue[MemorySample]
     subscriber: zenoh.Subscriber[None] | None = None
 
     def drain(self) -> list[Sample]:
         """Take all that has arrived."""
-        taken: list[Sample] = []
-        while self.waiting:
-            taken.append(self.waiting.popleft())
-        return taken
+        return list[Sample](self.waiting.drain())
 
     def close(self) -> None:
         """End the subscription."""
@@ -117,23 +114,19 @@ class ZenohRequest:
 class ZenohDesk:
     """Queries that wait at a key."""
 
-    waiting: deque[ZenohRequest] = field(default_factory=deque)
+    waiting: KeyedQueue[ZenohRequest] = field(default_factory=lambda: KeyedQueue(DESK_DEPTH, "newest goes"))
     queryable: zenoh.Queryable[None] | None = None
 
     def drain(self) -> list[Request]:
         """Take all that has arrived."""
-        taken: list[Request] = []
-        while self.waiting:
-            taken.append(self.waiting.popleft())
-        return taken
+        return list[Request](self.waiting.drain())
 
     def close(self) -> None:
         """Stop serving; what waits ends without an answer."""
         if self.queryable is not None:
             self.queryable.undeclare()  # type: ignore[no-untyped-call]
             self.queryable = None
-        while self.waiting:
-            request = self.waiting.popleft()
+        for request in self.waiting.drain():
             if request.query is not None:
                 request.query.drop()  # type: ignore[no-untyped-call]
                 request.query = None
@@ -206,11 +199,12 @@ class ZenohBus:
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
         """Receive what is put on the key expression from now on."""
-        inbox = ZenohInbox(deque(maxlen=depth))
+        inbox = ZenohInbox(KeyedQueue(depth, "oldest goes"))
         start = len(self._prefix) + 1
 
         def arrived(sample: zenoh.Sample) -> None:
-            inbox.waiting.append(MemorySample(str(sample.key_expr)[start:], sample.payload.to_bytes()))
+            name = str(sample.key_expr)[start:]
+            inbox.waiting.put(name, MemorySample(name, sample.payload.to_bytes()))
             self.waker.wake()
 
         inbox.subscriber = self._session.declare_subscriber(f"{self._prefix}/{key}", arrived)
@@ -234,8 +228,12 @@ class ZenohBus:
         start = len(self._prefix) + 1
 
         def asked(query: zenoh.Query) -> None:
+            name = str(query.key_expr)[start:]
+            if not desk.waiting.has_room(name):
+                query.drop()  # type: ignore[no-untyped-call]
+                return
             body = b"" if query.payload is None else query.payload.to_bytes()
-            desk.waiting.append(ZenohRequest(str(query.key_expr)[start:], body, query))
+            desk.waiting.put(name, ZenohRequest(name, body, query))
             self.waker.wake()
 
         desk.queryable = self._session.declare_queryable(f"{self._prefix}/{key}", asked)

@@ -72,9 +72,7 @@ def secured(folder: Path) -> Iterator[Secured]:
         role="router", endpoint=endpoint, prefix=PREFIX, site="lab", keys=str(folder), holder="tiago"
     )
     router = Router(settings, Identity(folder, "tiago").part("router"))
-    sessions = {
-        who: ZenohBus(endpoint, PREFIX, credentials=shown(folder, who)) for who in EVERYBODY
-    }
+    sessions = {who: ZenohBus(endpoint, PREFIX, credentials=shown(folder, who)) for who in EVERYBODY}
     try:
         yield Secured(folder, endpoint, router, sessions)
     finally:

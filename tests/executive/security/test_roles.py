@@ -1,4 +1,4 @@
-"""Every role against every class of keys, with real sessions over mutual TLS: what is not allowed doesn't arrive.
+"""Every role against every class of keys, over mutual TLS: what is not allowed doesn't arrive.
 
 The tables are written by hand, from what is promised; they don't know the rules that the program has.
 """
@@ -129,7 +129,7 @@ def test_puts_reach_their_listener_from_those_who_may(bus: Secured) -> None:
 
     def all_there() -> bool:
         for got, inbox in zip(arrived, inboxes, strict=True):
-            got |= names(inbox)
+            got.update(names(inbox))
         return all(got >= allowed - {who} for got, (_, who, allowed) in zip(arrived, PUTS, strict=True))
 
     bus.until(all_there)
@@ -173,7 +173,9 @@ def test_those_who_may_not_listen_hear_nothing(bus: Secured) -> None:
         fence(bus)
         heard: set[str] = set()
 
-        def all_there(inboxes: dict = inboxes, heard: set = heard, allowed: set = allowed, by: str = sender) -> bool:  # type: ignore[type-arg]
+        def all_there(
+            inboxes: dict = inboxes, heard: set = heard, allowed: set = allowed, by: str = sender
+        ) -> bool:  # type: ignore[type-arg]
             heard |= {who for who, inbox in inboxes.items() if inbox.drain()}
             return heard >= allowed - {by}
 
