@@ -22,7 +22,7 @@ class Bounds:
     """Requests in a second of the host, in the long run."""
     burst: float = 300.0
     """Requests that may come at once."""
-    open: int = 200
+    open: int = 50
     """Requests of a named client that have not ended. Without names the queue's own bound holds."""
 
 
