@@ -180,6 +180,10 @@ class Spy:
         """As the bus."""
         return self.bus.alive()
 
+    def awake(self) -> frozenset[str]:
+        """As the bus."""
+        return self.bus.awake()
+
 
 def _fetch(spy: Spy, bus: ZenohBus, robot: MockRobot, clocks: ProcessClocks, fetches: int) -> None:
     statuses = Latest(bus, TASK_STATUS)

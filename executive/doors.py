@@ -119,6 +119,10 @@ class Doors:
         """Return the names that are announced now."""
         return self.bus.alive()
 
+    def awake(self) -> frozenset[str]:
+        """Return those of them whose process goes on."""
+        return self.bus.awake()
+
     def begin(self) -> None:
         """Begin to read what has come: look anew who has how much open."""
         self._open = None

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Final
 
 from executive.settings import ROLES, Role
+from skills.wire.pulse import SILENT_AFTER
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 DEFAULT_SITE: Final = "lab"
@@ -59,6 +60,8 @@ class RunOptions:
     log: Path | None = None
     """Where logs of all processes go; None: standard error when ``verbose``."""
     verbose: bool = False
+    silent_after: float = SILENT_AFTER
+    """Host seconds without a beat after which a process is said not to go on."""
     listen: tuple[str, ...] = ()
     """Endpoints at which the router listens besides that of ``bus``."""
     only: tuple[Role, ...] = ROLES

@@ -130,7 +130,12 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         return
     from skills.wire.zenoh_bus import ZenohBus  # noqa: PLC0415
 
-    bus = ZenohBus(settings.endpoint, settings.prefix, credentials=_credentials(settings))
+    bus = ZenohBus(
+        settings.endpoint,
+        settings.prefix,
+        credentials=_credentials(settings),
+        silent_after=settings.silent_after,
+    )
     try:
         # Announced at once, long before ``process/...`` says that the role is ready to be played.
         claim = f"role/{settings.role}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final, Literal
 
 from skills.ports.message import Message
+from skills.wire.pulse import SILENT_AFTER
 
 Role = Literal["router", "hardware", "keeper", "perception", "base", "arm_left", "arm_right", "executive"]
 ROLES: Final[tuple[Role, ...]] = (
@@ -38,6 +39,8 @@ class WorkerSettings(Message):
     journal: str | None = None
     """File in which the keeper keeps what no sensor can restore."""
     verbose: bool = False
+    silent_after: float = SILENT_AFTER
+    """Host seconds without a beat after which another process is said not to go on."""
     listen: tuple[str, ...] = ()
     """Endpoints at which the router listens besides its own."""
     keys: str | None = None

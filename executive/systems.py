@@ -252,6 +252,7 @@ class ProcessSystem:
             gui=options.gui,
             journal=str(Path(self._folder.name) / "held.jsonl") if role == "keeper" else None,
             verbose=options.verbose,
+            silent_after=options.silent_after,
             listen=options.listen if role == "router" else (),
             keys=None if options.bus.keys is None else str(options.bus.keys),
             holder=options.bus.holder,

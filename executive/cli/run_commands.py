@@ -11,6 +11,7 @@ from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_optio
 from executive.cli.logs import LogOptions
 from executive.cli.opening import checked_endpoints, checked_roles, owner_of
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions
+from skills.wire.pulse import SILENT_AFTER
 
 Scenario = Annotated[
     str,
@@ -43,6 +44,12 @@ Insecure = Annotated[
     bool,
     typer.Option(
         "--insecure", help="Listen beyond this host without TLS: whoever gets there moves the robot."
+    ),
+]
+SilentAfter = Annotated[
+    float,
+    typer.Option(
+        "--silent-after", min=0.2, max=10.0, help="Seconds unheard after which a process is said to hang."
     ),
 ]
 Only = Annotated[
@@ -110,6 +117,7 @@ def up(
     keys: Keys = None,
     holder: As = "",
     only: Only = None,
+    silent_after: SilentAfter = SILENT_AFTER,
 ) -> None:
     """Start router, simulated robot, skills and executive, and watch them until Ctrl-C."""
     logs = _logs(context)
@@ -125,6 +133,7 @@ def up(
         report=report,
         log=logs.file,
         verbose=logs.verbose,
+        silent_after=silent_after,
         listen=checked_endpoints(bus, listen or (), insecure=insecure) if "router" in roles else (),
         only=roles,
     )

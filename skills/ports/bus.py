@@ -106,3 +106,7 @@ class Bus(Protocol):
     def alive(self) -> frozenset[str]:
         """Return the names that are announced now."""
         ...
+
+    def awake(self) -> frozenset[str]:
+        """Return those of them whose process goes on; one that hangs is missed within half a second."""
+        ...

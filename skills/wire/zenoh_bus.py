@@ -18,13 +18,14 @@ from skills.wire.configs import client_config
 from skills.wire.credentials import Credentials
 from skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
 from skills.wire.memory import MemorySample
+from skills.wire.pulse import BEAT, SILENT_AFTER, Pulse
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 BULK: Final = 64 * 1024
 """Payloads above this many bytes are never dropped by a full queue: a picture is all or nothing."""
 
 
-STREAMS: Final = ("hw/",)
+STREAMS: Final = ("hw/", BEAT)
 """Keys whose messages are followed by newer ones."""
 
 
@@ -167,13 +168,20 @@ class ZenohBus:
         prefix: ``<site>/<robot>``, put before every key.
         patience: seconds in which the router must answer.
         credentials: for a router that speaks TLS.
+        silent_after: host seconds without a beat after which a process is said not to go on.
 
     Raises:
         BusError: when it does not.
     """
 
     def __init__(
-        self, endpoint: str, prefix: str, *, patience: float = 2.0, credentials: Credentials | None = None
+        self,
+        endpoint: str,
+        prefix: str,
+        *,
+        patience: float = 2.0,
+        credentials: Credentials | None = None,
+        silent_after: float = SILENT_AFTER,
     ) -> None:
         self.waker = Waker()
         self._prefix = prefix
@@ -181,6 +189,9 @@ class ZenohBus:
         self._publishers: dict[str, zenoh.Publisher] = {}
         self._tokens: list[zenoh.LivelinessToken] = []
         self._names: dict[str, None] = {}
+        self._own: list[str] = []
+        self._pulse = Pulse(time.monotonic, silent_after)
+        self._beats = self._session.declare_subscriber(f"{prefix}/{BEAT}", self._on_beat)
         self._liveliness = self._session.liveliness().declare_subscriber(
             f"{prefix}/alive/**", self._on_liveliness, history=True
         )
@@ -248,10 +259,20 @@ class ZenohBus:
     def announce(self, name: str) -> None:
         """Show that this process is alive as ``name`` until its session ends."""
         self._tokens.append(self._session.liveliness().declare_token(f"{self._prefix}/alive/{name}"))
+        self._own.append(name)
+
+    def beat(self) -> None:
+        """Show that this process goes on; called once a turn by its loop, and by nothing else."""
+        if self._pulse.turn():
+            self._publisher(BEAT).put("\n".join(self._own))
 
     def alive(self) -> frozenset[str]:
         """Return the names that are announced now."""
         return frozenset(self._names)
+
+    def awake(self) -> frozenset[str]:
+        """Return those of them whose process goes on."""
+        return self._pulse.awake(self.alive())
 
     def present(self, name: str, *, timeout: float = 0.3) -> bool:
         """Ask the network whether ``name`` is announced now; a "no" takes ``timeout`` seconds.
@@ -290,7 +311,12 @@ class ZenohBus:
             self._names[name] = None
         else:
             self._names.pop(name, None)
+            self._pulse.forget(name)
         self.waker.wake()
+
+    def _on_beat(self, sample: zenoh.Sample) -> None:
+        # Wakes nobody: who asks for it looks every turn.
+        self._pulse.hear(sample.payload.to_string().split("\n"))
 
 
 def wait_until(bus: ZenohBus, condition: Pending, timeout: float) -> bytes | None:
