@@ -17,6 +17,7 @@ from executive.demo import Caller, succeeded
 from executive.fault_file import check_faults
 from executive.options import RunOptions
 from executive.report import Recorder, write_report
+from executive.settings import ROLES
 from executive.systems import LockstepSystem, ProcessSystem, RefusedError, System, SystemFailure
 from sim.scenario import Scenario, ScenarioError, load_scenario
 from sim.scene import build_scene
@@ -108,7 +109,7 @@ def _system(
     def say(line: str) -> None:
         console.print(line, style="yellow", markup=False)
 
-    with ProcessSystem(options, roles=options.only, say=say) as processes:
+    with ProcessSystem(options, roles=options.only or ROLES, say=say) as processes:
         yield processes
 
 

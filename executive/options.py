@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-from executive.settings import ROLES, Role
 from skills.wire.pulse import SILENT_AFTER
+
+if TYPE_CHECKING:
+    from executive.settings import Role
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 DEFAULT_SITE: Final = "lab"
@@ -64,7 +66,7 @@ class RunOptions:
     """Host seconds without a beat after which a process is said not to go on."""
     listen: tuple[str, ...] = ()
     """Endpoints at which the router listens besides that of ``bus``."""
-    only: tuple[Role, ...] = ROLES
-    """Roles that are started here."""
+    only: tuple[Role, ...] = ()
+    """Roles that are started here; empty: all."""
     request: str = ""
     """The demo's request as a JSON document; empty: the demo's own choice."""

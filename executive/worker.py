@@ -49,8 +49,8 @@ def main(argv: list[str]) -> int:
         format=f"%(asctime)s {settings.role} %(levelname)s %(name)s: %(message)s",
         stream=sys.stderr,
     )
-    # zenoh's callbacks wait until the loop's thread lets them go on. At Python's 5 ms for each message, a loop
-    # that is busy would hear 200 of them in a second.
+    # zenoh's callbacks wait until the loop's thread lets them go on. At Python's 5 ms for each message, a
+    # busy loop would hear 200 of them in a second.
     sys.setswitchinterval(SWITCH_INTERVAL)
     ending = Ending()
     ending.listen()

@@ -9,7 +9,6 @@ import typer
 
 from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.cli.logs import LogOptions
-from executive.cli.opening import checked_endpoints, checked_roles, owner_of
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions
 from skills.wire.pulse import SILENT_AFTER
 
@@ -121,6 +120,8 @@ def up(
 ) -> None:
     """Start router, simulated robot, skills and executive, and watch them until Ctrl-C."""
     logs = _logs(context)
+    from executive.cli.opening import checked_endpoints, checked_roles, owner_of  # noqa: PLC0415
+
     bus, roles = owner_of(bus_options(connect, site_key, robot, keys, holder)), checked_roles(only)
     options = RunOptions(
         bus=bus,

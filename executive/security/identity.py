@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Final
 
 from executive.security.holders import AUTHORITY, KeysError, role_in
-from executive.security.rights import PARTS, Part, Role
+from executive.security.role import PARTS, Part, Role
 from executive.settings import Role as ProcessRole
 from skills.wire.credentials import Credentials
 from skills.wire.endpoints import host_of
