@@ -32,6 +32,9 @@ AGED: Final = 10.0
 """Robot seconds after which any newer sighting is preferred."""
 OUT_OF_SLOT: Final = 0.15
 """Metres from its slot from which on a placed item lies there no more."""
+VERSIONS_A_START: Final = 1_000_000_000
+"""Versions that one start of the keeper may use up. A version that came again after a new start would let a
+changed scene pass for the one that a plan was checked against."""
 PUT_DOWN_SIGMA: Final = 0.01
 """Metres: how well the place of an item that was put down is known."""
 
@@ -49,8 +52,8 @@ class Beliefs:
 
     def __init__(self, site: Site, remembered: Remembered | None = None) -> None:
         self.site = site
-        self.version = 1
         kept = remembered or Remembered()
+        self.version = 1 + kept.openings * VERSIONS_A_START
         self._items: dict[int, ItemFact] = {fact.item: fact for fact in kept.items}
         self._held: dict[Side, HeldItem] = {held.side: held for held in kept.held}
         self._placed: dict[int, Placed] = {placed.item: placed for placed in kept.placed}

@@ -28,6 +28,8 @@ class Remembered(Message):
     held: tuple[HeldItem, ...] = ()
     placed: tuple[Placed, ...] = ()
     items: tuple[ItemFact, ...] = ()
+    openings: int = 0
+    """How often the journal has been opened: versions of the facts rise over a new start, too."""
 
 
 class Journal:
@@ -42,18 +44,19 @@ class Journal:
 
     def __init__(self, path: Path) -> None:
         self._path = path
-        self.remembered = _last(path)
+        last = _last(path)
+        self.remembered = last.model_copy(update={"openings": last.openings + 1})
         self._lines = 0
         self._compact()
 
     def write(self, remembered: Remembered) -> None:
         """Keep this; it is on the disk when the call returns."""
-        self.remembered = remembered
+        self.remembered = remembered.model_copy(update={"openings": self.remembered.openings})
         if self._lines >= COMPACT_AFTER:
             self._compact()
             return
         with self._path.open("a", encoding="utf-8") as file:
-            file.write(remembered.model_dump_json() + "\n")
+            file.write(self.remembered.model_dump_json() + "\n")
             file.flush()
             os.fsync(file.fileno())
         self._lines += 1
