@@ -133,7 +133,7 @@ class ProcessSystem:
         self._folder = tempfile.TemporaryDirectory(prefix="tandem-")
         self.supervisor = Supervisor(Path(self._folder.name) / "logs")
         self._logs = ExitStack()
-        self._relay = LogRelay(self.supervisor.folder, self._log_sinks())
+        self._relay = LogRelay(self.supervisor.folder, self._log_sinks(), options.log_format)
         self._bus: ZenohBus | None = None
         self._clocks: ProcessClocks | None = None
 

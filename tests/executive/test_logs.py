@@ -87,4 +87,13 @@ def test_logs_of_processes_come_together_line_by_line(tmp_path: Path) -> None:
     relay.step()
     assert sink.getvalue() == "one\nthree\ntwo\n"
     relay.step(last=True)
-    assert sink.getvalue().endswith("last")
+    assert sink.getvalue().endswith("two\nlast\n")
+
+
+def test_what_a_library_prints_becomes_json_too(tmp_path: Path) -> None:
+    sink = io.StringIO()
+    (tmp_path / "hardware.log").write_text('pybullet build time: May\n\n{"event": "goal ended"}\n')
+    LogRelay(tmp_path, (sink,), "json").step()
+    printed, logged = (json.loads(line) for line in sink.getvalue().splitlines())
+    assert (printed["role"], printed["event"]) == ("hardware", "pybullet build time: May")
+    assert logged == {"event": "goal ended"}
