@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Final, Literal
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 DEFAULT_SITE: Final = "lab"
 DEFAULT_ROBOT: Final = "tiago"
+LogFormat = Literal["text", "json"]
+"""Logs for people, or as lines of JSON."""
 
 
 @dataclass(frozen=True)
@@ -53,5 +55,10 @@ class RunOptions:
     log: Path | None = None
     """Where logs of all processes go; None: standard error when ``verbose``."""
     verbose: bool = False
+    log_format: LogFormat = "text"
+    metrics: str = ""
+    """Host and port where metrics are served for Prometheus; empty: nowhere."""
+    traces: str = ""
+    """Address of a collector of OpenTelemetry traces; empty: none."""
     request: str = ""
     """The demo's request as a JSON document; empty: the demo's own choice."""

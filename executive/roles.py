@@ -135,7 +135,9 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
                 f"already; end it first, or give this robot keys of its own with --robot"
             )
         bus.announce(claim)
-        if settings.role == "hardware":
+        if settings.role == "observer":
+            _play_observer(settings, bus, stopped)
+        elif settings.role == "hardware":
             _play_hardware(settings, bus, stopped)
         else:
             _play_node(settings, bus, stopped)
@@ -180,6 +182,12 @@ def _play_hardware(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[]
         run_paced(station, bus, settings.speed, stopped)
     finally:
         station.close()
+
+
+def _play_observer(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
+    from executive.telemetry.process import observe  # noqa: PLC0415
+
+    observe(settings, bus, stopped)
 
 
 def _play_node(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:

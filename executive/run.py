@@ -6,6 +6,7 @@ It looks after what no tree can: goals that don't come to rest, hardware that is
 from __future__ import annotations
 
 import logging
+from collections.abc import Callable
 from typing import Final
 
 from py_trees.behaviour import Behaviour
@@ -50,6 +51,10 @@ WAITS: Final = "waits for the hardware"
 _LOG = logging.getLogger(__name__)
 
 
+def _nobody(_: float) -> None:
+    """Nobody asks how long a tick took."""
+
+
 class Run:
     """One task, from its first tick until the robot is at rest.
 
@@ -59,10 +64,18 @@ class Run:
         kind: the kind of task.
         clocks: robot time for timers, host time for when the robot's stands still.
         halt: stops the hardware, when goals don't come to rest.
+        ticked: told how many seconds of the host each tick took.
     """
 
     def __init__(
-        self, context: TreeContext, root: Behaviour, kind: str, *, clocks: Clocks, halt: Halt
+        self,
+        context: TreeContext,
+        root: Behaviour,
+        kind: str,
+        *,
+        clocks: Clocks,
+        halt: Halt,
+        ticked: Callable[[float], None] = _nobody,
     ) -> None:
         self.context = context
         self.ended: Ending | None = None
@@ -70,6 +83,7 @@ class Run:
         self.canceling = False
         """Whether it has been cancelled."""
         self._root, self._kind, self._clocks, self._halt = root, kind, clocks, halt
+        self._ticked = ticked
         self._hold = Hold(context, clocks)
         self._ending: Ending | None = None
         self._resting = Elapsed(clocks)  # since the tree's end
@@ -217,6 +231,7 @@ class Run:
             self._judge(tuple(self._root.tick()))
         except Exception as error:  # noqa: BLE001 - a tree's mistake costs its task, not the service
             self._crash(error)
+        self._ticked(self._clocks.monotonic() - self._ticked_on_host)
 
     def _judge(self, ticked: tuple[Behaviour, ...]) -> None:
         status = NodeStatus(self._root.status.name)
@@ -240,7 +255,7 @@ class Run:
 
     def _crash(self, error: Exception) -> None:
         """End a tree that raised: a mistake in the program, which must cost this task and nothing else."""
-        _LOG.error("%s: its tree raised", self.context.task, exc_info=error)
+        _LOG.error("a tree raised", extra={"task": self.context.task}, exc_info=error)
         if self._ending is None:
             self._stop_tree()
             self._end_with(self._as_failed(raised(self._root, error)))
@@ -250,7 +265,7 @@ class Run:
         try:
             self._root.stop(Status.INVALID)
         except Exception:  # noqa: BLE001 - the tree is given up anyway
-            _LOG.exception("%s: its tree raised while it was stopped", self.context.task)
+            _LOG.exception("a tree raised while it was stopped", extra={"task": self.context.task})
 
     # The end.
 
@@ -313,7 +328,7 @@ class Run:
         try:
             return self.context.with_places(failure)
         except Exception:  # noqa: BLE001 - the end is told in any case
-            _LOG.exception("%s: where everything is could not be told", self.context.task)
+            _LOG.exception("where everything is could not be told", extra={"task": self.context.task})
             return failure
 
     def _last_failure(self) -> Failure | None:

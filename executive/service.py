@@ -12,8 +12,10 @@ from typing import Final
 from executive.halt import Halt
 from executive.leftovers import Leftovers
 from executive.pictures import Album, Tries
+from executive.pulse import Pulse
 from executive.requests import Asked, Refused, read_request
 from executive.run import Run
+from executive.task_log import TaskLog
 from executive.task_queue import TaskBook
 from executive.verbs import Verbs
 from skills.ports.bus import Bus
@@ -103,6 +105,7 @@ class Executive:
         self._verbs, self._album = Verbs(bus, takes), Album(bus)
         self._desks = (self._asks, self._lists, self._infos, self._trees, self._verbs, self._album)
         self._tries: list[Tries] = []  # of the running task, and of those before whose picture is under way
+        self._pulse, self._task_log = Pulse(bus, clocks), TaskLog()
         self._leftovers = Leftovers(bus, clocks, self.clients, self.knowledge)
         self._unread: list[tuple[bytes, Callable[[bytes], None] | None]] = []
         self._closed = False
@@ -126,6 +129,8 @@ class Executive:
         self._note_tries()
         self._album.step()
         self._answer_questions()
+        running = "" if self._running is None else self._running.context.task
+        self._pulse.step(running, len(self.book.waiting))
         next_one = self._running is None and bool(self.book.waiting) and self._leftovers.none
         return bool(self._unread) or next_one
 
@@ -225,7 +230,6 @@ class Executive:
         self._tell_progress(run)
         if run.ended is not None:
             self._running = None
-            _LOG.info("%s: %s", run.context.task, run.ended.state)
             self._note_tries()
             ended = self.book.end(run.context.task, run.ended.state, self._clocks.robot(), run.ended.failure)
             self._tell(ended)
@@ -239,7 +243,7 @@ class Executive:
         try:
             self._running = self._build(task, asked)
         except Exception as error:  # noqa: BLE001 - a builder's mistake costs its task, not the service
-            _LOG.exception("%s: its tree could not be built", task)
+            _LOG.exception("a tree could not be built", extra={"task": task})
             what = f"{type(error).__name__}: {error}"
             text = f"building the tree raised {what}; the executive's log has the trace"
             failure = Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=asked.kind.name)
@@ -250,9 +254,10 @@ class Executive:
         root = asked.kind.build(asked.request, context)
         self._tries.append(Tries(self._bus, self._clocks, context, self._album))
         halt = Halt(self._bus, self._clocks)
-        return Run(context, root, asked.kind.name, clocks=self._clocks, halt=halt)
+        return Run(context, root, asked.kind.name, clocks=self._clocks, halt=halt, ticked=self._pulse.ticked)
 
     def _tell(self, status: TaskStatus) -> None:
+        self._task_log.note(status)
         TASK_STATUS.publish(self._bus, status)
         task_status(status.task).publish(self._bus, status)
 

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from typing import Final, Literal
 
+from executive.options import LogFormat
 from skills.ports.message import Message
 
-Role = Literal["router", "hardware", "keeper", "perception", "base", "arm_left", "arm_right", "executive"]
+Role = Literal[
+    "router", "hardware", "keeper", "perception", "base", "arm_left", "arm_right", "executive", "observer"
+]
 ROLES: Final[tuple[Role, ...]] = (
     "router",
     "hardware",
@@ -18,6 +21,8 @@ ROLES: Final[tuple[Role, ...]] = (
     "executive",
 )
 """In the order in which they are started."""
+OBSERVER: Final[Role] = "observer"
+"""Keeps records for who asks for them; nothing needs it, and it is not started unless asked for."""
 
 
 class WorkerSettings(Message):
@@ -38,6 +43,11 @@ class WorkerSettings(Message):
     journal: str | None = None
     """File in which the keeper keeps what no sensor can restore."""
     verbose: bool = False
+    log_format: LogFormat = "text"
+    metrics: str = ""
+    """The observer's: host and port where it serves metrics for Prometheus; empty: nowhere."""
+    traces: str = ""
+    """The observer's: address of a collector of OpenTelemetry traces; empty: none."""
 
 
 class RefusalError(RuntimeError):

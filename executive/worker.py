@@ -15,6 +15,7 @@ from typing import Final
 
 from executive import roles
 from executive.settings import RefusalError, WorkerSettings
+from executive.telemetry.logs import formatter
 
 REFUSED: Final = 4
 
@@ -42,11 +43,9 @@ class Ending:
 def main(argv: list[str]) -> int:
     """Play the role; return the process's exit code."""
     settings = WorkerSettings.model_validate_json(argv[0])
-    logging.basicConfig(
-        level=logging.DEBUG if settings.verbose else logging.INFO,
-        format=f"%(asctime)s {settings.role} %(levelname)s %(name)s: %(message)s",
-        stream=sys.stderr,
-    )
+    handler = logging.StreamHandler(sys.stderr)
+    handler.setFormatter(formatter(settings.log_format, settings.role))
+    logging.basicConfig(level=logging.DEBUG if settings.verbose else logging.INFO, handlers=[handler])
     ending = Ending()
     ending.listen()
     try:

@@ -24,6 +24,7 @@ from skills.ports.action import (
     goal_service,
     result_service,
     status_topic,
+    task_of,
 )
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
@@ -130,6 +131,7 @@ class ActionServer(Generic[G, F, R]):
         refusal = self._skill.check(goal)
         if refusal is not None:
             return self._status(sent.goal_id, GoalState.REJECTED, failure=refusal)
+        log.info("goal begins", extra=self._about(sent.goal_id))
         self._current = _Current(sent.goal_id, sent.client, self._skill.run(goal, sent.goal_id))
         return self._change(sent.goal_id, GoalState.RUNNING)
 
@@ -177,9 +179,7 @@ class ActionServer(Generic[G, F, R]):
         elif current.client_gone_since is None:
             current.client_gone_since = now
         elif now - current.client_gone_since > ORPHANED_AFTER:
-            log.warning(
-                "%s: client %s is gone, goal %s is cancelled", self.name, current.client, current.goal_id
-            )
+            log.warning("a client is gone, its goal is cancelled", extra=self._about(current.goal_id))
             self._command(current, Command.CANCEL)
 
     def _resume(self) -> bool:
@@ -199,7 +199,7 @@ class ActionServer(Generic[G, F, R]):
                 self._finish(stop.value)
                 return False
             except Exception as error:
-                log.exception("%s: goal %s crashed", self.name, current.goal_id)
+                log.exception("a goal crashed", extra=self._about(current.goal_id))
                 self._end(GoalState.FAILED, failure=self._failure(FailureKind.SKILL_CRASHED, repr(error)))
                 return False
             if not isinstance(yielded, Slice):
@@ -224,6 +224,8 @@ class ActionServer(Generic[G, F, R]):
         if self._current is None:
             return
         goal_id, self._current = self._current.goal_id, None
+        kind = "" if failure is None else str(failure.kind)
+        log.info("goal ended", extra={**self._about(goal_id), "state": str(state), "kind": kind})
         self._change(goal_id, state, result=result, failure=failure)
 
     def _feed_back(self, goal_id: str, feedback: F) -> None:
@@ -271,6 +273,10 @@ class ActionServer(Generic[G, F, R]):
             result=None if result is None else result.model_dump(mode="json"),
             failure=failure,
         )
+
+    def _about(self, goal_id: str) -> dict[str, str]:
+        """Return what a line of the log is about."""
+        return {"task": task_of(goal_id), "action": self.name, "goal": goal_id}
 
     def _failure(self, kind: FailureKind, message: str) -> Failure:
         return Failure(kind=kind, message=message, where=self.name)

@@ -30,6 +30,7 @@ from executive.cli import (
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import MEANINGS, ExitCode
 from executive.cli.logs import LogOptions
+from executive.options import LogFormat
 
 _LOG = logging.getLogger(__name__)
 
@@ -108,12 +109,15 @@ def _common(
     verbose: Annotated[
         bool, typer.Option("--verbose", "-v", help="Write what happens to standard error.")
     ] = False,
+    log_format: Annotated[
+        LogFormat, typer.Option("--log-format", help="Logs for people, or as lines of JSON.")
+    ] = "text",
     version: Annotated[  # noqa: ARG001 - its callback does the work
         bool,
         typer.Option("--version", help="Print the version.", is_eager=True, callback=_print_version),
     ] = False,
 ) -> None:
-    context.obj = LogOptions(log, verbose)
+    context.obj = LogOptions(log, verbose, log_format)
     context.obj.apply()
 
 

@@ -28,6 +28,16 @@ Window = Annotated[bool, typer.Option("--gui/--headless", help="Show the simulat
 Lockstep = Annotated[
     bool, typer.Option("--lockstep", help="All in one thread: the same seed gives the same run.")
 ]
+MetricsAt = Annotated[
+    str,
+    typer.Option(
+        "--metrics", metavar="HOST:PORT", help="Serve metrics for Prometheus there: 127.0.0.1:9464."
+    ),
+]
+TracesTo = Annotated[
+    str,
+    typer.Option("--traces", metavar="URL", help="Send OpenTelemetry traces there: http://127.0.0.1:4318."),
+]
 ReportFile = Annotated[Path | None, typer.Option("--report", metavar="FILE", help="Write the report here.")]
 Picture = Annotated[
     Path | None, typer.Option("--picture", metavar="FILE", help="Save the last scene's picture here.")
@@ -69,6 +79,7 @@ def demo(
         picture=picture,
         log=logs.file,
         verbose=logs.verbose,
+        log_format=logs.format,
     )
     from executive.compose import run_demo  # noqa: PLC0415 - loads the whole system
 
@@ -85,6 +96,8 @@ def up(
     gui: Window = False,
     lockstep: Lockstep = False,
     report: ReportFile = None,
+    metrics: MetricsAt = "",
+    traces: TracesTo = "",
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
@@ -102,6 +115,9 @@ def up(
         report=report,
         log=logs.file,
         verbose=logs.verbose,
+        log_format=logs.format,
+        metrics=_metrics(metrics, lockstep=lockstep),
+        traces=_traces(traces, lockstep=lockstep),
     )
     from executive.compose import run_up  # noqa: PLC0415 - loads the whole system
 
@@ -119,6 +135,36 @@ def _speed(text: str) -> float | None:
         raise typer.BadParameter(f"a number from 0.01 to 100, or max, was expected; found {text!r}",
                                  param_hint="--speed")  # fmt: skip
     return speed
+
+
+def _metrics(text: str, *, lockstep: bool) -> str:
+    from executive.telemetry.process import host_and_port  # noqa: PLC0415
+
+    if not text:
+        return text
+    try:
+        host_and_port(text)
+    except ValueError as error:
+        raise typer.BadParameter(str(error), param_hint="--metrics") from error
+    return _observed(text, "--metrics", lockstep=lockstep)
+
+
+def _traces(text: str, *, lockstep: bool) -> str:
+    if not text:
+        return text
+    if not text.startswith(("http://", "https://")):
+        raise typer.BadParameter(
+            f"an address such as http://127.0.0.1:4318 was expected; found {text!r}", param_hint="--traces"
+        )
+    return _observed(text, "--traces", lockstep=lockstep)
+
+
+def _observed(text: str, option: str, *, lockstep: bool) -> str:
+    if lockstep:
+        raise typer.BadParameter(
+            "the observer is a process of its own; leave out --lockstep", param_hint=option
+        )
+    return text
 
 
 def _scenario(name_or_path: str, faults: Path | None) -> str:

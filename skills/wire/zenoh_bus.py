@@ -178,13 +178,16 @@ class ZenohBus:
         endpoint: the router's, such as ``tcp/127.0.0.1:7447``.
         prefix: ``<site>/<robot>``, put before every key.
         patience: seconds in which the router must answer.
+        waker: told when something has arrived; one of its own unless given.
 
     Raises:
         BusError: when it does not.
     """
 
-    def __init__(self, endpoint: str, prefix: str, *, patience: float = 2.0) -> None:
-        self.waker = Waker()
+    def __init__(
+        self, endpoint: str, prefix: str, *, patience: float = 2.0, waker: Waker | None = None
+    ) -> None:
+        self.waker = waker or Waker()
         self._prefix = prefix
         self._session = open_session(client_config(endpoint, patience), endpoint)
         self._publishers: dict[str, zenoh.Publisher] = {}
