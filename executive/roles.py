@@ -25,6 +25,7 @@ from skills.ports.site import Site
 from skills.site import load
 
 if TYPE_CHECKING:
+    from skills.wire.credentials import Credentials
     from skills.wire.zenoh_bus import ZenohBus
 
 SKILL_ROLES: Final[tuple[Role, ...]] = ("keeper", "perception", "base", "arm_left", "arm_right")
@@ -108,10 +109,14 @@ def executive_node(bus: Bus, clocks: Clocks, site: Site, *, start: str) -> Node:
     """Return the executive, with all tasks there are; ``start`` becomes a part of the tasks' ids."""
     from importlib.metadata import version  # noqa: PLC0415
 
+    from executive.doors import Doors  # noqa: PLC0415
     from executive.service import Executive  # noqa: PLC0415
     from trees.registry import discover  # noqa: PLC0415
 
-    return Executive(bus, clocks, site, discover(), start=start, version=version("tandem-executive"))
+    doors = Doors(bus, clocks)
+    executive = Executive(doors, clocks, site, discover(), start=start, version=version("tandem-executive"))
+    doors.tasks = executive.book.all
+    return executive
 
 
 def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
@@ -125,7 +130,12 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         return
     from skills.wire.zenoh_bus import ZenohBus  # noqa: PLC0415
 
-    bus = ZenohBus(settings.endpoint, settings.prefix)
+    bus = ZenohBus(
+        settings.endpoint,
+        settings.prefix,
+        credentials=_credentials(settings),
+        silent_after=settings.silent_after,
+    )
     try:
         # Announced at once, long before ``process/...`` says that the role is ready to be played.
         claim = f"role/{settings.role}"
@@ -145,17 +155,25 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         bus.close()
 
 
-def _play_router(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
-    from skills.wire.zenoh_bus import BusError, Waker, open_session, router_config  # noqa: PLC0415
+def _credentials(settings: WorkerSettings) -> Credentials | None:
+    if settings.keys is None:
+        return None
+    from executive.security.identity import Identity  # noqa: PLC0415
 
+    return Identity(Path(settings.keys), settings.holder).process(settings.role)
+
+
+def _play_router(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
+    from executive.router import Router  # noqa: PLC0415
+    from skills.wire.zenoh_bus import Waker  # noqa: PLC0415
+
+    router, waker = Router(settings, _credentials(settings)), Waker()
     try:
-        session = open_session(router_config(settings.endpoint), settings.endpoint)
-    except BusError as error:
-        raise RefusalError(f"nothing can listen at {settings.endpoint}: is another router there?") from error
-    waker = Waker()
-    while not stopped():
-        waker.wait(0.1)
-    session.close()  # type: ignore[no-untyped-call]
+        while not stopped():
+            waker.wait(0.1)
+            router.step()
+    finally:
+        router.close()
 
 
 def _play_hardware(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:

@@ -18,6 +18,8 @@ from executive.settings import RefusalError, WorkerSettings
 from executive.telemetry.logs import formatter
 
 REFUSED: Final = 4
+SWITCH_INTERVAL: Final = 0.0005
+"""Seconds after which a thread that computes lets another go on."""
 
 
 @dataclass(eq=False)
@@ -46,6 +48,9 @@ def main(argv: list[str]) -> int:
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(formatter(settings.log_format, settings.role))
     logging.basicConfig(level=logging.DEBUG if settings.verbose else logging.INFO, handlers=[handler])
+    # zenoh's callbacks wait until the loop's thread lets them go on. At Python's 5 ms a message, a loop
+    # that is busy would hear 200 of them in a second.
+    sys.setswitchinterval(SWITCH_INTERVAL)
     ending = Ending()
     ending.listen()
     try:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
+from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
@@ -32,16 +32,19 @@ def add_to(app: typer.Typer) -> None:
 
 def tasks(
     as_json: Annotated[bool, typer.Option("--json", help="As the executive's answer.")] = False,  # noqa: FBT002
+    *,
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """List the tasks that the executive remembers, oldest first."""
     from executive.cli.connection import Connection  # noqa: PLC0415
     from skills.ports.keys import Nothing  # noqa: PLC0415
     from skills.ports.tasks import TASK_LIST  # noqa: PLC0415
 
-    with Connection(bus_options(connect, site_key, robot)) as connection:
+    with Connection(bus_options(connect, site_key, robot, keys, holder)) as connection:
         answer = connection.ask(TASK_LIST, Nothing())
     if as_json:
         typer.echo(answer.model_dump_json(indent=2))
@@ -53,16 +56,20 @@ def tasks(
 
 def cancel(
     task: Annotated[str, typer.Argument(metavar="ID", help="As `tandem tasks` tells it.")],
+    *,
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """Cancel a queued or a running task; the robot stops at once, safely."""
     from executive.cli.connection import Connection  # noqa: PLC0415
     from skills.ports.tasks import TASK_CANCEL, CancelTask  # noqa: PLC0415
 
-    with Connection(bus_options(connect, site_key, robot)) as connection:
-        answer = connection.ask(TASK_CANCEL, CancelTask(task=task))
+    with Connection(bus_options(connect, site_key, robot, keys, holder)) as connection:
+        asked = CancelTask(task=task).model_dump_json().encode()
+        answer = connection.answer(connection.cancel_key(), asked, TASK_CANCEL.answered)
     if not answer.accepted:
         raise CommandError(f"{task} can't be cancelled: {answer.reason}", ExitCode.BAD_INPUT)
     typer.echo(f"{task} is being cancelled")
@@ -70,39 +77,50 @@ def cancel(
 
 def pause(
     task: RunningTask = "",
+    *,
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """Have the running task's skills come to rest and its tree stay where it is."""
     from skills.ports.tasks import TASK_PAUSE  # noqa: PLC0415
 
-    named = _verb(TASK_PAUSE, task, bus_options(connect, site_key, robot), "paused")
+    named = _verb(TASK_PAUSE, task, bus_options(connect, site_key, robot, keys, holder), "paused")
     typer.echo(f"{named} is being paused; `tandem resume` goes on, `tandem step` by one leaf")
 
 
 def resume(
     task: RunningTask = "",
+    *,
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """Go on with a paused task."""
     from skills.ports.tasks import TASK_RESUME  # noqa: PLC0415
 
-    typer.echo(f"{_verb(TASK_RESUME, task, bus_options(connect, site_key, robot), 'resumed')} goes on")
+    typer.echo(
+        f"{_verb(TASK_RESUME, task, bus_options(connect, site_key, robot, keys, holder), 'resumed')} goes on"
+    )
 
 
 def step(
     task: RunningTask = "",
+    *,
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """Go on with a paused task until one more leaf of its tree has ended."""
     from skills.ports.tasks import TASK_STEP  # noqa: PLC0415
 
-    named = _verb(TASK_STEP, task, bus_options(connect, site_key, robot), "stepped")
+    named = _verb(TASK_STEP, task, bus_options(connect, site_key, robot, keys, holder), "stepped")
     typer.echo(f"{named} goes on by one leaf")
 
 

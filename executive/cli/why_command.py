@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
+from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
@@ -31,9 +31,12 @@ def why(
         Path | None,
         typer.Option("--picture", metavar="FILE", help="Save the last attempt's picture (JPEG) here."),
     ] = None,
+    *,
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """Tell why a task failed, what was tried, where things are, and what to do next."""
     from executive.cli.connection import Connection  # noqa: PLC0415
@@ -41,7 +44,7 @@ def why(
     from skills.ports.keys import Nothing  # noqa: PLC0415
     from skills.ports.tasks import TASK_LIST  # noqa: PLC0415
 
-    with Connection(bus_options(connect, site_key, robot)) as connection:
+    with Connection(bus_options(connect, site_key, robot, keys, holder)) as connection:
         status = chosen(connection.ask(TASK_LIST, Nothing()).tasks, task)
         if status is None:
             if task:
