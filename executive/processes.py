@@ -162,7 +162,7 @@ class Supervisor:
         Its leaves cancel their goals while the skills still live; the hardware outlives the skills, and the
         router everybody.
         """
-        for roles in (("executive",), SKILL_ROLES, ("hardware",), ("router",)):
+        for roles in (("executive",), SKILL_ROLES, ("hardware", "mock"), ("router",)):
             going = [child for child in self.children if child.role in roles]
             for child in going:
                 if child.process.poll() is None:

@@ -158,6 +158,8 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         bus.announce(claim)
         if settings.role == "hardware":
             _play_hardware(settings, bus, stopped)
+        elif settings.role == "mock":
+            _play_mock(settings, bus, stopped)
         else:
             _play_node(settings, bus, stopped)
     finally:
@@ -201,6 +203,26 @@ def _play_hardware(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[]
         run_paced(station, bus, settings.speed, stopped)
     finally:
         station.close()
+
+
+def _play_mock(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
+    from executive.campaigns.crash_world import TICK, LastingRobot  # noqa: PLC0415
+    from skills.wire.clocks import ProcessClocks  # noqa: PLC0415
+
+    assert settings.data is not None, "the mock keeps its truth in a folder"
+    boot = uuid.uuid4().hex[:8]
+    clocks = ProcessClocks(bus)
+    robot = LastingRobot(bus, clocks, load(settings.site), Path(settings.data), boot)
+    bus.announce("process/mock")
+    more = False
+    try:
+        while not stopped():
+            if not more:
+                bus.waker.wait(TICK)
+            clocks.refresh()
+            more = robot.step()
+    finally:
+        robot.close()
 
 
 def _play_node(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
@@ -252,8 +274,14 @@ def _executive(settings: WorkerSettings, bus: Bus, clocks: Clocks, site: Site) -
     from executive.ledger.sqlite import SqliteLedger  # noqa: PLC0415
     from executive.task_book import start_id  # noqa: PLC0415
 
-    ledger = None if settings.data is None else SqliteLedger(Path(settings.data))
+    ledger: Ledger | None = None if settings.data is None else SqliteLedger(Path(settings.data))
     start = start_id(time.time())
+    if settings.crash_at is not None or settings.crash_log is not None:
+        from executive.campaigns.crash_points import CrashBus, CrashLedger, CrashPoints  # noqa: PLC0415
+
+        log = None if settings.crash_log is None else Path(settings.crash_log)
+        points = CrashPoints(settings.crash_at or "", log)
+        bus, ledger = CrashBus(bus, points), None if ledger is None else CrashLedger(ledger, points)
     return executive_node(bus, clocks, site, start=start, ledger=ledger, on_restart=settings.on_restart)
 
 

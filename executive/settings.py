@@ -7,7 +7,10 @@ from typing import Final, Literal
 from executive.ledger.port import OnRestart
 from skills.ports.message import Message
 
-Role = Literal["router", "hardware", "keeper", "perception", "base", "arm_left", "arm_right", "executive"]
+Role = Literal[
+    "router", "hardware", "keeper", "perception", "base", "arm_left", "arm_right", "executive", "mock"
+]
+"""``mock`` stands in for hardware and skills in the campaign of crashes; no other system has it."""
 ROLES: Final[tuple[Role, ...]] = (
     "router",
     "hardware",

@@ -1,4 +1,4 @@
-"""Which goals a process of skills has accepted, on disk: so that the same id starts once, also after a restart.
+"""Which goals a process of skills has accepted, on disk: so that an id starts once, also after a restart.
 
 One id a line, synced before the goal starts. A line torn by a crash is an id that nothing was started for.
 """

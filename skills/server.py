@@ -90,7 +90,7 @@ class ActionServer(Generic[G, F, R]):
         return self._current is not None
 
     def keep(self, journal: GoalJournal) -> None:
-        """Write each goal down before it starts; one that was accepted before this start is not started again."""
+        """Write each goal down before it starts; one that was accepted before is not started again."""
         self._journal = journal
 
     def step(self) -> bool:
@@ -131,7 +131,9 @@ class ActionServer(Generic[G, F, R]):
             failure = self._failure(FailureKind.INVALID_GOAL, str(error))
             return self._status(sent.goal_id, GoalState.REJECTED, failure=failure)
         if self._journal is not None and sent.goal_id in self._journal.before:
-            text = f"{sent.goal_id} was accepted before this process was started anew; what came of it is not known"
+            text = (
+                f"{sent.goal_id} was accepted before this process was started anew; how it ended is not known"
+            )
             lost = self._failure(FailureKind.SKILL_LOST, text)
             return self._status(sent.goal_id, GoalState.FAILED, failure=lost)
         if self._current is not None:

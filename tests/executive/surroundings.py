@@ -144,7 +144,7 @@ class Surroundings:
     hub: MemoryHub = field(default_factory=MemoryHub)
     clocks: SteppedClocks = field(default_factory=SteppedClocks)
     ledger: Callable[[], Ledger] = MemoryLedger
-    policy: Policy = Policy()
+    policy: Policy = field(default_factory=Policy)
     kinds: dict[str, TaskType[Message]] = field(default_factory=lambda: {"wait": WAIT})
 
     def __post_init__(self) -> None:
