@@ -129,7 +129,7 @@ class Control:
         turn = self._under_way(asked.task)
         if isinstance(turn, ControlAnswer):
             return turn
-        node = turn.run.gates.find(asked.node)
+        node = turn.run.held_up_by() or turn.run.gates.find(asked.node)
         if isinstance(node, str):
             return _refused(node)
         turn.run.gates.hold(node, before=asked.when == "before", on=asked.on)
@@ -142,7 +142,7 @@ class Control:
             return turn
         if not self._book.entry(asked.task).test_run:
             return _refused('the task is no test run; ask for one with "test_run": true')
-        node = turn.run.gates.find(asked.node)
+        node = turn.run.held_up_by() or turn.run.gates.find(asked.node)
         if isinstance(node, str):
             return _refused(node)
         turn.run.gates.force(node, None if asked.status is None else Status(asked.status))

@@ -165,14 +165,14 @@ class Run:
 
     def pause(self) -> str:
         """Have all come to rest and the tree stay where it is; return why not, or nothing."""
-        why = self._not_to_be_held()
+        why = self.held_up_by()
         if not why:
             self._hold.pause()
         return why
 
     def resume(self) -> str:
         """Go on after a pause; return why not, or nothing."""
-        why = self._not_to_be_held()
+        why = self.held_up_by()
         if not why and self._hold.free:
             why = "the task is not paused"
         if not why and self.context.question is not None and self.ticks == 0:
@@ -184,7 +184,7 @@ class Run:
 
     def step_by(self, step: Step) -> str:
         """Go on until one more leaf has ended or by one tick, and pause again; return why not, or nothing."""
-        why = self._not_to_be_held()
+        why = self.held_up_by()
         if not why and self._hold.state is not TaskState.PAUSED:
             pausing = self._hold.state is TaskState.PAUSING
             why = "its skills are still coming to rest" if pausing else "the task is not paused"
@@ -220,7 +220,7 @@ class Run:
         self.gates.release()
         self.look_again()
 
-    def _not_to_be_held(self) -> str:
+    def held_up_by(self) -> str:
         if self.canceling:
             return "the task is being cancelled"
         if self.yielding:

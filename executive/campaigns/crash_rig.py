@@ -1,4 +1,4 @@
-"""Router, mocked robot and executive as processes, which may be killed at any moment and are started again."""
+"""Router, mocked robot and executive as processes that may be killed at any moment, and start again."""
 
 from __future__ import annotations
 

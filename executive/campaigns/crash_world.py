@@ -119,7 +119,7 @@ class LastingRobot:
     def _watch(self, what: str, action: str, goal_id: str, goal: Message) -> None:
         now = self.clocks.utc()
         if what == "began":
-            done = _done_before(self.robot.world, action, goal)
+            done = _done_before(self.robot.world, action, goal_id, goal)
             self._write(Deed(what="began", at=now, action=action, goal_id=goal_id, done_before=done))
         else:
             self._keep()
@@ -154,7 +154,7 @@ class LastingRobot:
             file.write(f"{deed.model_dump_json()}\n")
 
 
-def _done_before(world: WorldState, action: str, goal: Message) -> bool:
+def _done_before(world: WorldState, action: str, goal_id: str, goal: Message) -> bool:
     """Say whether it is believed that what a gripper is to bring about is so already."""
     if not isinstance(goal, GripGoal):
         return False
@@ -162,16 +162,14 @@ def _done_before(world: WorldState, action: str, goal: Message) -> bool:
     holds = any(hand.side == side for hand in world.held)
     if goal.grip is Grip.GRASP:
         return holds
-    return goal.grip is Grip.OPEN and any(each.item == ITEM for each in world.placed)
+    # A hand that is empty may be opened again, to draw it back; what is placed must not be put down again.
+    return "/let go/" in goal_id and any(each.item == ITEM for each in world.placed)
 
 
 def deeds(folder: Path) -> tuple[Deed, ...]:
     """Return what was done, in order; a line torn by a crash is none."""
-    found = []
-    for line in (folder / DEEDS).read_text("utf-8").splitlines():
-        if line.endswith("}"):
-            found.append(Deed.model_validate_json(line))
-    return tuple(found)
+    lines = (folder / DEEDS).read_text("utf-8").splitlines()
+    return tuple(Deed.model_validate_json(line) for line in lines if line.endswith("}"))
 
 
 def wrong_deeds(done: Iterable[Deed], ended: Callable[[str], float | None]) -> tuple[str, ...]:

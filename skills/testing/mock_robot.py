@@ -324,7 +324,9 @@ class MockRobot:
                 position_sigma=0.002,
             )
             for item, tag in seen.items()
-            if item not in self.hands.values()
+            # One that a hand has closed on stands there and is seen until it is lifted, which is after it is
+            # believed to be held.
+            if item not in {hand.item for hand in self.world.held}
         )
         known = {fact.item: fact for fact in self.world.items}
         for sighting in sightings:
