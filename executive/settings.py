@@ -4,14 +4,25 @@ from __future__ import annotations
 
 from typing import Final, Literal
 
+from executive.ledger.port import OnRestart
 from skills.ports.message import Message
 from skills.wire.pulse import SILENT_AFTER
 
 LogFormat = Literal["text", "json"]
 """Logs for people, or as lines of JSON."""
 Role = Literal[
-    "router", "hardware", "keeper", "perception", "base", "arm_left", "arm_right", "executive", "observer"
+    "router",
+    "hardware",
+    "keeper",
+    "perception",
+    "base",
+    "arm_left",
+    "arm_right",
+    "executive",
+    "observer",
+    "mock",
 ]
+"""``mock`` stands in for hardware and skills in the campaign of crashes; no other system has it."""
 ROLES: Final[tuple[Role, ...]] = (
     "router",
     "hardware",
@@ -44,6 +55,16 @@ class WorkerSettings(Message):
     gui: bool = False
     journal: str | None = None
     """File in which the keeper keeps what no sensor can restore."""
+    data: str | None = None
+    """Folder of the executive's ledger and of the skills' goal journals; None: nothing is kept."""
+    on_restart: OnRestart = "resume"
+    """What becomes of a task that was under way when the executive ended, unless its request says so."""
+    again: bool = False
+    """Whether it takes the place of one that is known to be dead."""
+    crash_at: str | None = None
+    """Kill this process at a point by its name (``executive.crash_points``); for the campaign of crashes."""
+    crash_log: str | None = None
+    """File to which each such point is written when it is first passed."""
     verbose: bool = False
     log_format: LogFormat = "text"
     metrics: str = ""
@@ -58,6 +79,12 @@ class WorkerSettings(Message):
     """Folder of keys, with which every process shows who it is; None: nobody asks."""
     holder: str = ""
     """The robot's name in that folder."""
+
+
+REFUSED: Final = 4
+"""Exit code of a process that must not start here."""
+UNKEPT: Final = 5
+"""Exit code of an executive whose ledger can't be opened or written."""
 
 
 class RefusalError(RuntimeError):

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, cast, get_args
 
 import typer
 
 from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.cli.logs import LogOptions
 from executive.cli.opening import checked_endpoints, checked_roles, owner_of
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions
+from executive.ledger.port import OnRestart as Restart
+from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions, default_data
 from skills.wire.pulse import SILENT_AFTER
 
 Scenario = Annotated[
@@ -41,6 +43,20 @@ TracesTo = Annotated[
     typer.Option("--traces", metavar="URL", help="Send OpenTelemetry traces there: http://127.0.0.1:4318."),
 ]
 ReportFile = Annotated[Path | None, typer.Option("--report", metavar="FILE", help="Write the report here.")]
+Data = Annotated[
+    Path | None,
+    typer.Option(
+        "--data", metavar="DIR", help="Of the ledger; $XDG_STATE_HOME/tandem/<site>-<robot> unless given."
+    ),
+]
+OnRestart = Annotated[
+    str,
+    typer.Option(
+        "--on-restart",
+        metavar="resume|ask|interrupt",
+        help="What becomes of a task that was under way when the executive ended.",
+    ),
+]
 Picture = Annotated[
     Path | None, typer.Option("--picture", metavar="FILE", help="Save the last scene's picture here.")
 ]
@@ -122,6 +138,8 @@ def up(
     report: ReportFile = None,
     metrics: MetricsAt = "",
     traces: TracesTo = "",
+    data: Data = None,
+    on_restart: OnRestart = "resume",
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
@@ -137,6 +155,8 @@ def up(
     bus, roles = owner_of(bus_options(connect, site_key, robot, keys, holder)), checked_roles(only)
     options = RunOptions(
         bus=bus,
+        data=data or default_data(bus, os.environ),
+        on_restart=_on_restart(on_restart),
         scenario=_scenario(scenario, faults),
         faults=faults,
         seed=seed,
@@ -156,6 +176,14 @@ def up(
     from executive.compose import run_up  # noqa: PLC0415 - loads the whole system
 
     raise typer.Exit(run_up(options))
+
+
+def _on_restart(text: str) -> Restart:
+    for wish in get_args(Restart):
+        if text == wish:
+            return cast("Restart", text)
+    raise typer.BadParameter(f"resume, ask or interrupt was expected; found {text!r}",
+                             param_hint="--on-restart")  # fmt: skip
 
 
 def _speed(text: str) -> float | None:

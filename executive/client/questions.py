@@ -30,6 +30,7 @@ from skills.ports.tasks import (
     ControlAnswer,
     ExecutiveInfo,
     NameTask,
+    StepTask,
     TaskAnswer,
     TaskStatus,
     TreeSnapshot,
@@ -113,7 +114,7 @@ class Questions:
 
     def step(self, task: str) -> Talk[str]:
         """Go on with a task by a leaf."""
-        return self._verb("step", TASK_STEP, task, _name)
+        return self._verb("step", TASK_STEP, task, lambda named: StepTask(task=named))
 
     def _verb(
         self, verb: str, service: Service[Sent, ControlAnswer], task: str, asked: Callable[[str], Sent]
