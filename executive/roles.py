@@ -25,7 +25,8 @@ from skills.ports.site import Site
 from skills.site import load
 
 if TYPE_CHECKING:
-    from executive.ledger.port import Ledger, OnRestart
+    from executive.ledger.port import Ledger
+    from executive.on_restart import OnRestart
     from skills.wire.zenoh_bus import ZenohBus
 
 SKILL_ROLES: Final[tuple[Role, ...]] = ("keeper", "perception", "base", "arm_left", "arm_right")

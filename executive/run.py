@@ -221,6 +221,7 @@ class Run:
         self.look_again()
 
     def held_up_by(self) -> str:
+        """Return why its tree is not to be held or changed any more, or nothing."""
         if self.canceling:
             return "the task is being cancelled"
         if self.yielding:

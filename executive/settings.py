@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final, Literal
 
-from executive.ledger.port import OnRestart
+from executive.on_restart import OnRestart
 from skills.ports.message import Message
 
 Role = Literal[

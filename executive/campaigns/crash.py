@@ -19,7 +19,7 @@ REQUESTS: Final = 3
 """Of each run: one fetch that moves the robot, and two that find the item there."""
 KILLS: Final = 3
 """At the most, in a run."""
-WITHIN: Final = 4.0
+WITHIN: Final = 2.5
 """Host seconds after the first request in which kills are drawn; most of a run."""
 STUCK_AFTER: Final = 60.0
 """Host seconds."""

@@ -10,7 +10,7 @@ import typer
 
 from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
 from executive.cli.logs import LogOptions
-from executive.ledger.port import OnRestart as Restart
+from executive.on_restart import OnRestart as Restart
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions, default_data
 
 Scenario = Annotated[
