@@ -191,6 +191,7 @@ def crash(
 
 
 def _crash_line(run: CrashRun) -> str:
-    how = run.point or ", ".join(f"{kill.victim} at {kill.after:.2f} s" for kill in run.kills)
+    kills = ", ".join(f"{kill.victim} at {kill.after:.2f} s" for kill in run.kills)
+    how = f"{run.point} ({'killed there' if kills else 'not passed'})" if run.point else kills
     end = "ok" if not run.wrong else "WRONG: " + "; ".join(run.wrong)
     return f"{run.run:4d}  {run.seconds:6.2f} s  begun {run.begun}  {how}: {end}"
