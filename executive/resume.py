@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 from typing import Final, Literal
 
 from executive.endings import no_longer_valid, not_taken_up
-from executive.ledger.port import Entry, Ledger, OnRestart
+from executive.ledger.port import Entry, Ledger
+from executive.on_restart import OnRestart
 from executive.requests import Asked, Refused
 from executive.task_book import KEPT, TaskBook
 from skills.ports.message import RobotTime

@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from executive.settings import RefusalError, Role, WorkerSettings
+from executive.parts import Role
+from executive.settings import RefusalError, WorkerSettings
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.compute import Compute
@@ -25,7 +26,8 @@ from skills.ports.site import Site
 from skills.site import load
 
 if TYPE_CHECKING:
-    from executive.ledger.port import Ledger, OnRestart
+    from executive.ledger.port import Ledger
+    from executive.on_restart import OnRestart
     from skills.wire.credentials import Credentials
     from skills.wire.zenoh_bus import ZenohBus
 

@@ -235,7 +235,7 @@ class Run:
         self.look_again()
 
     def held_up_by(self) -> str:
-        """Return why it can't be paused, resumed or stepped now, or nothing."""
+        """Return why its tree is not to be held or changed any more, or nothing."""
         if self.canceling:
             return "the task is being cancelled"
         if self.yielding:

@@ -8,22 +8,40 @@ from typing import Final
 from pydantic import JsonValue, TypeAdapter
 from pydantic.json_schema import models_json_schema
 
+from executive.envelope import Envelope
 from executive.requests import ID_FIELD, KIND_FIELD, MAX_ID
 from skills.ports.hardware import Stop, StopState
 from skills.ports.keys import STOP, STOP_RELEASE, STOP_STATE, Nothing
 from skills.ports.message import Message
 from skills.ports.tasks import (
     REQUEST,
+    TASK_ABANDON,
+    TASK_ANSWER,
     TASK_ANSWERS,
+    TASK_BREAKPOINT,
     TASK_CANCEL,
+    TASK_FORCE,
+    TASK_HISTORY,
     TASK_INFO,
     TASK_LIST,
+    TASK_PAUSE,
+    TASK_REPRIORITISE,
+    TASK_RESUME,
     TASK_STATUS,
+    TASK_STEP,
     TREE,
     TREE_NOW,
+    AnswerQuestion,
+    AskHistory,
+    Breakpoint,
     CancelTask,
     ControlAnswer,
     ExecutiveInfo,
+    ForceNode,
+    History,
+    NameTask,
+    Reprioritise,
+    StepTask,
     TaskAnswer,
     TaskList,
     TaskStatus,
@@ -37,12 +55,31 @@ CLIENT_MESSAGES: Final[tuple[type[Message], ...]] = (
     TaskStatus,
     TaskList,
     CancelTask,
+    NameTask,
+    StepTask,
+    Reprioritise,
+    AnswerQuestion,
+    Breakpoint,
+    ForceNode,
     ControlAnswer,
+    AskHistory,
+    History,
     ExecutiveInfo,
     TreeSnapshot,
     Stop,
     StopState,
     Nothing,
+)
+_VERBS: Final = (
+    TASK_CANCEL,
+    TASK_PAUSE,
+    TASK_RESUME,
+    TASK_STEP,
+    TASK_ABANDON,
+    TASK_REPRIORITISE,
+    TASK_ANSWER,
+    TASK_BREAKPOINT,
+    TASK_FORCE,
 )
 _DOCUMENT: Final[TypeAdapter[dict[str, JsonValue]]] = TypeAdapter(dict[str, JsonValue])
 
@@ -92,9 +129,11 @@ def with_envelope(schema: JsonValue, kind: TaskType[Message]) -> JsonValue:
         "maxLength": MAX_ID,
         "type": "string",
     }
+    envelope = Envelope.model_json_schema()["properties"]
+    said = {name: value for name, value in envelope.items() if name not in properties}
     return {
         **schema,
-        "properties": {**properties, KIND_FIELD: task, ID_FIELD: own},
+        "properties": {**properties, **said, KIND_FIELD: task, ID_FIELD: own},
         "required": [KIND_FIELD, *(name for name in required if name != KIND_FIELD)],
     }
 
@@ -106,7 +145,7 @@ def _keys() -> dict[str, JsonValue]:
     }
     for topic in (TASK_ANSWERS, TASK_STATUS, TREE, STOP_STATE):
         puts[topic.key] = {"subscribe": _ref(topic.model)}
-    for service in (TASK_CANCEL, TASK_LIST, TASK_INFO, TREE_NOW, STOP, STOP_RELEASE):
+    for service in (*_VERBS, TASK_LIST, TASK_HISTORY, TASK_INFO, TREE_NOW, STOP, STOP_RELEASE):
         puts[service.key] = {"query": _ref(service.asked), "answer": _ref(service.answered)}
     puts[REQUEST] = {
         "put": {"$ref": "#/$defs/Request"},

@@ -17,8 +17,9 @@ from executive.goal_journal import LedgerJournal
 from executive.halt import Halt
 from executive.intake import Intake
 from executive.ledger.memory import MemoryLedger
-from executive.ledger.port import Ledger, OnRestart
+from executive.ledger.port import Ledger
 from executive.leftovers import Leftovers
+from executive.on_restart import OnRestart
 from executive.pictures import Album, Tries
 from executive.pulse import Pulse
 from executive.questions import Questions

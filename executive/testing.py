@@ -81,7 +81,9 @@ class TreeBench:
         return self.root
 
     def hold(self, node: str, *, before: bool = True) -> None:
-        """Have the tree held before or behind a node: ``gates.hit`` says when, ``gates.release`` ends it.
+        """Have the tree held before or behind a node.
+
+        ``gates.hit`` says when it is, ``gates.release`` lets it go on.
 
         KeyError for a name that no node, or more than one, has.
         """

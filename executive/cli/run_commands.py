@@ -11,7 +11,7 @@ import typer
 from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.cli.logs import LogOptions
 from executive.cli.opening import checked_endpoints, checked_roles, owner_of
-from executive.ledger.port import OnRestart as Restart
+from executive.on_restart import OnRestart as Restart
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions, default_data
 from skills.wire.pulse import SILENT_AFTER
 

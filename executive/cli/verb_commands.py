@@ -11,14 +11,14 @@ from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
-from skills.ports.message import Message
 
 if TYPE_CHECKING:
     from executive.options import BusOptions
     from skills.ports.keys import Service
+    from skills.ports.message import Message
     from skills.ports.tasks import ControlAnswer
 
-M = TypeVar("M", bound=Message)
+M = TypeVar("M", bound="Message")
 RunningTask = Annotated[
     str, typer.Argument(metavar="[ID]", help="As `tandem tasks` tells it; the running one unless given.")
 ]

@@ -8,13 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Protocol
 
+from executive.on_restart import OnRestart
 from skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
-
-OnRestart = Literal["resume", "ask", "interrupt"]
-"""What becomes of a task that was under way when the executive ended: it goes on, an operator is asked, or it
-ends as INTERRUPTED."""
 
 
 class LedgerError(RuntimeError):

@@ -15,8 +15,9 @@ from pathlib import Path
 from typing import Concatenate, Final, ParamSpec, TypeVar
 
 from executive.ledger.memory import PAST, split
-from executive.ledger.port import Entry, LedgerError, LedgerLockedError, OnRestart, SentGoal, Transition
+from executive.ledger.port import Entry, LedgerError, LedgerLockedError, SentGoal, Transition
 from executive.ledger.schema import MIGRATIONS
+from executive.on_restart import OnRestart
 from skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
 
 FILE: Final = "ledger.sqlite"
