@@ -100,9 +100,13 @@ class GoalHandle(Generic[G, F, R]):
         """Say whether it was told to come to rest and has not in time.
 
         ``within_robot``: robot seconds; ``within_host``: host seconds for which the robot's clock stands.
+        A goal whose server is gone is not overdue but about to be lost, after ``ANSWER_WITHIN`` of the host's
+        clock, however far the robot's has run meanwhile.
         """
         settling = None if self.ended else self._settling
-        return settling is not None and settling.beyond(within_robot, within_host)
+        if settling is None or not self._client.alive():
+            return False
+        return settling.beyond(within_robot, within_host)
 
     def drop(self, message: str) -> None:
         """Give it up: it has failed, and nothing that its server says later is heard."""
