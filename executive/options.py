@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Literal
+
+from executive.ledger.port import OnRestart
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 DEFAULT_SITE: Final = "lab"
@@ -27,6 +30,13 @@ class BusOptions:
     def prefix(self) -> str:
         """What stands before every key: ``<site>/<robot>``."""
         return f"{self.site}/{self.robot}"
+
+
+def default_data(bus: BusOptions, environment: Mapping[str, str]) -> Path:
+    """Return the folder of a robot's data: in ``$XDG_STATE_HOME/tandem``, or in ~/.local/state/tandem."""
+    state = environment.get("XDG_STATE_HOME", "")
+    home = Path(state) if state else Path(environment.get("HOME", "~")).expanduser() / ".local" / "state"
+    return home / "tandem" / f"{bus.site}-{bus.robot}"
 
 
 @dataclass(frozen=True)
@@ -60,5 +70,9 @@ class RunOptions:
     """Host and port where metrics are served for Prometheus; empty: nowhere."""
     traces: str = ""
     """Address of a collector of OpenTelemetry traces; empty: none."""
+    data: Path | None = None
+    """Folder of the ledger and of what skills keep; None: one that ends with the run."""
+    on_restart: OnRestart = "resume"
+    """What becomes of a task that was under way when the executive ended, unless its request says so."""
     request: str = ""
     """The demo's request as a JSON document; empty: the demo's own choice."""

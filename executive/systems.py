@@ -12,7 +12,7 @@ from typing import IO, Final, Protocol, Self
 
 from executive.options import RunOptions
 from executive.processes import Death, Supervisor
-from executive.settings import OBSERVER, ROLES, Role, WorkerSettings
+from executive.settings import OBSERVER, ROLES, UNKEPT, Role, WorkerSettings
 from executive.telemetry.relay import LogRelay
 from sim.chatter import unheard
 from sim.scenario import Scenario, load_scenario
@@ -31,6 +31,10 @@ READY_WITHIN: Final = 60.0
 
 class SystemFailure(RuntimeError):  # noqa: N818 - what happened to a system, not a mistake in a call
     """The system can't go on; the message says which process ended, with its last words."""
+
+
+class LedgerFailure(SystemFailure):
+    """The executive can't keep its ledger; the message says why."""
 
 
 class RefusedError(RuntimeError):
@@ -258,6 +262,8 @@ class ProcessSystem:
             speed=options.speed,
             gui=options.gui,
             journal=str(Path(self._folder.name) / "held.jsonl") if role == "keeper" else None,
+            data=str(options.data or self._folder.name),
+            on_restart=options.on_restart,
             verbose=options.verbose,
             log_format=options.log_format,
             metrics=options.metrics if role == OBSERVER else "",
@@ -276,7 +282,9 @@ class ProcessSystem:
             else:
                 fatal.append(death)
         if fatal:
-            raise SystemFailure("\n".join(death.describe() for death in fatal))
+            unkept = any(death.code == UNKEPT for death in fatal)
+            words = "\n".join(death.describe() for death in fatal)
+            raise LedgerFailure(words) if unkept else SystemFailure(words)
         self.supervisor.tidy()
         self._relay.step()
 

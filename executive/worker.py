@@ -11,13 +11,11 @@ import signal
 import sys
 from dataclasses import dataclass, field
 from types import FrameType
-from typing import Final
 
 from executive import roles
-from executive.settings import RefusalError, WorkerSettings
+from executive.ledger.port import LedgerError, LedgerLockedError
+from executive.settings import REFUSED, UNKEPT, RefusalError, WorkerSettings
 from executive.telemetry.logs import formatter
-
-REFUSED: Final = 4
 
 
 @dataclass(eq=False)
@@ -50,9 +48,12 @@ def main(argv: list[str]) -> int:
     ending.listen()
     try:
         roles.play(settings, ending)
-    except RefusalError as refusal:
+    except (RefusalError, LedgerLockedError) as refusal:
         logging.getLogger(__name__).error("%s", refusal)  # noqa: TRY400 - no fault of the program
         return REFUSED
+    except LedgerError as error:
+        logging.getLogger(__name__).error("%s", error)  # noqa: TRY400 - the disk's fault
+        return UNKEPT
     except Exception:
         logging.getLogger(__name__).exception("%s ended by an error", settings.role)
         return 1

@@ -14,6 +14,7 @@ from typing import Final, Generic
 
 from pydantic import ValidationError
 
+from skills.goal_journal import GoalJournal
 from skills.ports.action import (
     AskResult,
     GoalCommand,
@@ -76,6 +77,7 @@ class ActionServer(Generic[G, F, R]):
         self._known: OrderedDict[str, GoalStatus] = OrderedDict()
         self._sequence = 0
         self._published_at = float("-inf")
+        self._journal: GoalJournal | None = None
         bus.announce(f"skill/{name}")
 
     @property
@@ -87,6 +89,10 @@ class ActionServer(Generic[G, F, R]):
     def busy(self) -> bool:
         """Whether a goal runs."""
         return self._current is not None
+
+    def keep(self, journal: GoalJournal) -> None:
+        """Write each goal down before it starts; one that was accepted before is not started again."""
+        self._journal = journal
 
     def step(self) -> bool:
         """Answer who asks, then resume the skill."""
@@ -125,12 +131,20 @@ class ActionServer(Generic[G, F, R]):
         except ValidationError as error:
             failure = self._failure(FailureKind.INVALID_GOAL, str(error))
             return self._status(sent.goal_id, GoalState.REJECTED, failure=failure)
+        if self._journal is not None and sent.goal_id in self._journal.before:
+            text = (
+                f"{sent.goal_id} was accepted before this process was started anew; how it ended is not known"
+            )
+            lost = self._failure(FailureKind.SKILL_LOST, text)
+            return self._status(sent.goal_id, GoalState.FAILED, failure=lost)
         if self._current is not None:
             busy = self._failure(FailureKind.BUSY, f"{self.name} is at goal {self._current.goal_id}")
             return self._status(sent.goal_id, GoalState.REJECTED, failure=busy)
         refusal = self._skill.check(goal)
         if refusal is not None:
             return self._status(sent.goal_id, GoalState.REJECTED, failure=refusal)
+        if self._journal is not None:
+            self._journal.accept(sent.goal_id)
         log.info("goal begins", extra=self._about(sent.goal_id))
         self._current = _Current(sent.goal_id, sent.client, self._skill.run(goal, sent.goal_id))
         return self._change(sent.goal_id, GoalState.RUNNING)

@@ -24,6 +24,7 @@ from executive.cli import (
     schema_command,
     task_commands,
     tree_commands,
+    verb_commands,
     watch_command,
     why_command,
 )
@@ -37,6 +38,7 @@ _LOG = logging.getLogger(__name__)
 _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     run_commands.add_to,
     task_commands.add_to,
+    verb_commands.add_to,
     watch_command.add_to,
     why_command.add_to,
     tree_commands.add_to,

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, cast, get_args
 
 import typer
 
 from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
 from executive.cli.logs import LogOptions
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions
+from executive.ledger.port import OnRestart as Restart
+from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions, default_data
 
 Scenario = Annotated[
     str,
@@ -39,6 +41,20 @@ TracesTo = Annotated[
     typer.Option("--traces", metavar="URL", help="Send OpenTelemetry traces there: http://127.0.0.1:4318."),
 ]
 ReportFile = Annotated[Path | None, typer.Option("--report", metavar="FILE", help="Write the report here.")]
+Data = Annotated[
+    Path | None,
+    typer.Option(
+        "--data", metavar="DIR", help="Of the ledger; $XDG_STATE_HOME/tandem/<site>-<robot> unless given."
+    ),
+]
+OnRestart = Annotated[
+    str,
+    typer.Option(
+        "--on-restart",
+        metavar="resume|ask|interrupt",
+        help="What becomes of a task that was under way when the executive ended.",
+    ),
+]
 Picture = Annotated[
     Path | None, typer.Option("--picture", metavar="FILE", help="Save the last scene's picture here.")
 ]
@@ -98,14 +114,18 @@ def up(
     report: ReportFile = None,
     metrics: MetricsAt = "",
     traces: TracesTo = "",
+    data: Data = None,
+    on_restart: OnRestart = "resume",
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
 ) -> None:
     """Start router, simulated robot, skills and executive, and watch them until Ctrl-C."""
-    logs = _logs(context)
+    logs, bus = _logs(context), bus_options(connect, site_key, robot)
     options = RunOptions(
-        bus=bus_options(connect, site_key, robot),
+        bus=bus,
+        data=data or default_data(bus, os.environ),
+        on_restart=_on_restart(on_restart),
         scenario=_scenario(scenario, faults),
         faults=faults,
         seed=seed,
@@ -122,6 +142,14 @@ def up(
     from executive.compose import run_up  # noqa: PLC0415 - loads the whole system
 
     raise typer.Exit(run_up(options))
+
+
+def _on_restart(text: str) -> Restart:
+    for wish in get_args(Restart):
+        if text == wish:
+            return cast("Restart", text)
+    raise typer.BadParameter(f"resume, ask or interrupt was expected; found {text!r}",
+                             param_hint="--on-restart")  # fmt: skip
 
 
 def _speed(text: str) -> float | None:

@@ -142,7 +142,7 @@ def test_a_second_system_at_the_same_endpoint_refuses(live: ProcessSystem) -> No
     live.advance()
 
 
-@pytest.mark.parametrize("role", ["router", "hardware", "executive"])
+@pytest.mark.parametrize("role", ["router", "hardware"])
 def test_a_process_that_nobody_can_do_without_is_named_and_the_rest_ends(role: Role) -> None:
     ends = {}
 

@@ -6,7 +6,7 @@ import sys
 import time
 
 from executive.service import Executive
-from executive.task_queue import start_id
+from executive.task_book import start_id
 from skills.ports.geometry import Pose, from_axes
 from skills.ports.hardware import Clock
 from skills.ports.keys import CLOCK
