@@ -43,7 +43,7 @@ REST_WITHIN: Final = 5.0
 """Robot seconds in which a goal must have come to rest once told to; then the hardware is stopped."""
 SILENCE_ALLOWED: Final = 10.0
 """Host seconds that this is waited for while the robot's clock stands still."""
-SILENT_AFTER: Final = 1.0
+SILENT_AFTER: Final = 0.4
 """Host seconds without the hardware's clock after which the tree waits."""
 LOST_AFTER: Final = 15.0
 """Host seconds without it after which the task ends."""
@@ -235,6 +235,7 @@ class Run:
         self.look_again()
 
     def held_up_by(self) -> str:
+        """Return why it can't be paused, resumed or stepped now, or nothing."""
         if self.canceling:
             return "the task is being cancelled"
         if self.yielding:

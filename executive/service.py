@@ -152,8 +152,7 @@ class Executive:
         self._note_tries()
         self._album.step()
         self._questions.step()
-        running = "" if self._turn is None else self._turn.task
-        self._pulse.step(running, len(self.book.queue))
+        self._pulse.step("" if self._turn is None else self._turn.task, len(self.book.waiting))
         next_one = self._turn is None and self.book.next() is not None and self._leftovers.none
         return self._intake.unread or next_one
 
@@ -259,8 +258,14 @@ class Executive:
         context.enter("", 0.0 if status is None else status.progress.fraction)
         root = asked.kind.build(asked.request, context)
         self._tries.append(Tries(self._bus, self._clocks, context, self._album))
-        halt = Halt(self._bus, self._clocks)
-        run = Run(context, root, asked.kind.name, clocks=self._clocks, halt=halt, ticked=self._pulse.ticked)
+        run = Run(
+            context,
+            root,
+            asked.kind.name,
+            clocks=self._clocks,
+            halt=Halt(self._bus, self._clocks),
+            ticked=self._pulse.ticked,
+        )
         return Turn(run, asked, self.book, self._clocks, Expectation(self._ledger.past(asked.kind.name)))
 
     # What is told.
@@ -268,8 +273,8 @@ class Executive:
     def _tell(self, status: TaskStatus) -> None:
         """Publish a status once it is on disk."""
         self.book.keep()
-        self._task_log.note(status)
         self._questions.last = status.task
+        self._task_log.note(status)
         TASK_STATUS.publish(self._bus, status)
         task_status(status.task).publish(self._bus, status)
 

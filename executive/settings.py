@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import Final, Literal
 
 from executive.ledger.port import OnRestart
-from executive.options import LogFormat
 from skills.ports.message import Message
+from skills.wire.pulse import SILENT_AFTER
 
+LogFormat = Literal["text", "json"]
+"""Logs for people, or as lines of JSON."""
 Role = Literal[
     "router",
     "hardware",
@@ -69,6 +71,14 @@ class WorkerSettings(Message):
     """The observer's: host and port where it serves metrics for Prometheus; empty: nowhere."""
     traces: str = ""
     """The observer's: address of a collector of OpenTelemetry traces; empty: none."""
+    silent_after: float = SILENT_AFTER
+    """Host seconds without a beat after which another process is said not to go on."""
+    listen: tuple[str, ...] = ()
+    """Endpoints at which the router listens besides its own."""
+    keys: str | None = None
+    """Folder of keys, with which every process shows who it is; None: nobody asks."""
+    holder: str = ""
+    """The robot's name in that folder."""
 
 
 REFUSED: Final = 4

@@ -12,6 +12,7 @@ from typing import IO, Final, Protocol, Self
 
 from executive.options import RunOptions
 from executive.processes import Death, Supervisor
+from executive.security.identity import Identity
 from executive.settings import OBSERVER, ROLES, UNKEPT, Role, WorkerSettings
 from executive.telemetry.relay import LogRelay
 from sim.chatter import unheard
@@ -220,7 +221,7 @@ class ProcessSystem:
     def _refuse_second_router(self) -> None:
         endpoint = self._options.bus.endpoint
         try:
-            ZenohBus(endpoint, self._options.bus.prefix, patience=0.3).close()
+            self._open(0.3).close()
         except BusError:
             return
         raise RefusedError(
@@ -232,12 +233,17 @@ class ProcessSystem:
         deadline = time.monotonic() + READY_WITHIN
         while self._bus is None:
             try:
-                self._bus = ZenohBus(self._options.bus.endpoint, self._options.bus.prefix, patience=0.5)
+                self._bus = self._open(0.5)
             except BusError:
                 self._look_after()
                 if time.monotonic() > deadline:
                     raise SystemFailure(f"no router at {self._options.bus.endpoint}") from None
         self._clocks = ProcessClocks(self._bus)
+
+    def _open(self, patience: float) -> ZenohBus:
+        bus = self._options.bus
+        shown = None if bus.keys is None else Identity(bus.keys, bus.holder).part("supervisor")
+        return ZenohBus(bus.endpoint, bus.prefix, patience=patience, credentials=shown)
 
     def _executive_answers(self) -> bool:
         return wait_for(self, TASK_INFO.query(self.bus, Nothing(), timeout=0.3), 0.5) is not None
@@ -268,6 +274,10 @@ class ProcessSystem:
             log_format=options.log_format,
             metrics=options.metrics if role == OBSERVER else "",
             traces=options.traces if role == OBSERVER else "",
+            silent_after=options.silent_after,
+            listen=options.listen if role == "router" else (),
+            keys=None if options.bus.keys is None else str(options.bus.keys),
+            holder=options.bus.holder,
         )
 
     def _look_after(self) -> None:

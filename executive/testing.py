@@ -81,7 +81,7 @@ class TreeBench:
         return self.root
 
     def hold(self, node: str, *, before: bool = True) -> None:
-        """Have the tree held before or behind a node: ``gates.hit`` says when; ``gates.release`` lets it go on.
+        """Have the tree held before or behind a node: ``gates.hit`` says when, ``gates.release`` ends it.
 
         KeyError for a name that no node, or more than one, has.
         """

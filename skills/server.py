@@ -54,6 +54,8 @@ class _Current(Generic[F, R]):
     ready_at: float = 0.0
     started: bool = False
     client_gone_since: float | None = None
+    stands_by: bool = False
+    """Whether it was paused because its client does not go on."""
 
 
 class ActionServer(Generic[G, F, R]):
@@ -165,6 +167,8 @@ class ActionServer(Generic[G, F, R]):
         state = self._known[current.goal_id].state
         if state is GoalState.CANCELING or command is Command.GO_ON:
             return
+        if command is Command.RESUME and state is not GoalState.PAUSED:
+            return  # it goes on already: its client and its server may both have said so
         current.command = command
         current.ready_at = 0.0
         after = {
@@ -188,6 +192,7 @@ class ActionServer(Generic[G, F, R]):
         if current is None or not current.client:
             return
         now = self._clocks.monotonic()
+        self._stand_by(current, awake=current.client in self._bus.awake())
         if current.client in self._bus.alive():
             current.client_gone_since = None
         elif current.client_gone_since is None:
@@ -195,6 +200,23 @@ class ActionServer(Generic[G, F, R]):
         elif now - current.client_gone_since > ORPHANED_AFTER:
             log.warning("a client is gone, its goal is cancelled", extra=self._about(current.goal_id))
             self._command(current, Command.CANCEL)
+
+    def _stand_by(self, current: _Current[F, R], *, awake: bool) -> None:
+        """Come to rest while the client does not go on, and go on when it does."""
+        state = self._known[current.goal_id].state
+        if not awake and not current.stands_by and state is GoalState.RUNNING:
+            log.warning(
+                "%s: client %s is silent, goal %s stands by", self.name, current.client, current.goal_id
+            )
+            current.stands_by = True
+            self._command(current, Command.PAUSE)
+        elif awake and current.stands_by:
+            current.stands_by = False
+            if state is GoalState.PAUSED:
+                log.warning(
+                    "%s: client %s goes on, and so does %s", self.name, current.client, current.goal_id
+                )
+                self._command(current, Command.RESUME)
 
     def _resume(self) -> bool:
         while (current := self._current) is not None:

@@ -18,6 +18,7 @@ from executive.cli import (
     bench_command,
     campaign_command,
     doctor,
+    keys_command,
     request_command,
     run_commands,
     scenario_commands,
@@ -31,7 +32,7 @@ from executive.cli import (
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import MEANINGS, ExitCode
 from executive.cli.logs import LogOptions
-from executive.options import LogFormat
+from executive.settings import LogFormat
 
 _LOG = logging.getLogger(__name__)
 
@@ -46,6 +47,7 @@ _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     schema_command.add_to,
     campaign_command.add_to,
     bench_command.add_to,
+    keys_command.add_to,
     doctor.add_to,
 )
 

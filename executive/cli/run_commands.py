@@ -8,10 +8,12 @@ from typing import Annotated, cast, get_args
 
 import typer
 
-from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
+from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.cli.logs import LogOptions
+from executive.cli.opening import checked_endpoints, checked_roles, owner_of
 from executive.ledger.port import OnRestart as Restart
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions, default_data
+from skills.wire.pulse import SILENT_AFTER
 
 Scenario = Annotated[
     str,
@@ -57,6 +59,28 @@ OnRestart = Annotated[
 ]
 Picture = Annotated[
     Path | None, typer.Option("--picture", metavar="FILE", help="Save the last scene's picture here.")
+]
+Listen = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--listen", metavar="ENDPOINT", help="Where the router listens too, as tls/HOST:PORT; again for more."
+    ),
+]
+Insecure = Annotated[
+    bool,
+    typer.Option(
+        "--insecure", help="Listen beyond this host without TLS: whoever gets there moves the robot."
+    ),
+]
+SilentAfter = Annotated[
+    float,
+    typer.Option(
+        "--silent-after", min=0.2, max=10.0, help="Seconds unheard after which a process is said to hang."
+    ),
+]
+Only = Annotated[
+    str | None,
+    typer.Option("--only", metavar="ROLE,...", help="Start these processes alone; the others run elsewhere."),
 ]
 
 
@@ -119,9 +143,16 @@ def up(
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    listen: Listen = None,
+    insecure: Insecure = False,
+    keys: Keys = None,
+    holder: As = "",
+    only: Only = None,
+    silent_after: SilentAfter = SILENT_AFTER,
 ) -> None:
     """Start router, simulated robot, skills and executive, and watch them until Ctrl-C."""
-    logs, bus = _logs(context), bus_options(connect, site_key, robot)
+    logs = _logs(context)
+    bus, roles = owner_of(bus_options(connect, site_key, robot, keys, holder)), checked_roles(only)
     options = RunOptions(
         bus=bus,
         data=data or default_data(bus, os.environ),
@@ -138,6 +169,9 @@ def up(
         log_format=logs.format,
         metrics=_metrics(metrics, lockstep=lockstep),
         traces=_traces(traces, lockstep=lockstep),
+        silent_after=silent_after,
+        listen=checked_endpoints(bus, listen or (), insecure=insecure) if "router" in roles else (),
+        only=roles,
     )
     from executive.compose import run_up  # noqa: PLC0415 - loads the whole system
 

@@ -283,6 +283,13 @@ class ExecutivePulse(Message):
 
 REQUEST: Final = "task/request"
 """Put or query a request's document here: {"task": "fetch", "item": 29}."""
+
+
+def by_client(name: str, key: str) -> str:
+    """Return the key at which a client with a name of its own asks: ``task/by/<name>/request``."""
+    return key.replace("task/", f"task/by/{name}/", 1)
+
+
 TASK_ANSWERS: Final = Topic("task/answers", TaskAnswer)
 """What was answered to each request, for clients that only put."""
 TASK_STATUS: Final = Topic("task/status", TaskStatus)
