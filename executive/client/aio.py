@@ -18,6 +18,8 @@ from executive.client.following import Following, FollowingTree
 from executive.client.questions import By, Forced, Questions, Request, When, new_id
 from executive.client.talks import PATIENCE, T, Talk, Talks
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
+from executive.security.holders import KeysError
+from executive.security.identity import Identity
 from skills.ports.bus import Bus
 from skills.ports.tasks import (
     AskHistory,
@@ -77,6 +79,8 @@ class AsyncClient:
         site: first part of every key.
         robot: second part of every key.
         patience: seconds in which router and executive must answer.
+        identity: whose key is shown to a router that speaks TLS: ``Identity(Path(folder), name)`` of what
+            ``tandem keys`` made.
         link: an end of a bus to use instead of a session of its own, as tests do.
         ids: makes the ids of requests that have none.
         monotonic: the host's clock.
@@ -89,12 +93,14 @@ class AsyncClient:
         site: str = DEFAULT_SITE,
         robot: str = DEFAULT_ROBOT,
         patience: float = PATIENCE,
+        identity: Identity | None = None,
         link: AsyncLink | None = None,
         ids: Callable[[], str] = new_id,
         monotonic: Callable[[], float] = time.monotonic,
     ) -> None:
         self._endpoint, self._prefix, self._patience = endpoint, f"{site}/{robot}", patience
         self._link, self._ids, self._monotonic = link, ids, monotonic
+        self._identity = identity
 
     async def connect(self) -> Self:
         """Open the session, in asyncio's threads, as zenoh's opening blocks.
@@ -105,10 +111,16 @@ class AsyncClient:
         if self._link is None:
             waker = LoopWaker(asyncio.get_running_loop())
             try:
+                shown = None if self._identity is None else self._identity.client()
                 bus = await asyncio.to_thread(
-                    ZenohBus, self._endpoint, self._prefix, patience=self._patience, waker=waker
+                    ZenohBus,
+                    self._endpoint,
+                    self._prefix,
+                    patience=self._patience,
+                    waker=waker,
+                    credentials=shown,
                 )
-            except BusError as error:
+            except (BusError, KeysError) as error:
                 raise NotConnectedError(str(error)) from error
             self._link = AsyncZenohLink(bus, waker)
         return self
@@ -272,7 +284,9 @@ class AsyncClient:
     @property
     def _ask(self) -> Questions:
         where = f"{self._prefix} at {self._endpoint}"
-        return Questions(Talks(self._open.bus, self._monotonic, where, self._patience), self._ids)
+        return Questions(
+            Talks(self._open.bus, self._monotonic, where, self._patience), self._ids, self._identity
+        )
 
     @property
     def _open(self) -> AsyncLink:

@@ -12,6 +12,7 @@ from pydantic import JsonValue
 
 from executive.client.errors import RefusedError, RejectedError, UnknownTaskError
 from executive.client.talks import Sent, Talk, Talks
+from executive.security.identity import Identity
 from executive.why import chosen, explain
 from skills.ports.keys import Nothing, Service
 from skills.ports.message import Message
@@ -46,6 +47,7 @@ from skills.ports.tasks import (
     TaskAnswer,
     TaskStatus,
     TreeSnapshot,
+    by_client,
 )
 
 By = Literal["leaf", "tick"]
@@ -69,15 +71,17 @@ class Questions:
     Args:
         talks: asks until there is an answer.
         new_id: makes an id for a request that has none.
+        identity: whose key is shown, where the router asks for one; the holder asks in its own name.
     """
 
     talks: Talks
     new_id: Callable[[], str] = new_id
+    identity: Identity | None = None
 
     def submit(self, request: Request, client_id: str) -> Talk[str]:
         """Send a request and return its task's id; RejectedError when it is not taken."""
         document = self._with_id(request, client_id)
-        answer = yield from self.talks.answer(REQUEST, json.dumps(document).encode(), TaskAnswer)
+        answer = yield from self.talks.answer(self._own(REQUEST), json.dumps(document).encode(), TaskAnswer)
         if not answer.accepted:
             raise RejectedError(answer.problems)
         return answer.task
@@ -119,7 +123,10 @@ class Questions:
 
     def cancel(self, task: str) -> Talk[str]:
         """Cancel a task."""
-        return self._verb("cancel", TASK_CANCEL, task, lambda named: CancelTask(task=named))
+        requester = self.identity is not None and self.identity.role() == "requester"
+        key = self._own(TASK_CANCEL.key) if requester else TASK_CANCEL.key
+        service = Service(key, TASK_CANCEL.asked, TASK_CANCEL.answered)
+        return self._verb("cancel", service, task, lambda named: CancelTask(task=named))
 
     def pause(self, task: str) -> Talk[str]:
         """Pause a task."""
@@ -172,6 +179,10 @@ class Questions:
         if not answer.accepted:
             raise RefusedError(verb, named, answer.reason)
         return named
+
+    def _own(self, key: str) -> str:
+        """Return the key at which the holder of a key asks in its own name."""
+        return key if self.identity is None else by_client(self.identity.name, key)
 
     def _with_id(self, request: Request, client_id: str) -> dict[str, JsonValue]:
         body = request.model_dump(mode="json") if isinstance(request, Message) else dict(request)

@@ -17,6 +17,8 @@ from executive.client.following import Following, FollowingTree
 from executive.client.questions import By, Forced, Questions, Request, When, new_id
 from executive.client.talks import PATIENCE, T, Talk, Talks
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
+from executive.security.holders import KeysError
+from executive.security.identity import Identity
 from skills.ports.bus import Bus
 from skills.ports.tasks import (
     AskHistory,
@@ -74,12 +76,14 @@ class Client:
         site: first part of every key.
         robot: second part of every key.
         patience: seconds in which router and executive must answer.
+        identity: whose key is shown to a router that speaks TLS: ``Identity(Path(folder), name)`` of what
+            ``tandem keys`` made.
         link: an end of a bus to use instead of a session of its own, as tests do.
         ids: makes the ids of requests that have none.
         monotonic: the host's clock.
 
     Raises:
-        NotConnectedError: when no router answers at the endpoint.
+        NotConnectedError: when no router answers at the endpoint, or the keys are not as they should be.
     """
 
     def __init__(
@@ -89,6 +93,7 @@ class Client:
         site: str = DEFAULT_SITE,
         robot: str = DEFAULT_ROBOT,
         patience: float = PATIENCE,
+        identity: Identity | None = None,
         link: Link | None = None,
         ids: Callable[[], str] = new_id,
         monotonic: Callable[[], float] = time.monotonic,
@@ -96,11 +101,13 @@ class Client:
         where = f"{site}/{robot} at {endpoint}"
         if link is None:
             try:
-                link = ZenohLink(ZenohBus(endpoint, f"{site}/{robot}", patience=patience))
-            except BusError as error:
+                shown = None if identity is None else identity.client()
+                bus = ZenohBus(endpoint, f"{site}/{robot}", patience=patience, credentials=shown)
+                link = ZenohLink(bus)
+            except (BusError, KeysError) as error:
                 raise NotConnectedError(str(error)) from error
         self._link: Link | None = link
-        self._ask = Questions(Talks(link.bus, monotonic, where, patience), ids)
+        self._ask = Questions(Talks(link.bus, monotonic, where, patience), ids, identity)
 
     def __enter__(self) -> Self:
         """Stay open until the context is left."""
