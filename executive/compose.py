@@ -118,7 +118,7 @@ def _system(
     def say(line: str) -> None:
         console.print(line, style="yellow", markup=False)
 
-    with ProcessSystem(options, say=say) as processes:
+    with ProcessSystem(options, roles=options.only, say=say) as processes:
         yield processes
 
 

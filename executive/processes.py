@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Final, Self
 
-from executive.settings import REFUSED, ROLES, UNKEPT, WorkerSettings
+from executive.settings import OBSERVER, REFUSED, ROLES, UNKEPT, WorkerSettings
 
 ENDS_WITHIN: Final = 5.0
 """Seconds that a process has for its own end; then it is killed."""
@@ -25,7 +25,7 @@ FOLLOWERS_END_WITHIN: Final = 1.5
 LAST_WORDS: Final = 12
 """Lines of a dead process's log that are shown."""
 SKILL_ROLES: Final = tuple(role for role in ROLES if role not in {"router", "hardware", "executive"})
-RESTARTED: Final = (*SKILL_ROLES, "executive")
+RESTARTED: Final = (*SKILL_ROLES, "executive", OBSERVER)
 """Those that are started again: what they do is taken up."""
 NO_USE: Final = (REFUSED, UNKEPT)
 """Exit codes that say that another start would end the same way."""
@@ -142,6 +142,12 @@ class Supervisor:
         self.start(child.settings.model_copy(update={"again": True, "crash_at": None}))
         return True
 
+    def give_up(self, role: str) -> None:
+        """Do without a process that has ended and that nothing needs."""
+        child = self.child(role)
+        self.children.remove(child)
+        child.stream.close()
+
     def tidy(self) -> None:
         """See to the followers of processes that were started again. Never waits."""
         now = time.monotonic()
@@ -149,20 +155,13 @@ class Supervisor:
             if not _tell_group(group, signal.SIGKILL if now > end else 0):
                 del self._orphans[group]
 
-    def collect_logs(self, into: Path) -> None:
-        """Write the logs of all roles into one file, one role after the other."""
-        into.parent.mkdir(parents=True, exist_ok=True)
-        with into.open("a", encoding="utf-8") as all_logs:
-            for log in sorted(self.folder.glob("*.log")):
-                all_logs.write(log.read_text("utf-8", "replace"))
-
     def end(self) -> None:
         """Tell all to end and kill those that don't: the executive first, so that its goals come to rest.
 
         Its leaves cancel their goals while the skills still live; the hardware outlives the skills, and the
         router everybody.
         """
-        for roles in (("executive",), SKILL_ROLES, ("hardware", "mock"), ("router",)):
+        for roles in (("executive",), SKILL_ROLES, (OBSERVER,), ("hardware", "mock"), ("router",)):
             going = [child for child in self.children if child.role in roles]
             for child in going:
                 if child.process.poll() is None:

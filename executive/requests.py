@@ -20,6 +20,8 @@ KIND_FIELD: Final = "task"
 """Names the kind of task."""
 ID_FIELD: Final = "id"
 """The client's own name for its request: repeated in the answer."""
+BY_FIELD: Final = "by"
+"""Who asked, by the key of the request; put there by ``executive.doors``."""
 MAX_ID: Final = 64
 
 _EXPECTED: Final[Mapping[str, str]] = {
@@ -106,7 +108,7 @@ def _contradictions(envelope: Envelope) -> tuple[Problem, ...]:
 
 def body_of(document: Mapping[str, JsonValue], model: type[Message]) -> dict[str, JsonValue]:
     """Return what the model itself asks for: without the envelope's fields that it does not have."""
-    envelope = {KIND_FIELD, ID_FIELD, *FIELDS} - model.model_fields.keys()
+    envelope = {KIND_FIELD, ID_FIELD, BY_FIELD, *FIELDS} - model.model_fields.keys()
     return {name: value for name, value in document.items() if name not in envelope}
 
 

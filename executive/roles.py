@@ -27,6 +27,7 @@ from skills.site import load
 if TYPE_CHECKING:
     from executive.ledger.port import Ledger
     from executive.on_restart import OnRestart
+    from skills.wire.credentials import Credentials
     from skills.wire.zenoh_bus import ZenohBus
 
 SKILL_ROLES: Final[tuple[Role, ...]] = ("keeper", "perception", "base", "arm_left", "arm_right")
@@ -121,11 +122,13 @@ def executive_node(
     """
     from importlib.metadata import version  # noqa: PLC0415
 
+    from executive.doors import Doors  # noqa: PLC0415
     from executive.service import Executive, Policy  # noqa: PLC0415
     from trees.registry import discover  # noqa: PLC0415
 
-    return Executive(
-        bus,
+    doors = Doors(bus, clocks)
+    executive = Executive(
+        doors,
         clocks,
         site,
         discover(),
@@ -134,6 +137,8 @@ def executive_node(
         ledger=ledger,
         policy=Policy(on_restart=on_restart),
     )
+    doors.tasks = executive.book.all
+    return executive
 
 
 def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
@@ -147,7 +152,12 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         return
     from skills.wire.zenoh_bus import ZenohBus  # noqa: PLC0415
 
-    bus = ZenohBus(settings.endpoint, settings.prefix)
+    bus = ZenohBus(
+        settings.endpoint,
+        settings.prefix,
+        credentials=_credentials(settings),
+        silent_after=settings.silent_after,
+    )
     try:
         # Announced at once, long before ``process/...`` says that the role is ready to be played.
         claim = f"role/{settings.role}"
@@ -157,7 +167,9 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
                 f"already; end it first, or give this robot keys of its own with --robot"
             )
         bus.announce(claim)
-        if settings.role == "hardware":
+        if settings.role == "observer":
+            _play_observer(settings, bus, stopped)
+        elif settings.role == "hardware":
             _play_hardware(settings, bus, stopped)
         elif settings.role == "mock":
             _play_mock(settings, bus, stopped)
@@ -167,17 +179,25 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         bus.close()
 
 
-def _play_router(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
-    from skills.wire.zenoh_bus import BusError, Waker, open_session, router_config  # noqa: PLC0415
+def _credentials(settings: WorkerSettings) -> Credentials | None:
+    if settings.keys is None:
+        return None
+    from executive.security.identity import Identity  # noqa: PLC0415
 
+    return Identity(Path(settings.keys), settings.holder).process(settings.role)
+
+
+def _play_router(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
+    from executive.router import Router  # noqa: PLC0415
+    from skills.wire.zenoh_bus import Waker  # noqa: PLC0415
+
+    router, waker = Router(settings, _credentials(settings)), Waker()
     try:
-        session = open_session(router_config(settings.endpoint), settings.endpoint)
-    except BusError as error:
-        raise RefusalError(f"nothing can listen at {settings.endpoint}: is another router there?") from error
-    waker = Waker()
-    while not stopped():
-        waker.wait(0.1)
-    session.close()  # type: ignore[no-untyped-call]
+        while not stopped():
+            waker.wait(0.1)
+            router.step()
+    finally:
+        router.close()
 
 
 def _play_hardware(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
@@ -204,6 +224,12 @@ def _play_hardware(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[]
         run_paced(station, bus, settings.speed, stopped)
     finally:
         station.close()
+
+
+def _play_observer(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
+    from executive.telemetry.process import observe  # noqa: PLC0415
+
+    observe(settings, bus, stopped)
 
 
 def _play_mock(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:

@@ -6,6 +6,7 @@ It looks after what no tree can: goals that don't come to rest, hardware that is
 from __future__ import annotations
 
 import logging
+from collections.abc import Callable
 from typing import Final
 
 from py_trees.behaviour import Behaviour
@@ -42,7 +43,7 @@ REST_WITHIN: Final = 5.0
 """Robot seconds in which a goal must have come to rest once told to; then the hardware is stopped."""
 SILENCE_ALLOWED: Final = 10.0
 """Host seconds that this is waited for while the robot's clock stands still."""
-SILENT_AFTER: Final = 1.0
+SILENT_AFTER: Final = 0.4
 """Host seconds without the hardware's clock after which the tree waits."""
 LOST_AFTER: Final = 15.0
 """Host seconds without it after which the task ends."""
@@ -51,6 +52,10 @@ WIND_DOWN_WITHIN: Final = 120.0
 WAITS: Final = "waits for the hardware"
 
 _LOG = logging.getLogger(__name__)
+
+
+def _nobody(_: float) -> None:
+    """Nobody asks how long a tick took."""
 
 
 class Run:
@@ -62,10 +67,18 @@ class Run:
         kind: the kind of task.
         clocks: robot time for timers, host time for when the robot's stands still.
         halt: stops the hardware, when goals don't come to rest.
+        ticked: told how many seconds of the host each tick took.
     """
 
     def __init__(
-        self, context: TreeContext, root: Behaviour, kind: str, *, clocks: Clocks, halt: Halt
+        self,
+        context: TreeContext,
+        root: Behaviour,
+        kind: str,
+        *,
+        clocks: Clocks,
+        halt: Halt,
+        ticked: Callable[[float], None] = _nobody,
     ) -> None:
         self.context = context
         self.ended: Ending | None = None
@@ -73,6 +86,7 @@ class Run:
         self.canceling = False
         """Whether it has been cancelled."""
         self._root, self._kind, self._clocks, self._halt = root, kind, clocks, halt
+        self._ticked = ticked
         self._hold = Hold(context, clocks)
         self._ending: Ending | None = None
         self._resting = Elapsed(clocks)  # since the tree's end
@@ -273,6 +287,7 @@ class Run:
             raise  # no goal may be sent that is not written down
         except Exception as error:  # noqa: BLE001 - a tree's mistake costs its task, not the service
             self._crash(error)
+        self._ticked(self._clocks.monotonic() - self._ticked_on_host)
 
     def _judge(self, ticked: tuple[Behaviour, ...]) -> None:
         status = NodeStatus(self._root.status.name)
@@ -298,7 +313,7 @@ class Run:
 
     def _crash(self, error: Exception) -> None:
         """End a tree that raised: a mistake in the program, which must cost this task and nothing else."""
-        _LOG.error("%s: its tree raised", self.context.task, exc_info=error)
+        _LOG.error("a tree raised", extra={"task": self.context.task}, exc_info=error)
         if self._ending is None:
             self._stop_tree()
             self._end_with(self._as_failed(raised(self._root, error)))
@@ -309,7 +324,7 @@ class Run:
         try:
             self._root.stop(Status.INVALID)
         except Exception:  # noqa: BLE001 - the tree is given up anyway
-            _LOG.exception("%s: its tree raised while it was stopped", self.context.task)
+            _LOG.exception("a tree raised while it was stopped", extra={"task": self.context.task})
 
     # The end.
 
@@ -373,7 +388,7 @@ class Run:
         try:
             return self.context.with_places(failure)
         except Exception:  # noqa: BLE001 - the end is told in any case
-            _LOG.exception("%s: where everything is could not be told", self.context.task)
+            _LOG.exception("where everything is could not be told", extra={"task": self.context.task})
             return failure
 
     def _last_failure(self) -> Failure | None:

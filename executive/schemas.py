@@ -88,7 +88,7 @@ def interface_schema(kinds: Mapping[str, TaskType[Message]]) -> dict[str, JsonVa
     """Return one document: every message in ``$defs``, and which of them travels on which key."""
     definitions = _definitions([kind.request for kind in kinds.values()] + list(CLIENT_MESSAGES))
     for kind in kinds.values():
-        definitions[kind.request.__name__] = _with_envelope(definitions[kind.request.__name__], kind)
+        definitions[kind.request.__name__] = with_envelope(definitions[kind.request.__name__], kind)
     requests: list[JsonValue] = [_ref(kind.request) for kind in kinds.values()]
     definitions["Request"] = {"oneOf": requests, "title": "Request"}
     return {
@@ -117,7 +117,7 @@ def _definitions(models: list[type[Message]]) -> dict[str, JsonValue]:
     return _DOCUMENT.validate_python(schema["$defs"])
 
 
-def _with_envelope(schema: JsonValue, kind: TaskType[Message]) -> JsonValue:
+def with_envelope(schema: JsonValue, kind: TaskType[Message]) -> JsonValue:
     """Return a request's schema with what the executive takes beside the model's own fields."""
     assert isinstance(schema, dict)
     properties, required = schema.get("properties"), schema.get("required", [])

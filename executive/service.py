@@ -21,11 +21,13 @@ from executive.ledger.port import Ledger
 from executive.leftovers import Leftovers
 from executive.on_restart import OnRestart
 from executive.pictures import Album, Tries
+from executive.pulse import Pulse
 from executive.questions import Questions
 from executive.requests import Asked
 from executive.resume import Comeback, How, take_up
 from executive.run import Run
 from executive.task_book import KEPT, MAX_WAITING, TaskBook
+from executive.task_log import TaskLog
 from executive.turn import Turn
 from executive.verbs import Verbs
 from skills.ports.bus import Bus
@@ -116,6 +118,7 @@ class Executive:
         self._verbs, self._album = Verbs(bus, self._control.verbs()), Album(bus)
         self._questions = Questions(bus, self.book, self._ledger, info=self._info, tree=self._tree)
         self._tries: list[Tries] = []  # of the running task, and of those before whose picture is under way
+        self._pulse, self._task_log = Pulse(bus, clocks), TaskLog()
         self._leftovers = Leftovers(bus, clocks, self.clients, self.knowledge)
         self._ended = 0
         self._closed = False
@@ -150,6 +153,7 @@ class Executive:
         self._note_tries()
         self._album.step()
         self._questions.step()
+        self._pulse.step("" if self._turn is None else self._turn.task, len(self.book.waiting))
         next_one = self._turn is None and self.book.next() is not None and self._leftovers.none
         return self._intake.unread or next_one
 
@@ -239,7 +243,7 @@ class Executive:
         try:
             self._turn = self._build(task, asked)
         except Exception as error:  # noqa: BLE001 - a builder's mistake costs its task, not the service
-            _LOG.exception("%s: its tree could not be built", task)
+            _LOG.exception("a tree could not be built", extra={"task": task})
             what = f"{type(error).__name__}: {error}"
             text = f"building the tree raised {what}; the executive's log has the trace"
             failure = Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=asked.kind.name)
@@ -256,7 +260,14 @@ class Executive:
         context.enter("", 0.0 if status is None else status.progress.fraction)
         root = asked.kind.build(asked.request, context)
         self._tries.append(Tries(self._bus, self._clocks, context, self._album))
-        run = Run(context, root, asked.kind.name, clocks=self._clocks, halt=Halt(self._bus, self._clocks))
+        run = Run(
+            context,
+            root,
+            asked.kind.name,
+            clocks=self._clocks,
+            halt=Halt(self._bus, self._clocks),
+            ticked=self._pulse.ticked,
+        )
         return Turn(run, asked, self.book, self._clocks, Expectation(self._ledger.past(asked.kind.name)))
 
     # What is told.
@@ -265,6 +276,7 @@ class Executive:
         """Publish a status once it is on disk."""
         self.book.keep()
         self._questions.last = status.task
+        self._task_log.note(status)
         TASK_STATUS.publish(self._bus, status)
         task_status(status.task).publish(self._bus, status)
 

@@ -6,9 +6,21 @@ from typing import Final, Literal
 
 from executive.on_restart import OnRestart
 from skills.ports.message import Message
+from skills.wire.pulse import SILENT_AFTER
 
+LogFormat = Literal["text", "json"]
+"""Logs for people, or as lines of JSON."""
 Role = Literal[
-    "router", "hardware", "keeper", "perception", "base", "arm_left", "arm_right", "executive", "mock"
+    "router",
+    "hardware",
+    "keeper",
+    "perception",
+    "base",
+    "arm_left",
+    "arm_right",
+    "executive",
+    "observer",
+    "mock",
 ]
 """``mock`` stands in for hardware and skills in the campaign of crashes; no other system has it."""
 ROLES: Final[tuple[Role, ...]] = (
@@ -22,6 +34,8 @@ ROLES: Final[tuple[Role, ...]] = (
     "executive",
 )
 """In the order in which they are started."""
+OBSERVER: Final[Role] = "observer"
+"""Keeps records for who asks for them; nothing needs it, and it is not started unless asked for."""
 
 
 class WorkerSettings(Message):
@@ -52,6 +66,19 @@ class WorkerSettings(Message):
     crash_log: str | None = None
     """File to which each such point is written when it is first passed."""
     verbose: bool = False
+    log_format: LogFormat = "text"
+    metrics: str = ""
+    """The observer's: host and port where it serves metrics for Prometheus; empty: nowhere."""
+    traces: str = ""
+    """The observer's: address of a collector of OpenTelemetry traces; empty: none."""
+    silent_after: float = SILENT_AFTER
+    """Host seconds without a beat after which another process is said not to go on."""
+    listen: tuple[str, ...] = ()
+    """Endpoints at which the router listens besides its own."""
+    keys: str | None = None
+    """Folder of keys, with which every process shows who it is; None: nobody asks."""
+    holder: str = ""
+    """The robot's name in that folder."""
 
 
 REFUSED: Final = 4

@@ -11,10 +11,15 @@ import signal
 import sys
 from dataclasses import dataclass, field
 from types import FrameType
+from typing import Final
 
 from executive import roles
 from executive.ledger.port import LedgerError, LedgerLockedError
 from executive.settings import REFUSED, UNKEPT, RefusalError, WorkerSettings
+from executive.telemetry.logs import formatter
+
+SWITCH_INTERVAL: Final = 0.0005
+"""Seconds after which a thread that computes lets another go on."""
 
 
 @dataclass(eq=False)
@@ -40,11 +45,12 @@ class Ending:
 def main(argv: list[str]) -> int:
     """Play the role; return the process's exit code."""
     settings = WorkerSettings.model_validate_json(argv[0])
-    logging.basicConfig(
-        level=logging.DEBUG if settings.verbose else logging.INFO,
-        format=f"%(asctime)s {settings.role} %(levelname)s %(name)s: %(message)s",
-        stream=sys.stderr,
-    )
+    handler = logging.StreamHandler(sys.stderr)
+    handler.setFormatter(formatter(settings.log_format, settings.role))
+    logging.basicConfig(level=logging.DEBUG if settings.verbose else logging.INFO, handlers=[handler])
+    # zenoh's callbacks wait until the loop's thread lets them go on. At Python's 5 ms a message, a loop
+    # that is busy would hear 200 of them in a second.
+    sys.setswitchinterval(SWITCH_INTERVAL)
     ending = Ending()
     ending.listen()
     try:

@@ -102,9 +102,13 @@ class GoalHandle(Generic[G, F, R]):
         """Say whether it was told to come to rest and has not in time.
 
         ``within_robot``: robot seconds; ``within_host``: host seconds for which the robot's clock stands.
+        A goal whose server is gone is not overdue but about to be lost, after ``ANSWER_WITHIN`` of the host's
+        clock, however far the robot's has run meanwhile.
         """
         settling = None if self.ended else self._settling
-        return settling is not None and settling.beyond(within_robot, within_host)
+        if settling is None or not self._client.alive():
+            return False
+        return settling.beyond(within_robot, within_host)
 
     def drop(self, message: str) -> None:
         """Give it up: it has failed, and nothing that its server says later is heard."""
@@ -129,12 +133,13 @@ class GoalHandle(Generic[G, F, R]):
         if self._read_answers():
             return
         now = self._client.clocks.monotonic()
-        if self._client.alive():
+        if self._client.awake():
             self._heard_at = max(self._heard_at, now) if self.state is not None else self._heard_at
         if now - self._heard_at > ANSWER_WITHIN:
+            self._push(Command.CANCEL)  # one that only hung must not go on with it once it is back
             self._lose(f"no answer from {self._client.action.name} for {ANSWER_WITHIN:.0f} s")
             return
-        unsure = self.state is None or not self._client.alive() or now - self._told_at > UNSURE_AFTER
+        unsure = self.state is None or not self._client.awake() or now - self._told_at > UNSURE_AFTER
         if unsure and self._pending is None and now - self._asked_at > RETRY_PERIOD:
             self._ask()
         self._watch_time()
@@ -330,6 +335,10 @@ class ActionClient(Generic[G, F, R]):
     def alive(self) -> bool:
         """Whether a server of this action is announced."""
         return f"skill/{self.action.name}" in self.bus.alive()
+
+    def awake(self) -> bool:
+        """Whether that server's process goes on."""
+        return f"skill/{self.action.name}" in self.bus.awake()
 
     def close(self) -> None:
         """End the subscription."""

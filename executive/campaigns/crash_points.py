@@ -135,6 +135,10 @@ class CrashBus:
         """As the bus."""
         return self.inner.alive()
 
+    def awake(self) -> frozenset[str]:
+        """As the bus."""
+        return self.inner.awake()
+
 
 @dataclass(eq=False)
 class CrashLedger:

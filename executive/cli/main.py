@@ -18,6 +18,7 @@ from executive.cli import (
     bench_command,
     campaign_command,
     doctor,
+    keys_command,
     request_command,
     run_commands,
     scenario_commands,
@@ -31,6 +32,7 @@ from executive.cli import (
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import MEANINGS, ExitCode
 from executive.cli.logs import LogOptions
+from executive.settings import LogFormat
 
 _LOG = logging.getLogger(__name__)
 
@@ -45,6 +47,7 @@ _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     schema_command.add_to,
     campaign_command.add_to,
     bench_command.add_to,
+    keys_command.add_to,
     doctor.add_to,
 )
 
@@ -110,12 +113,15 @@ def _common(
     verbose: Annotated[
         bool, typer.Option("--verbose", "-v", help="Write what happens to standard error.")
     ] = False,
+    log_format: Annotated[
+        LogFormat, typer.Option("--log-format", help="Logs for people, or as lines of JSON.")
+    ] = "text",
     version: Annotated[  # noqa: ARG001 - its callback does the work
         bool,
         typer.Option("--version", help="Print the version.", is_eager=True, callback=_print_version),
     ] = False,
 ) -> None:
-    context.obj = LogOptions(log, verbose)
+    context.obj = LogOptions(log, verbose, log_format)
     context.obj.apply()
 
 

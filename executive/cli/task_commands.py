@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from executive.cli.arguments import Connect, Output, Robot, SiteKey, bus_options
+from executive.cli.arguments import As, Connect, Keys, Output, Robot, SiteKey, bus_options
 from executive.cli.errors import CommandError
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
 
@@ -41,12 +41,14 @@ def tasks(
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """List the tasks that the executive remembers, oldest first; with --all those of the ledger too."""
     from executive.cli.history import lately, of_ledger  # noqa: PLC0415
     from skills.ports.tasks import TaskList  # noqa: PLC0415
 
-    options = bus_options(connect, site_key, robot)
+    options = bus_options(connect, site_key, robot, keys, holder)
     if everything or state or since:
         found = of_ledger(options, data, _asked(state, since))
     else:
@@ -68,11 +70,13 @@ def export(
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """Write the ledger's tasks as JSON lines, oldest first."""
     from executive.cli.history import of_ledger  # noqa: PLC0415
 
-    found = of_ledger(bus_options(connect, site_key, robot), data, _asked(state, since))
+    found = of_ledger(bus_options(connect, site_key, robot, keys, holder), data, _asked(state, since))
     lines = "".join(f"{status.model_dump_json()}\n" for status in found)
     if output is None:
         typer.echo(lines, nl=False)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
+from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
@@ -39,6 +39,8 @@ def why(
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """Tell why a task failed, what was tried, where things are, and what to do next."""
     from executive.cli.connection import Connection  # noqa: PLC0415
@@ -46,7 +48,7 @@ def why(
     from executive.why import chosen, explain, last_picture  # noqa: PLC0415
     from skills.ports.tasks import AskHistory  # noqa: PLC0415
 
-    options = bus_options(connect, site_key, robot)
+    options = bus_options(connect, site_key, robot, keys, holder)
     known = of_ledger(options, data, AskHistory(task=task)) if task else lately(options, data)
     status = chosen(known, task)
     if status is None:

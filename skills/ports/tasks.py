@@ -260,8 +260,36 @@ class ExecutiveInfo(Message):
     queued: int = 0
 
 
+class Times(Message):
+    """A histogram of durations since the start of who counts them."""
+
+    bounds: tuple[float, ...]
+    """Seconds; the upper edge of each class but the last, which has none."""
+    counts: tuple[int, ...]
+    """How many fell into each class; one more than there are bounds."""
+    total: float
+    """Seconds, all of them together."""
+
+
+class ExecutivePulse(Message):
+    """Told once a second, for who watches over the executive."""
+
+    queued: int
+    running: str = ""
+    """The task that runs, or nothing."""
+    ticks: Times
+    """How long the ticks of trees took, in seconds of the host."""
+
+
 REQUEST: Final = "task/request"
 """Put or query a request's document here: {"task": "fetch", "item": 29}."""
+
+
+def by_client(name: str, key: str) -> str:
+    """Return the key at which a client with a name of its own asks: ``task/by/<name>/request``."""
+    return key.replace("task/", f"task/by/{name}/", 1)
+
+
 TASK_ANSWERS: Final = Topic("task/answers", TaskAnswer)
 """What was answered to each request, for clients that only put."""
 TASK_STATUS: Final = Topic("task/status", TaskStatus)
@@ -282,6 +310,7 @@ TASK_PICTURE: Final = "task/picture"
 """Asked with an AskPicture; answered with a JPEG, or with nothing when there is none."""
 TASK_LIST: Final = Service("task/list", Nothing, TaskList)
 TASK_INFO: Final = Service("task/info", Nothing, ExecutiveInfo)
+TASK_PULSE: Final = Topic("task/pulse", ExecutivePulse)
 TREE: Final = Topic("tree/snapshot", TreeSnapshot)
 TREE_NOW: Final = Service("tree/now", Nothing, TreeSnapshot)
 

@@ -94,7 +94,8 @@ class _Mortal:
     def __init__(self, bus: ClosableBus) -> None:
         self._bus, self._dead = bus, False
         self.subscribe, self.serve, self.query = bus.subscribe, bus.serve, bus.query
-        self.listened, self.announce, self.alive = bus.listened, bus.announce, bus.alive
+        self.listened, self.announce = bus.listened, bus.announce
+        self.alive, self.awake = bus.alive, bus.awake
 
     def publish(self, key: str, payload: bytes) -> None:
         """Send, unless it is dead."""

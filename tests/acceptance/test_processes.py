@@ -260,7 +260,7 @@ def test_skills_killed_at_work_are_started_again_and_the_item_gets_there(tmp_pat
         assert sorted(said) == sorted(
             f"the {role} process ended (signal 9); started again" for role, _, _ in KILLS[arm]
         )
-        assert status.state is TaskState.SUCCEEDED, status
+        assert status.state is TaskState.SUCCEEDED, status.model_dump_json(indent=1)
         assert lies_on(caller.truth(), load("lab"), 29, "depot")
 
 
