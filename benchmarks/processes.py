@@ -11,7 +11,8 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Final
 
-from executive.settings import Role, WorkerSettings
+from executive.parts import Role
+from executive.settings import WorkerSettings
 from skills.wire.zenoh_bus import BusError, ZenohBus
 
 PREFIX: Final = "bench/mock"

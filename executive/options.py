@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Final
 
 from executive.on_restart import OnRestart
-from executive.settings import ROLES, LogFormat, Role
+from executive.parts import ROLES, LogFormat, Role
 from skills.wire.pulse import SILENT_AFTER
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"

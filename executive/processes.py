@@ -16,7 +16,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Final, Self
 
-from executive.settings import OBSERVER, REFUSED, ROLES, UNKEPT, WorkerSettings
+from executive.parts import OBSERVER, ROLES
+from executive.settings import REFUSED, UNKEPT, WorkerSettings
 
 ENDS_WITHIN: Final = 5.0
 """Seconds that a process has for its own end; then it is killed."""

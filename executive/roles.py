@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from executive.settings import RefusalError, Role, WorkerSettings
+from executive.parts import Role
+from executive.settings import RefusalError, WorkerSettings
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.compute import Compute

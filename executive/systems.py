@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import IO, Final, Protocol, Self
 
 from executive.options import RunOptions
+from executive.parts import OBSERVER, ROLES, Role
 from executive.processes import Death, Supervisor
 from executive.security.identity import Identity
-from executive.settings import OBSERVER, ROLES, UNKEPT, Role, WorkerSettings
+from executive.settings import UNKEPT, WorkerSettings
 from executive.telemetry.relay import LogRelay
 from sim.chatter import unheard
 from sim.scenario import Scenario, load_scenario

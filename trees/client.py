@@ -106,7 +106,7 @@ class GoalHandle(Generic[G, F, R]):
         clock, however far the robot's has run meanwhile.
         """
         settling = None if self.ended else self._settling
-        if settling is None or not self._client.alive():
+        if settling is None or not self._client.awake():
             return False
         return settling.beyond(within_robot, within_host)
 

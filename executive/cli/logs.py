@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from executive.cli.errors import CommandError
-from executive.settings import LogFormat
+from executive.parts import LogFormat
 from executive.telemetry.logs import formatter
 
 

@@ -32,7 +32,7 @@ from executive.cli import (
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import MEANINGS, ExitCode
 from executive.cli.logs import LogOptions
-from executive.settings import LogFormat
+from executive.parts import LogFormat
 
 _LOG = logging.getLogger(__name__)
 

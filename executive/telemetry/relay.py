@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO
 
-from executive.settings import LogFormat
+from executive.parts import LogFormat
 from executive.telemetry.logs import JsonLines
 
 

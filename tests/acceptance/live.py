@@ -15,8 +15,9 @@ from pathlib import Path
 import yaml
 
 from executive.options import BusOptions, RunOptions
+from executive.parts import Role
 from executive.processes import Supervisor
-from executive.settings import Role, WorkerSettings
+from executive.settings import WorkerSettings
 from executive.systems import ProcessSystem
 from sim.scenario import Scenario
 from tests.fakes.ports import free_endpoint

@@ -15,8 +15,8 @@ from executive.cli.exit_codes import ExitCode
 from executive.demo import Caller
 from executive.ledger.sqlite import FILE, SqliteLedger
 from executive.options import RunOptions
+from executive.parts import ROLES, Role
 from executive.processes import RESTARTS
-from executive.settings import ROLES, Role
 from executive.systems import LedgerFailure, ProcessSystem, SystemFailure, wait_for
 from sim.scenario import load_scenario
 from sim.truth import lies_on

@@ -154,7 +154,7 @@ def test_a_cancelled_goal_whose_server_is_gone_is_lost_and_not_overdue(
     rig.publish(GoalState.RUNNING, 1)
     rig.wait(0.1)
     rig.handle.cancel()
-    monkeypatch.setattr(rig.client, "alive", lambda: False)
+    monkeypatch.setattr(rig.client, "awake", lambda: False)
     monkeypatch.setattr(rig.clocks, "monotonic", lambda: rig.clocks.seconds / 10)  # faster than real time
     rig.wait(20.0)
     assert not rig.handle.ended
