@@ -1,8 +1,8 @@
 """How long one period of an arm's field takes with ten obstacles: ``python -m benchmarks.field_step``.
 
 Everything from the joints and beliefs to the next set-point that is known to be free: distances and
-gradients, the choice of a pole, the hand's wish, the quadratic program, the jerk-limited step and the check of
-its braking.
+gradients, the choice of a pole, the hand's wish, the quadratic program, the jerk-limited step and the check
+of its braking.
 """
 
 from __future__ import annotations
@@ -98,8 +98,8 @@ class _Table:
         self.clocks.advance(0.01)
         stamp = RobotTime(boot="bench", seconds=self.clocks.seconds)
         zeros = (0.0,) * len(self.positions)
-        states = JointStates(stamp=stamp, names=tuple(self.positions), positions=tuple(self.positions.values()),
-                             velocities=zeros, efforts=zeros)  # fmt: skip
+        names, values = tuple(self.positions), tuple(self.positions.values())
+        states = JointStates(stamp=stamp, names=names, positions=values, velocities=zeros, efforts=zeros)
         JOINT_STATES.publish(self.bus, states)
 
 
