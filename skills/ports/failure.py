@@ -48,6 +48,7 @@ class FailureKind(StrEnum):
     GRASP_EMPTY = "GRASP_EMPTY"
     GRASP_LOST = "GRASP_LOST"
     GRIPPER_STUCK = "GRIPPER_STUCK"
+    INTERRUPTED = "INTERRUPTED"
 
 
 class Helper(StrEnum):
@@ -110,6 +111,9 @@ KINDS: Final = MappingProxyType(
         _K.GRASP_EMPTY: KindFacts("the gripper closed on nothing", True, Helper.LOOK),
         _K.GRASP_LOST: KindFacts("the hand was full and is empty", True, Helper.LOOK),
         _K.GRIPPER_STUCK: KindFacts("the gripper did not move as told", True, Helper.OPERATOR),
+        _K.INTERRUPTED: KindFacts(
+            "the executive ended in the middle; how far it came is not known", True, Helper.OPERATOR
+        ),
     }
 )
 """The facts of each kind; complete, which a test checks."""
