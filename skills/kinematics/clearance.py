@@ -1,7 +1,7 @@
 """The true distance between the two arms' bodies, with what they hold.
 
-Only pairs of one body of each arm are looked at: about 150 of convex bodies, 0.1 ms together. A broad phase is
-left out: coal's distances of that many pairs cost less than moving its trees would.
+Only pairs of one body of each arm are looked at: about 150 of convex bodies, 0.1 ms together. A broad phase
+is left out: coal needs less for the distances of that many pairs than for moving its trees.
 """
 
 from __future__ import annotations

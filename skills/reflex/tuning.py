@@ -1,7 +1,7 @@
 """How k, gamma and mu of Algorithm 2 are found: against the true distance of sampled pairs of postures.
 
-Each arm gets so many collision-free postures with its hand over a table; each is paired with each of the other
-arm. A pair is dangerous when the true clearance is below the bound. For each gamma and mu, k is the
+Each arm gets so many collision-free postures with its hand over a table; each is paired with each of the
+other arm. A pair is dangerous when the true clearance is below the bound. For each gamma and mu, k is the
 least for which no dangerous pair is missed; taken is what raises the fewest false alarms.
 """
 
