@@ -27,7 +27,14 @@ from skills.site import load
 if TYPE_CHECKING:
     from skills.wire.zenoh_bus import ZenohBus
 
-SKILL_ROLES: Final[tuple[Role, ...]] = ("keeper", "perception", "base", "arm_left", "arm_right")
+SKILL_ROLES: Final[tuple[Role, ...]] = (
+    "keeper",
+    "perception",
+    "base",
+    "bimanual",
+    "arm_left",
+    "arm_right",
+)
 """In the order in which lockstep steps them: who tells first, who listens next."""
 DESCRIPTION_WITHIN: Final = 30.0
 """Seconds in which the hardware must have told who it is."""
@@ -95,12 +102,19 @@ def _arm(side: str) -> Callable[[Surroundings], Sequence[Node]]:
     return build
 
 
+def _bimanual(at: Surroundings) -> Sequence[Node]:
+    from skills.bimanual.process import nodes  # noqa: PLC0415
+
+    return nodes(at.bus, at.clocks, at.description, at.site, at.compute, seed=at.seed, charge=at.charge)
+
+
 _BUILDERS: Final = {
     "keeper": _keeper,
     "perception": _perception,
     "base": _base,
     "arm_left": _arm("left"),
     "arm_right": _arm("right"),
+    "bimanual": _bimanual,
 }
 
 

@@ -6,7 +6,9 @@ from typing import Final, Literal
 
 from skills.ports.message import Message
 
-Role = Literal["router", "hardware", "keeper", "perception", "base", "arm_left", "arm_right", "executive"]
+Role = Literal[
+    "router", "hardware", "keeper", "perception", "base", "arm_left", "arm_right", "bimanual", "executive"
+]
 ROLES: Final[tuple[Role, ...]] = (
     "router",
     "hardware",
@@ -15,6 +17,7 @@ ROLES: Final[tuple[Role, ...]] = (
     "base",
     "arm_left",
     "arm_right",
+    "bimanual",
     "executive",
 )
 """In the order in which they are started."""

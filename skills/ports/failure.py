@@ -48,6 +48,9 @@ class FailureKind(StrEnum):
     GRASP_EMPTY = "GRASP_EMPTY"
     GRASP_LOST = "GRASP_LOST"
     GRIPPER_STUCK = "GRIPPER_STUCK"
+    ARMS_CROSSING = "ARMS_CROSSING"
+    FORCE_MISSING = "FORCE_MISSING"
+    TILTED = "TILTED"
 
 
 class Helper(StrEnum):
@@ -110,6 +113,11 @@ KINDS: Final = MappingProxyType(
         _K.GRASP_EMPTY: KindFacts("the gripper closed on nothing", True, Helper.LOOK),
         _K.GRASP_LOST: KindFacts("the hand was full and is empty", True, Helper.LOOK),
         _K.GRIPPER_STUCK: KindFacts("the gripper did not move as told", True, Helper.OPERATOR),
+        _K.ARMS_CROSSING: KindFacts(
+            "the arms came into each other's way and were stopped", True, Helper.AGAIN
+        ),
+        _K.FORCE_MISSING: KindFacts("two hands closed in and did not feel the thing", True, Helper.LOOK),
+        _K.TILTED: KindFacts("what is between two hands is not level", False, Helper.LET_GO),
     }
 )
 """The facts of each kind; complete, which a test checks."""
