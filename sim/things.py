@@ -29,7 +29,7 @@ class TrueItem(Message):
     x: Coordinate
     y: Coordinate
     yaw: Angle = 0.0
-    mass: float = Field(default=0.1, ge=0.05, le=0.2)
+    mass: float = Field(default=0.1, ge=0.05, le=5.0)
     friction: Friction = 0.9
 
 

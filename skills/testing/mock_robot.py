@@ -12,6 +12,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, Protocol, TypeVar
 
+from skills.ports.actions.approach import (
+    ApproachFeedback,
+    ApproachGoal,
+    ApproachPhase,
+    ApproachResult,
+    approach,
+)
 from skills.ports.actions.arm import (
     ArmState,
     ArmStatus,
@@ -45,12 +52,13 @@ from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookRe
 from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
+from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import IDENTITY, FloorPose, Pose, wrap
 from skills.ports.keys import DESCRIPTION
 from skills.ports.message import Message, RobotTime, Vector3
 from skills.ports.node import Node
 from skills.ports.site import Site
-from skills.ports.skill import ActionType, Outcome, succeeded
+from skills.ports.skill import ActionType, Outcome, failed, succeeded
 from skills.ports.world import (
     ROBOT_POSE,
     SCENE,
@@ -301,6 +309,11 @@ class MockRobot:
             MoveFeedback(phase=MovePhase.MOVING, progress=0.0),
             lambda goal: self._move(side, goal),
         )
+        self._serve(
+            approach(f"arm_{side}"),
+            ApproachFeedback(phase=ApproachPhase.FIELD, distance=0.0),
+            lambda goal: self._approach(side, goal),
+        )
         self._serve(survey(f"arm_{side}"), SurveyFeedback(looked_at=0, found=0), self._survey)
         self._serve(grip(side), GripFeedback(width=0.0, force=0.0), lambda goal: self._grip(side, goal))
 
@@ -352,6 +365,14 @@ class MockRobot:
     def _move(self, side: Side, goal: MoveGoal) -> Outcome[MoveResult]:
         self._extent[side] = TUCKED if goal.posture in {"home", "carry"} else STRETCHED
         return succeeded(MoveResult(positions=(0.0,), error=0.0, planning_steps=1, duration=0.0))
+
+    def _approach(self, side: Side, goal: ApproachGoal) -> Outcome[ApproachResult]:
+        if self.world.item(goal.item) is None:
+            message = f"item {goal.item} is not believed to be anywhere"
+            where = approach(f"arm_{side}").name
+            return failed(Failure(kind=FailureKind.ITEM_GONE, message=message, where=where))
+        self._extent[side] = STRETCHED
+        return succeeded(ApproachResult(grasp=0, positions=(0.0,), error=0.0, duration=0.0))
 
     def _survey(self, goal: SurveyGoal) -> Outcome[SurveyResult]:
         good = range(self.out_of_reach, len(goal.bases))
