@@ -13,7 +13,6 @@ from typing import Final, TypeVar
 
 import numpy as np
 import numpy.typing as npt
-import pinocchio as pin
 
 from skills.kinematics.batch import BatchChain
 from skills.kinematics.clearance import ArmsClearance
@@ -22,7 +21,8 @@ from skills.kinematics.described import home_positions
 from skills.kinematics.hulls import RobotHulls
 from skills.kinematics.ik import SeedTable, Solver
 from skills.kinematics.model import Limits
-from skills.kinematics.transforms import Array
+from skills.kinematics.transforms import Array, to_se3
+from skills.ports.geometry import Pose, from_rpy
 from skills.ports.hardware import ArmsCrossing, RobotDescription
 from skills.ports.world import SIDES
 
@@ -139,12 +139,13 @@ def _over_the_table(
     while len(found) < count:
         yaw, pitch = hand.work_heading + rng.uniform(-TURN, TURN), rng.uniform(0.0, STEEPEST)
         place = rng.uniform(NEAR, FAR)
-        target = pin.SE3(pin.rpy.rpyToMatrix(0.0, pitch, yaw), place)
+        x, y, z = map(float, place)
+        target = to_se3(Pose(position=(x, y, z), orientation=from_rpy(0.0, pitch, yaw)))
         (answer,) = _ended(solver.solve(checker.chain, [target], home, STARTS))
         free = [q for q in answer.solutions if checker.free(q)]
         if free:
             found.append(free[0])
-            tools.append((float(place[1]), pitch, yaw))
+            tools.append((y, pitch, yaw))
     return np.array(found), np.array(tools)
 
 
