@@ -66,6 +66,10 @@ class LedArm:
         assert self._follower is not None, "begin first"
         return self._follower.follow(q, tool_in_base)
 
+    def seconds(self, q: Array, further: Array) -> float:
+        """Return the seconds from q to further (n,) with each joint at its full speed."""
+        return float(np.max(np.abs(further - q) / self._limits.velocity))
+
     def strayed(self, positions: Mapping[str, float]) -> float:
         """Return by how many radians the joint that is farthest off is off what it was told."""
         return float(np.max(np.abs(self.q - [positions[joint] for joint in self.joints])))

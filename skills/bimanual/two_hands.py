@@ -7,7 +7,7 @@ names the arm.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from typing import Final, TypeVar
 
 from skills.bimanual.glide import Bounds, Glide, glide
@@ -51,6 +51,10 @@ STRAYED: Final = 0.12
 """Radians by which an arm may be off what it was told before it is said to have failed."""
 LEVEL: Final = 0.0524
 """Radians (3 degrees) by which what is held may lean."""
+QUICK: Final = 0.5
+"""Share of the joints' speed limits that a way may take."""
+SWING: Final = 0.25
+"""Seconds of an arm's full speed between two tried poses beyond which it would have to swing round."""
 SAMPLES: Final = 24
 """Poses of a way that are tried beforehand."""
 SLICE: Final = 4
@@ -196,8 +200,12 @@ class HoldWithTwo:
             return failed(self._failure(FailureKind.GRASP_LOST, "nothing is held between the hands"))
         item = compose(invert(to_pose((yield from self._base()))), goal.to)
         way = glide(arms.middle, compose(item, invert(self._item_in_middle)), self._bounds)
-        yield from self._within_reach(way)
-        before, load = arms.span.middle_in_base, arms.load
+        span, inwards = arms.span, arms.grasp.inwards
+        needed = yield from self._tried(
+            lambda share: span.tools(way.at(share * way.duration), inwards), way.duration
+        )
+        way = Glide(way.start, way.end, needed)
+        before, load = span.middle_in_base, arms.load
         elapsed, rate, lowers = 0.0, 1.0, way.end.position[2] < way.start.position[2]
         command, at = Command.GO_ON, robot_seconds(self._clocks)
         while elapsed < way.duration:
@@ -218,23 +226,28 @@ class HoldWithTwo:
         self._progress = 1.0
         return succeeded(self._result())
 
-    def _within_reach(self, way: Glide) -> Steps[None]:
-        """Try the whole way on both arms before anything moves."""
-        arms = self._arms
-        assert arms.span is not None
-        q = [arm.q for arm in arms.arms]
+    def _tried(self, way: Callable[[float], tuple[Pose, Pose]], duration: float) -> Steps[float]:
+        """Try a whole way on both arms before anything moves; return the time that their joints need for it.
+
+        Args:
+            way: both tools' poses after a share of the time.
+            duration: seconds that the hands need for it.
+        """
+        q, slowest = [arm.q for arm in self._arms.arms], 0.0
         for k in range(1, SAMPLES + 1):
-            middle = way.at(way.duration * k / SAMPLES)
-            poses = arms.span.tools(middle, arms.grasp.inwards)
-            q = self._try(q, poses, k / SAMPLES)
+            share = k / SAMPLES
+            further = self._try(q, way(share), share)
+            spent = max(arm.seconds(a, b) for arm, a, b in zip(self._arms.arms, q, further, strict=True))
+            slowest, q = max(slowest, spent * SAMPLES / (QUICK * duration)), further
             if k % SLICE == 0 and (yield Slice(SLICE * TRY_COST)) is Command.CANCEL:
                 raise _StoppedError(None)
+        return duration * max(1.0, slowest)
 
     def _try(self, q: list[Array], poses: tuple[Pose, Pose], share: float) -> list[Array]:
         found = []
         for arm, known, pose in zip(self._arms.arms, q, poses, strict=True):
             there = arm.ahead(known, pose)
-            if there.metres > REACHED or there.radians > REACHED:
+            if there.metres > REACHED or there.radians > REACHED or arm.seconds(known, there.q) > SWING:
                 raise self._stopped(
                     FailureKind.NO_IK,
                     f"the {arm.side} hand is {there.metres:.3f} m off after {share:.0%} of the way",
@@ -248,21 +261,18 @@ class HoldWithTwo:
     def _together(self, start: tuple[Pose, Pose], end: tuple[Pose, Pose]) -> Steps[None]:
         """Bring both hands straight to poses, at the same time."""
         ways = [glide(a, b, self._bounds) for a, b in zip(start, end, strict=True)]
-        duration = max(way.duration for way in ways)
-        ways = [Glide(way.start, way.end, duration) for way in ways]
-        q = [arm.q for arm in self._arms.arms]
-        for k in range(1, SAMPLES + 1):
-            left, right = (way.at(duration * k / SAMPLES) for way in ways)
-            q = self._try(q, (left, right), k / SAMPLES)
-            if k % SLICE == 0 and (yield Slice(SLICE * TRY_COST)) is Command.CANCEL:
-                raise _StoppedError(None)
+
+        def at(share: float) -> tuple[Pose, Pose]:
+            left, right = (way.at(share * way.duration) for way in ways)
+            return left, right
+
+        duration = yield from self._tried(at, max(way.duration for way in ways))
         began = robot_seconds(self._clocks)
         while (elapsed := robot_seconds(self._clocks) - began) < duration:
-            left, right = (way.at(elapsed) for way in ways)
-            self._arms.aims = (left, right)
+            self._arms.aims = at(elapsed / duration)
             self._watch(holding=False)
             yield from self._tick()
-        self._arms.aims = (ways[0].end, ways[1].end)
+        self._arms.aims = at(1.0)
 
     def _release(self, goal: TwoHandsGoal) -> Steps[Outcome[TwoHandsResult]]:
         arms = self._arms

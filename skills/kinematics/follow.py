@@ -63,7 +63,7 @@ class PoseFollower:
         return Followed(q, float(np.linalg.norm(twist[:3])), float(np.linalg.norm(twist[3:])))
 
     def _step(self, q: Array, twist: Array, jacobian: Array) -> Array:
-        """Return one step (n,) within the limits: a joint that would leave them stays, the others make up for it."""
+        """Return one step (n,): a joint that would leave its limits stays, the others make up for it."""
         low, high = self._limits.lower - q, self._limits.upper - q
         step, free = np.zeros(len(q)), np.ones(len(q), dtype=bool)
         while free.any():
