@@ -111,6 +111,24 @@ class Posture(Message):
     positions: tuple[float, ...]
 
 
+class ArmsCrossing(Message):
+    """From when on two arms are said to come into each other's way, and how they give way (document 002).
+
+    ``k``, ``gamma`` and ``mu`` are Algorithm 2's: metres, and metres a radian. How they were found:
+    docs/decisions/005-arms-crossing.md.
+    """
+
+    k: Positive
+    gamma: float
+    mu: float
+    clearance: Positive
+    """Metres between the arms' geometry below which there is a risk whatever Algorithm 2 says."""
+    phi: Positive = 0.3
+    """Seconds between two samples of an arm's record (Algorithm 3)."""
+    safe_posture: str = "home"
+    """The posture in which an arm is in its safe zone and in nobody's way."""
+
+
 class RobotDescription(Message):
     """All that a skill learns about a robot."""
 
@@ -129,6 +147,8 @@ class RobotDescription(Message):
     postures: tuple[Posture, ...]
     period: Positive
     """Seconds between two messages of the clock and of the joints' state."""
+    arms_crossing: ArmsCrossing | None = None
+    """For robots with two arms that can meet; without it nobody watches over them."""
 
     def group(self, name: str) -> JointGroup:
         """Return the group; KeyError names those that there are."""

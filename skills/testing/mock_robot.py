@@ -47,6 +47,18 @@ from skills.ports.actions.base import (
     RotateGoal,
     RotateResult,
 )
+from skills.ports.actions.bimanual import (
+    COORDINATE,
+    CROSSING,
+    TWO_HANDS,
+    ZONES,
+    CoordinateFeedback,
+    Crossing,
+    TwoHands,
+    TwoHandsFeedback,
+    TwoHandsGoal,
+    TwoHandsResult,
+)
 from skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
 from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
 from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
@@ -78,6 +90,7 @@ from skills.ports.world import (
 from skills.server import ActionServer
 from skills.testing.mock_description import mock_description
 from skills.testing.mock_skill import Fault, MockSkill
+from skills.testing.mock_zones import mock_zones
 
 G = TypeVar("G", bound=Message)
 F = TypeVar("F", bound=Message)
@@ -159,6 +172,8 @@ class MockRobot:
         """What each hand holds in truth."""
         self.world = WorldState(stamp=RobotTime(boot="mock", seconds=0.0), version=0)
         self.bus = bus
+        self.zones = mock_zones(self.world.stamp)
+        """What both hands reach; told with all other beliefs."""
         self.out_of_reach = 0
         """How many of a survey's first base poses are out of reach."""
         self.bus, self._clocks, self._site, self._items = bus, clocks, site, dict(items)
@@ -180,6 +195,9 @@ class MockRobot:
         self._serve(ROTATE, RotateFeedback(remaining=0.0), self._rotate)
         self._serve(LOCALISE, LocaliseFeedback(progress=0.0), self._localise)
         self._serve(EDIT, EditFeedback(), self._edit)
+        self._serve(COORDINATE, CoordinateFeedback(episode=0), succeeded, endless=True)
+        hands = TwoHandsFeedback(left_force=0.0, right_force=0.0, progress=0.0)
+        self._serve(TWO_HANDS, hands, self._two_hands)
         for side in SIDES:
             self._serve_side(side)
 
@@ -227,6 +245,14 @@ class MockRobot:
             group = f"arm_{side}"
             status = ArmStatus(stamp=stamp, group=group, state=ArmState.ARM_IDLE, extent=self._extent[side])
             arm_status(group).publish(self.bus, status)
+        ZONES.publish(self.bus, self.zones.model_copy(update={"stamp": stamp}))
+
+    def cross(self, *, risk: bool) -> None:
+        """Have the reflex tell that the arms come into each other's way, or that they no longer do."""
+        stamp = self._clocks.robot() or self.world.stamp
+        distance = 0.1 if risk else 0.4
+        message = Crossing(stamp=stamp, risk=risk, distance=distance, threshold=0.2, clearance=0.5 * distance)
+        CROSSING.publish(self.bus, message)
 
     def believe(self, **changes: object) -> None:
         """Change the keeper's facts and tell."""
@@ -234,14 +260,15 @@ class MockRobot:
         self.world = WorldState.model_validate(document)
         self.tell()
 
-    def _serve(self, action: ActionType[G, F, R], idle: F, effect: object) -> None:
+    def _serve(self, action: ActionType[G, F, R], idle: F, effect: object, *, endless: bool = False) -> None:
         def recorded(goal: G) -> Outcome[R]:
             outcome: Outcome[R] = effect(goal)  # type: ignore[operator]
             self.tell()
             return outcome
 
         faults = self._faults.setdefault(action.name, {})
-        skill = MockSkill(action, self._clocks, idle, recorded, self._duration, faults, self._fault_of)
+        fault_of = self._hangs if endless else self._fault_of
+        skill = MockSkill(action, self._clocks, idle, recorded, self._duration, faults, fault_of)
         skill.calls = _Recorded(self.calls, action.name)
         mortal = None if self._ends is None else _Mortal(self._ends())
 
@@ -254,6 +281,9 @@ class MockRobot:
         _, _, rest = goal_id.partition("/")
         leaf, _, attempt = rest.rpartition("/")
         return self.leaf_faults.get((leaf, int(attempt))) or self.leaf_faults.get(leaf)
+
+    def _hangs(self, goal_id: str) -> Fault:
+        return self._fault_of(goal_id) or Fault(hangs=True)
 
     def lose(self, action: str) -> None:
         """Have the process of a skill die: its name goes, and its goal with it."""
@@ -373,6 +403,11 @@ class MockRobot:
             return failed(Failure(kind=FailureKind.ITEM_GONE, message=message, where=where))
         self._extent[side] = STRETCHED
         return succeeded(ApproachResult(grasp=0, positions=(0.0,), error=0.0, duration=0.0))
+
+    def _two_hands(self, goal: TwoHandsGoal) -> Outcome[TwoHandsResult]:
+        force = 0.0 if goal.do is TwoHands.RELEASE else goal.force or 40.0
+        self._extent = dict.fromkeys(SIDES, STRETCHED)
+        return succeeded(TwoHandsResult(left_force=force, right_force=force, item_in_map=goal.to))
 
     def _survey(self, goal: SurveyGoal) -> Outcome[SurveyResult]:
         good = range(self.out_of_reach, len(goal.bases))
