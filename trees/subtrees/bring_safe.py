@@ -1,0 +1,45 @@
+"""Bring a hand to safety whatever it is at: a full one keeps what it holds, an empty one draws back."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Selector, Sequence
+
+from trees.behaviours.check import Check
+from trees.conditions.hand_full import hand_full
+from trees.context import TreeContext
+from trees.hand_board import HandBoard
+from trees.leaves.hand.go_safe import go_safe
+from trees.leaves.hand.grip_item import let_go
+from trees.leaves.retreat import retreat
+
+
+def bring_safe(context: TreeContext, board: HandBoard, where: str) -> Behaviour:
+    """Return the subtree; ``where`` in the tree makes its names unique."""
+    who = f"{board.who}: {where}"
+    hand = Selector(
+        f"{who}: hand free or full",
+        memory=True,
+        children=[
+            hand_full(f"{who}: hand full?", context, lambda: board.side),
+            let_go(f"{where}: let go", context, board),
+        ],
+    )
+    free = Sequence(
+        f"{who}: free and safe",
+        memory=True,
+        children=[
+            hand,
+            retreat(f"{who}: draw back", context, lambda: board.side),
+            go_safe(f"{where}: to safety then", context, board),
+        ],
+    )
+    return Selector(
+        f"{who}: hand safe",
+        memory=True,
+        children=[
+            Check(f"{who}: safe?", lambda: board.safe),
+            go_safe(f"{where}: to safety", context, board),
+            free,
+        ],
+    )
