@@ -9,7 +9,7 @@ from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess, Inverter
 
 from skills.ports.tasks import NodeStatus
-from trees.behaviours.act import Act
+from trees.behaviours.act import Act, Lasting
 from trees.behaviours.barrier import Meet
 from trees.behaviours.check import Check
 from trees.behaviours.decide import Decide
@@ -31,6 +31,7 @@ _S, _F, _R, _I = NodeStatus.SUCCESS, NodeStatus.FAILURE, NodeStatus.RUNNING, Nod
 _ALL: Final[Seen] = frozenset((_S, _F, _R, _I))
 _AT_ONCE: Final[Seen] = frozenset((_S, _F))
 _LEAVES: Final[tuple[tuple[type[Behaviour], Seen], ...]] = (
+    (Lasting, frozenset((_F, _R, _I))),
     (Act, _ALL),
     (WaitFor, _ALL),
     (Meet, _ALL),

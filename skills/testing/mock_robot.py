@@ -174,6 +174,8 @@ class MockRobot:
         self.bus = bus
         self.zones = mock_zones(self.world.stamp)
         """What both hands reach; told with all other beliefs."""
+        self.knows_zones = True
+        """Whether the zones are told at all."""
         self._before: dict[Side, int] = {}
         self.out_of_reach = 0
         """How many of a survey's first base poses are out of reach."""
@@ -247,7 +249,8 @@ class MockRobot:
             group = f"arm_{side}"
             status = ArmStatus(stamp=stamp, group=group, state=ArmState.ARM_IDLE, extent=self._extent[side])
             arm_status(group).publish(self.bus, status)
-        ZONES.publish(self.bus, self.zones.model_copy(update={"stamp": stamp}))
+        if self.knows_zones:
+            ZONES.publish(self.bus, self.zones.model_copy(update={"stamp": stamp}))
 
     def cross(self, *, risk: bool) -> None:
         """Have the reflex tell that the arms come into each other's way, or that they no longer do."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from skills.ports.actions.bimanual import COORDINATE, CoordinateFeedback, CoordinateGoal, CoordinateResult
-from trees.behaviours.act import Act
+from trees.behaviours.act import Lasting
 from trees.context import TreeContext
 
 Mode = Literal["faithful", "eager"]
@@ -13,6 +13,6 @@ Mode = Literal["faithful", "eager"]
 
 def coordinate(
     name: str, context: TreeContext, mode: Mode
-) -> Act[CoordinateGoal, CoordinateFeedback, CoordinateResult]:
+) -> Lasting[CoordinateGoal, CoordinateFeedback, CoordinateResult]:
     """Return the leaf."""
-    return Act(name, context, COORDINATE, lambda: CoordinateGoal(mode=mode))
+    return Lasting(name, context, COORDINATE, lambda: CoordinateGoal(mode=mode))

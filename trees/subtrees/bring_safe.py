@@ -14,8 +14,11 @@ from trees.leaves.hand.grip_item import let_go
 from trees.leaves.retreat import retreat
 
 
-def bring_safe(context: TreeContext, board: HandBoard, where: str) -> Behaviour:
-    """Return the subtree; ``where`` in the tree makes its names unique."""
+def bring_safe(context: TreeContext, board: HandBoard, where: str, *, full: bool = False) -> Behaviour:
+    """Return the subtree; ``where`` in the tree makes its names unique. ``full``: the hand is known to hold.
+
+    A hand that presses on a side holds nothing by itself, and its closed fingers had better stay so.
+    """
     who = f"{board.who}: {where}"
     hand = Selector(
         f"{who}: hand free or full",
@@ -25,11 +28,12 @@ def bring_safe(context: TreeContext, board: HandBoard, where: str) -> Behaviour:
             let_go(f"{where}: let go", context, board),
         ],
     )
+    keeps = full or board.site_item(context).needs_two
     free = Sequence(
         f"{who}: free and safe",
         memory=True,
         children=[
-            hand,
+            *(() if keeps else (hand,)),
             retreat(f"{who}: draw back", context, lambda: board.side),
             go_safe(f"{where}: to safety then", context, board),
         ],

@@ -79,7 +79,7 @@ def hand_pick(
                 memory=True,
                 children=[
                     Check(f"{who}: item held?", lambda: board.held(context)),
-                    bring_safe(context, board, "has it"),
+                    bring_safe(context, board, "has it", full=True),
                 ],
             ),
             Sequence(

@@ -35,8 +35,11 @@ ANOTHER_MOMENT: Final = 0.5
 """Robot seconds before the table is looked at again."""
 
 
-def take_up(context: TreeContext, boards: tuple[HandBoard, ...]) -> Behaviour:
-    """Return the subtree: the robot is ready, the hands are free, the items are in view. No arm moves."""
+def take_up(context: TreeContext, boards: tuple[HandBoard, ...], *, check: bool = True) -> Behaviour:
+    """Return the subtree: the robot is ready, the hands are free, the items are in view. No arm moves.
+
+    Without ``check`` the hands are not looked at: the arm is chosen later.
+    """
     items = tuple(dict.fromkeys(board.item for board in boards))
     where = Selector(
         "know where I am",
@@ -65,7 +68,13 @@ def take_up(context: TreeContext, boards: tuple[HandBoard, ...]) -> Behaviour:
     return Sequence(
         "take up request",
         memory=True,
-        children=[ready(context), _zones_known(context), hands_free(context, boards), where, look],
+        children=[
+            ready(context),
+            _zones_known(context),
+            *((hands_free(context, boards),) if check else ()),
+            where,
+            look,
+        ],
     )
 
 

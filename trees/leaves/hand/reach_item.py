@@ -16,6 +16,9 @@ from trees.leaves.hand.hand_move import Move, hand_move
 MOVED: Final = 0.01
 """Metres by which the item may be found elsewhere on the last centimetres: fingers have 8 mm of room."""
 
+SHORT: Final = 0.01
+"""Metres before an item for two hands at which each stops."""
+
 
 def reach_item(context: TreeContext, board: HandBoard, what: str = "grasp", *, follows: bool = True) -> Move:
     """Return the leaf: straight to the item, which the hand may touch, and nothing else.
@@ -28,8 +31,11 @@ def reach_item(context: TreeContext, board: HandBoard, what: str = "grasp", *, f
         if isinstance(item, Failure):
             return item
         board.item_at = item
+        tool = compose(item, board.chosen().tool_in_item)
+        if board.site_item(context).needs_two:
+            tool = before(tool, SHORT)  # the hands close in together
         return MoveGoal(
-            candidates=(Candidate(pose=compose(item, board.chosen().tool_in_item)),),
+            candidates=(Candidate(pose=tool),),
             straight=True,
             touch_item=board.item,
             hand_width=board.open_width(context),
