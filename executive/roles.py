@@ -104,8 +104,22 @@ def _arm(side: str) -> Callable[[Surroundings], Sequence[Node]]:
 
 def _bimanual(at: Surroundings) -> Sequence[Node]:
     from skills.bimanual.process import nodes  # noqa: PLC0415
+    from skills.kinematics.described import load_hulls  # noqa: PLC0415
+    from skills.reflex.process import nodes as reflexes  # noqa: PLC0415
 
-    return nodes(at.bus, at.clocks, at.description, at.site, at.compute, seed=at.seed, charge=at.charge)
+    hulls = load_hulls(at.description, at.seed)
+    return [
+        *reflexes(at.bus, at.description, at.site, hulls),
+        *nodes(
+            at.bus,
+            at.clocks,
+            at.description,
+            site=at.site,
+            compute=at.compute,
+            hulls=hulls,
+            charge=at.charge,
+        ),
+    ]
 
 
 _BUILDERS: Final = {

@@ -1,25 +1,31 @@
-"""The nodes of the process that needs both arms at once: zones, reflex, coordination, two hands."""
+"""The nodes of the process that needs both arms at once: zones, coordination, two hands."""
 
 from __future__ import annotations
 
+from skills.bimanual.hold import TwoArms
+from skills.bimanual.two_hands import HoldWithTwo
+from skills.kinematics.hulls import RobotHulls
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.compute import Compute
 from skills.ports.hardware import RobotDescription
 from skills.ports.node import Node
 from skills.ports.site import Site
+from skills.server import ActionServer
 
 
 def nodes(
     bus: Bus,
     clocks: Clocks,
     description: RobotDescription,
+    *,
     site: Site,
     compute: Compute,
-    *,
-    seed: int = 0,
+    hulls: RobotHulls,
     charge: bool = False,
 ) -> tuple[Node, ...]:
     """Return the nodes, in the order in which they are stepped: who tells first, who listens next."""
-    del bus, clocks, description, site, compute, seed, charge
-    return ()
+    del compute
+    arms = TwoArms(bus, clocks, description, hulls)
+    two_hands = ActionServer(bus, clocks, HoldWithTwo(bus, clocks, site, arms), charge=charge)
+    return (two_hands, arms)
