@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from skills.bimanual.coordinate import Coordinate
+from skills.bimanual.coordinator import Coordinator
 from skills.bimanual.hold import TwoArms
 from skills.bimanual.two_hands import HoldWithTwo
 from skills.kinematics.hulls import RobotHulls
@@ -28,4 +30,9 @@ def nodes(
     del compute
     arms = TwoArms(bus, clocks, description, hulls)
     two_hands = ActionServer(bus, clocks, HoldWithTwo(bus, clocks, site, arms), charge=charge)
-    return (two_hands, arms)
+    made: list[Node] = [two_hands, arms]
+    how = description.arms_crossing
+    if how is not None:
+        coordinator = Coordinator(bus, description, how, hulls)
+        made += [coordinator, ActionServer(bus, clocks, Coordinate(coordinator), charge=charge)]
+    return tuple(made)

@@ -45,6 +45,7 @@ class CrossingReflex:
             distance=seen.distance,
             threshold=seen.threshold,
             clearance=seen.clearance,
+            near=seen.near,
         )
         if self._due(message, moving=seen.moving):
             CROSSING.publish(self._bus, message)
@@ -58,7 +59,11 @@ class CrossingReflex:
 
     def _due(self, message: Crossing, *, moving: bool) -> bool:
         told = self._told
-        if told is None or told.risk is not message.risk or told.stamp.boot != message.stamp.boot:
+        if (
+            told is None
+            or (told.risk, told.near) != (message.risk, message.near)
+            or told.stamp.boot != message.stamp.boot
+        ):
             return True
         period = MOVING_PERIOD if moving else RESTING_PERIOD
         return message.stamp.seconds - told.stamp.seconds >= period - 1e-6

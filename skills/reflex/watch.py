@@ -32,6 +32,7 @@ class Seen:
     """Metres as in ``Crossing``, and which arms move."""
 
     risk: bool
+    near: bool
     distance: float
     threshold: float
     clearance: float
@@ -76,8 +77,10 @@ class ArmsWatch:
         near = clearance.at(q).distance
         coming = clearance.ahead(q, v, REACTION).distance if moving else near
         crossing = verdict.risk and not self._in_a_safe_place(q) and not self._together(scene)
+        too_near = min(near, coming) < self._how.clearance
         return Seen(
-            risk=crossing or min(near, coming) < self._how.clearance,
+            risk=crossing or too_near,
+            near=too_near,
             distance=verdict.distance,
             threshold=verdict.threshold,
             clearance=near,
