@@ -55,6 +55,7 @@ def both_pick(context: TreeContext, board: BothBoard, method: Method, hold: floa
             Pause("hold it", context, hold),
             put_down_together("put down", context, board),
             let_go_together("let go", context, board),
+            Pause("hands come to rest", context, REST),
         ],
     )
     tried = Recovery("get it with both hands", context, main, _rungs(context, board, method), within=WITHIN)
@@ -148,5 +149,7 @@ def _safe(context: TreeContext, board: BothBoard, where: str) -> Behaviour:
     )
 
 
+REST: Final = 0.3
+"""Robot seconds after letting go, in which the arms stop swaying."""
 HOLD: Final = 2.0
 """Robot seconds for which it is held up unless a request says otherwise."""
