@@ -26,6 +26,7 @@ from executive.cli import (
     tree_commands,
     watch_command,
     why_command,
+    zones_command,
 )
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import MEANINGS, ExitCode
@@ -41,6 +42,7 @@ _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     tree_commands.add_to,
     scenario_commands.add_to,
     schema_command.add_to,
+    zones_command.add_to,
     campaign_command.add_to,
     bench_command.add_to,
     doctor.add_to,

@@ -6,6 +6,7 @@ from skills.bimanual.coordinate import Coordinate
 from skills.bimanual.coordinator import Coordinator
 from skills.bimanual.hold import TwoArms
 from skills.bimanual.two_hands import HoldWithTwo
+from skills.bimanual.zones_node import ZonesBoard
 from skills.kinematics.hulls import RobotHulls
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
@@ -27,10 +28,9 @@ def nodes(
     charge: bool = False,
 ) -> tuple[Node, ...]:
     """Return the nodes, in the order in which they are stepped: who tells first, who listens next."""
-    del compute
     arms = TwoArms(bus, clocks, description, hulls)
     two_hands = ActionServer(bus, clocks, HoldWithTwo(bus, clocks, site, arms), charge=charge)
-    made: list[Node] = [two_hands, arms]
+    made: list[Node] = [two_hands, arms, ZonesBoard(bus, clocks, description, compute)]
     how = description.arms_crossing
     if how is not None:
         coordinator = Coordinator(bus, description, how, hulls)

@@ -29,7 +29,7 @@ class Crossing(Message):
     clearance: float
     """Metres between the arms' geometry, with what they hold; negative when they overlap."""
     near: bool = False
-    """Whether the clearance, now or on the arms' way to rest, is below its bound; then ``risk`` is true too."""
+    """Whether the clearance is below its bound, now or on the way to rest; ``risk`` is true then."""
 
 
 class Order(StrEnum):
