@@ -53,6 +53,7 @@ class Motion:
         self._topic, self._cancel = group_setpoint(group.name), group_cancel(group.name)
         self._sent: deque[Array] = deque(maxlen=LAG)
         self._at: float | None = None
+        self._owed = 0
         self.record = Record()
         self.state = standing(np.zeros(len(group.joints)))
         self.blocked = False
@@ -63,11 +64,13 @@ class Motion:
     def begin(self) -> None:
         """Start from where the arm is measured to stand."""
         self.state = standing(self._live.measured()[0])
+        now = self._clocks.robot()
+        self._at, self._owed = None if now is None else now.seconds, 0
         self._sent.clear()
         self.record.add(self.state.q, 0.0)
 
     def ticks(self) -> int:
-        """Return how many periods have passed since this was asked with one or more passed."""
+        """Return how many periods have passed since something was sent, 0 when none has since this was asked."""
         now = self._clocks.robot()
         if now is None:
             return 0
@@ -78,7 +81,8 @@ class Motion:
         if passed < 1:
             return 0
         self._at = now.seconds if passed > CATCH_UP else self._at + passed * PERIOD
-        return min(passed, CATCH_UP)
+        self._owed = min(passed + self._owed, CATCH_UP)
+        return self._owed
 
     def advance(self, periods: int, make: Make, kept: Floors, *, recorded: bool) -> None:
         """Go on by so many periods as ``make`` says, or brake where that is not free; send the last state."""
@@ -125,6 +129,7 @@ class Motion:
     def _send(self) -> None:
         now = self._clocks.robot()
         assert now is not None  # a period has passed
+        self._owed = 0
         self._sent.append(self.state.q)
         self.streaming = True
         setpoint = SetPoint(
