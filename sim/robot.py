@@ -179,6 +179,7 @@ def _end_effector(side: Side) -> EndEffector:
         # elbow out, and not in the torso.
         work_point=(0.58, 0.20 if side == "left" else -0.20),
         work_heading=math.radians(-45.0 if side == "left" else 45.0),
+        safe_point=(0.38, 0.50 if side == "left" else -0.50, 1.00),
     )
 
 

@@ -51,6 +51,7 @@ class FailureKind(StrEnum):
     ARMS_CROSSING = "ARMS_CROSSING"
     FORCE_MISSING = "FORCE_MISSING"
     TILTED = "TILTED"
+    OTHER_ARM_FAILED = "OTHER_ARM_FAILED"
 
 
 class Helper(StrEnum):
@@ -118,6 +119,7 @@ KINDS: Final = MappingProxyType(
         ),
         _K.FORCE_MISSING: KindFacts("two hands closed in and did not feel the thing", True, Helper.LOOK),
         _K.TILTED: KindFacts("what is between two hands is not level", False, Helper.LET_GO),
+        _K.OTHER_ARM_FAILED: KindFacts("the other arm failed before both could act", True, Helper.AGAIN),
     }
 )
 """The facts of each kind; complete, which a test checks."""

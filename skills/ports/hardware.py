@@ -66,6 +66,8 @@ class EndEffector(Message):
     """x and y in the base (m) around which the hand works best at table height."""
     work_heading: float = 0.0
     """Heading in the base (rad) in which the hand points when it works best there."""
+    safe_point: Vector3 | None = None
+    """In the base (m): where the hand holds what it has picked, out of the other hand's way (002, 4.1.1)."""
 
 
 class CameraSensor(Message):

@@ -60,7 +60,7 @@ from skills.ports.actions.bimanual import (
     TwoHandsResult,
 )
 from skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
-from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
+from skills.ports.actions.perception import LOOK, TRACK, LookFeedback, LookGoal, LookResult
 from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
@@ -174,6 +174,9 @@ class MockRobot:
         self.bus = bus
         self.zones = mock_zones(self.world.stamp)
         """What both hands reach; told with all other beliefs."""
+        self.knows_zones = True
+        """Whether the zones are told at all."""
+        self._before: dict[Side, int] = {}
         self.out_of_reach = 0
         """How many of a survey's first base poses are out of reach."""
         self.bus, self._clocks, self._site, self._items = bus, clocks, site, dict(items)
@@ -196,6 +199,7 @@ class MockRobot:
         self._serve(LOCALISE, LocaliseFeedback(progress=0.0), self._localise)
         self._serve(EDIT, EditFeedback(), self._edit)
         self._serve(COORDINATE, CoordinateFeedback(episode=0), succeeded, endless=True)
+        self._serve(TRACK, LookFeedback(pictures=0, seen=()), succeeded, endless=True)
         hands = TwoHandsFeedback(left_force=0.0, right_force=0.0, progress=0.0)
         self._serve(TWO_HANDS, hands, self._two_hands)
         for side in SIDES:
@@ -245,7 +249,8 @@ class MockRobot:
             group = f"arm_{side}"
             status = ArmStatus(stamp=stamp, group=group, state=ArmState.ARM_IDLE, extent=self._extent[side])
             arm_status(group).publish(self.bus, status)
-        ZONES.publish(self.bus, self.zones.model_copy(update={"stamp": stamp}))
+        if self.knows_zones:
+            ZONES.publish(self.bus, self.zones.model_copy(update={"stamp": stamp}))
 
     def cross(self, *, risk: bool) -> None:
         """Have the reflex tell that the arms come into each other's way, or that they no longer do."""
@@ -394,6 +399,8 @@ class MockRobot:
 
     def _move(self, side: Side, goal: MoveGoal) -> Outcome[MoveResult]:
         self._extent[side] = TUCKED if goal.posture in {"home", "carry"} else STRETCHED
+        if goal.follows_item is not None or goal.touch_item is not None:
+            self._before[side] = goal.follows_item or goal.touch_item or 0
         return succeeded(MoveResult(positions=(0.0,), error=0.0, planning_steps=1, duration=0.0))
 
     def _approach(self, side: Side, goal: ApproachGoal) -> Outcome[ApproachResult]:
@@ -401,7 +408,7 @@ class MockRobot:
             message = f"item {goal.item} is not believed to be anywhere"
             where = approach(f"arm_{side}").name
             return failed(Failure(kind=FailureKind.ITEM_GONE, message=message, where=where))
-        self._extent[side] = STRETCHED
+        self._extent[side], self._before[side] = STRETCHED, goal.item
         return succeeded(ApproachResult(grasp=0, positions=(0.0,), error=0.0, duration=0.0))
 
     def _two_hands(self, goal: TwoHandsGoal) -> Outcome[TwoHandsResult]:
@@ -415,7 +422,7 @@ class MockRobot:
 
     def _grip(self, side: Side, goal: GripGoal) -> Outcome[GripResult]:
         if goal.grip is Grip.GRASP:
-            self.hands[side] = next(iter(self._items), None)
+            self.hands[side] = self._before.get(side, next(iter(self._items), None))
         elif goal.grip is Grip.OPEN:
             self.hands[side] = None
         full = self.hands[side] is not None
