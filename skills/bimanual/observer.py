@@ -71,7 +71,8 @@ class ArmObserver:
             distance=told.distance,
             recorded=told.recorded,
             at=told.at,
-            moving=moving,
+            # It tells the sample to which it goes back as soon as it sets out.
+            moving=moving or told.phase is ApproachPhase.BACK,
             safe=away < SAFE_WITHIN,
             away=away,
         )
