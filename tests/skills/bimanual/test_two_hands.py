@@ -59,9 +59,14 @@ class Rig:
         WORLD.publish(self.bus, WorldState(stamp=stamp, version=1, items=(fact,)))
         here = FloorPose(x=0.0, y=0.0, yaw=0.0)
         pose = RobotPose(
-            stamp=stamp, localised=True, base_in_map=here, odom_in_map=here, position_sigma=0.0, yaw_sigma=0.0,
+            stamp=stamp,
+            localised=True,
+            base_in_map=here,
+            odom_in_map=here,
+            position_sigma=0.0,
+            yaw_sigma=0.0,
             moving=False,
-        )  # fmt: skip
+        )
         ROBOT_POSE.publish(self.bus, pose)
         self._place_hands()
         self.period()
