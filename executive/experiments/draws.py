@@ -11,11 +11,15 @@ from executive.experiments.settings import AROUND, FARTHEST, LEAST, POSITIONS, R
 from sim.scenario import Scenario, load_scenario
 from skills.ports.message import Message
 
-MOST_DRAWS: Final = 1000
+MOST_DRAWS: Final = 200
 APART: Final = 0.14
 """Metres between the centres of two cubes: room for the fingers of both."""
 DELAY: Final = {"field": (0.1, 0.9), "grasp": (0.03, 0.25)}
 """Robot seconds after a phase's begin at which a thing is moved in it."""
+
+
+class NoPlaceError(ValueError):
+    """There is no place for a thing; the message says which, and where it was looked for."""
 
 
 class Spot(Message):
@@ -55,7 +59,19 @@ def scenario_of(kind: Kind, draw: Draw) -> Scenario:
 
 
 def draw_run(kind: Kind, series: Series, run: int, rng: np.random.Generator) -> Draw:
-    """Draw run number ``run``; the uncoordinated one goes through its three positions in turn."""
+    """Draw run number ``run``; the uncoordinated one goes through its three positions in turn.
+
+    Starts from which no place is far enough are drawn again.
+    """
+    for _ in range(MOST_DRAWS):
+        try:
+            return _draw(kind, series, run, rng)
+        except NoPlaceError:
+            continue
+    raise NoPlaceError(f"{kind}: no start was found from which each thing can be moved by {LEAST} m")
+
+
+def _draw(kind: Kind, series: Series, run: int, rng: np.random.Generator) -> Draw:
     position = run % len(POSITIONS) if kind == "uncoordinated" else 0
     starts: list[Spot] = []
     for number, region in enumerate(REGIONS[kind]):
@@ -64,7 +80,7 @@ def draw_run(kind: Kind, series: Series, run: int, rng: np.random.Generator) -> 
             starts.append(_near(x, y, region, rng))
         else:
             starts.append(_within(region, rng, starts))
-    steps = []
+    steps: list[Step] = []
     for number, (region, start) in enumerate(zip(REGIONS[kind], starts, strict=True)):
         others = [*starts[:number], *starts[number + 1 :], *(step.to[0] for step in steps)]
         to = tuple(_moved(region, start, rng, others) for _ in range(6))
@@ -82,7 +98,7 @@ def _within(region: Region, rng: np.random.Generator, others: list[Spot]) -> Spo
         spot = Spot(x=float(rng.uniform(*region.x)), y=float(rng.uniform(*region.y)), yaw=_yaw(region, rng))
         if all(math.hypot(spot.x - each.x, spot.y - each.y) >= APART for each in others):
             return spot
-    raise ValueError(f"no room for item {region.item} beside {others}")
+    raise NoPlaceError(f"no room for item {region.item} beside {others}")
 
 
 def _moved(region: Region, start: Spot, rng: np.random.Generator, others: list[Spot]) -> Spot:
@@ -90,7 +106,7 @@ def _moved(region: Region, start: Spot, rng: np.random.Generator, others: list[S
         spot = _within(region, rng, others)
         if LEAST <= math.hypot(spot.x - start.x, spot.y - start.y) <= FARTHEST:
             return spot
-    raise ValueError(f"no place for item {region.item} at least {LEAST} m from {start}")
+    raise NoPlaceError(f"no place for item {region.item} at least {LEAST} m from {start}")
 
 
 def _yaw(region: Region, rng: np.random.Generator) -> float:

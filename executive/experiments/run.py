@@ -84,6 +84,13 @@ class ExperimentRun(Message):
         return self.left, self.right
 
 
+class Experiment(Message):
+    """All runs of one experiment: what ``--report`` writes."""
+
+    options: Options
+    runs: tuple[ExperimentRun, ...]
+
+
 def run_experiment(options: Options, run: int) -> ExperimentRun:
     """Draw and make run number ``run``; the same options and number give the same run."""
     draw = draw_run(options.kind, options.series, run, np.random.default_rng((options.seed, run)))
