@@ -266,7 +266,7 @@ class Move:
     ) -> Generator[MoveFeedback | Slice, Command, tuple[Ended, Command, bool]]:
         """Wait for the end, and say whether an order has brought it about.
 
-        A cancel, a pause, an order, an obstacle or an item that has moved stops the hardware; its rest is then
+        A cancel, a pause, an order, an obstacle or an item that has moved stops the hardware; its rest is
         awaited.
         """
         stopping = held = False
