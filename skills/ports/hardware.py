@@ -125,7 +125,7 @@ class ArmsCrossing(Message):
     mu: float
     clearance: Positive
     """Metres between the arms' geometry below which there is a risk whatever Algorithm 2 says."""
-    phi: Positive = 0.3
+    phi: Positive = 0.25
     """Seconds between two samples of an arm's record (Algorithm 3)."""
     safe_posture: str = "home"
     """The posture in which an arm is in its safe zone and in nobody's way."""
