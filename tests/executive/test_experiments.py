@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from executive.experiments.draws import APART, draw_run, scenario_of
-from executive.experiments.figures import figure, from_above, in_space
+from executive.experiments.figures import Flat, figure, from_above, in_space
 from executive.experiments.mover import Moved
 from executive.experiments.run import ArmRun, ExperimentRun
 from executive.experiments.settings import FARTHEST, LEAST, REGIONS, Kind, Options
@@ -85,6 +85,6 @@ def test_the_offset_is_told_signed_and_as_a_distance() -> None:
 
 
 @pytest.mark.parametrize("flat", [from_above, in_space])
-def test_the_figures_are_whole_svg_with_a_line_for_each_hand(flat) -> None:  # type: ignore[no-untyped-def]
+def test_the_figures_are_whole_svg_with_a_line_for_each_hand(flat: Flat) -> None:
     root = ET.fromstring(figure("paths", [run_of(0, left=True, right=True)], flat))  # noqa: S314 - our own
     assert len(root.findall("{http://www.w3.org/2000/svg}polyline")) == 2
