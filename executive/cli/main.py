@@ -18,6 +18,7 @@ from executive.cli import (
     bench_command,
     campaign_command,
     doctor,
+    experiment_command,
     request_command,
     run_commands,
     scenario_commands,
@@ -44,6 +45,7 @@ _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     schema_command.add_to,
     zones_command.add_to,
     campaign_command.add_to,
+    experiment_command.add_to,
     bench_command.add_to,
     doctor.add_to,
 )

@@ -267,12 +267,12 @@ class Move:
         """Wait for the end, and say whether an order has brought it about.
 
         A cancel, a pause, an order, an obstacle or an item that has moved stops the hardware; its rest is
-        then awaited.
+        awaited.
         """
         stopping = held = False
         wrong: Failure | None = None
         while True:
-            wrong = wrong or watch.found or self._followed.moved() or self._crossing()
+            wrong = wrong or watch.found or self._followed.moved()
             held = held or self._gate.order() is not None
             if (command in {Command.CANCEL, Command.PAUSE} or held or wrong is not None) and not stopping:
                 self._driver.stop()
@@ -286,11 +286,6 @@ class Move:
                 continue
             phase = MovePhase.STOPPING if stopping else MovePhase.MOVING
             command = _graver(command, (yield self._feedback(phase)))
-
-    def _crossing(self) -> Failure | None:
-        if not self._gate.gives_up():
-            return None
-        return self._failure(FailureKind.ARMS_CROSSING, "both arms were stopped before they met")
 
     def _held(self) -> Generator[MoveFeedback | Slice, Command, bool]:
         """Wait until the coordination lets the group go on; True when it was cancelled instead."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 import numpy as np
@@ -10,6 +11,7 @@ from skills.bimanual.coordination import ArmNow
 from skills.kinematics.transforms import Array
 from skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
 from skills.ports.bus import Bus
+from skills.ports.chain import Chain
 from skills.ports.hardware import ArmsCrossing, JointStates, RobotDescription
 from skills.ports.keys import Latest
 from skills.ports.world import Side
@@ -18,6 +20,8 @@ STILL: Final = 0.02
 """rad/s below which a joint stands."""
 SAFE_WITHIN: Final = 0.10
 """Radians by which an arm may be off its safe posture and still be in its safe place."""
+ASIDE: Final = 0.05
+"""Metres by which a hand that holds something may be off its safe point."""
 SILENT_AFTER: Final = 0.5
 """Robot seconds after which an approach that tells nothing is taken for ended."""
 EVERY: Final = 0.1
@@ -43,6 +47,9 @@ class ArmObserver:
         """Positions (n,) of the approach that runs, from its start to the farthest that it got."""
         self._recorded_at = float("-inf")
         self.q: Array = self.safe_at
+        hand = description.end_effector(side)
+        self._safe_point = hand.safe_point
+        self._hand = Chain.from_urdf(description.urdf, description.base_frame, hand.frame)
 
     @property
     def approach(self) -> ApproachStatus | None:
@@ -65,7 +72,8 @@ class ArmObserver:
         away = float(np.max(np.abs(q - self.safe_at)))
         self.q = q
         if not active or told is None:
-            return ArmNow(moving=moving, safe=away < SAFE_WITHIN, away=away)
+            safe = away < SAFE_WITHIN or (not moving and self._holds_aside(joints))
+            return ArmNow(moving=moving, safe=safe, away=away)
         return ArmNow(
             approaching=True,
             distance=told.distance,
@@ -76,6 +84,13 @@ class ArmObserver:
             safe=away < SAFE_WITHIN,
             away=away,
         )
+
+    def _holds_aside(self, joints: JointStates) -> bool:
+        """Say whether the hand is where it holds what it has picked, out of the other's way."""
+        if self._safe_point is None:
+            return False
+        at = self._hand.pose(dict(zip(joints.names, joints.positions, strict=True))).position
+        return math.dist(at, self._safe_point) < ASIDE
 
     def ahead(self) -> list[Array]:
         """Return the positions of its record that lie before it once it has gone back."""

@@ -41,6 +41,7 @@ ROWS = (
     Row(K.DESTINATION_FULL, "detach", "", K.DESTINATION_FULL),
     Row(K.HAND_FULL, "attach", "", K.HAND_FULL),
     Row(K.TILTED, "attach", "", K.TILTED),
+    Row(K.OTHER_ARM_FAILED, "attach", "", K.OTHER_ARM_FAILED),
     *(
         Row(kind, "drive to item", WAIT, kind)
         for kind in (K.BUSY, K.NOT_READY, K.TIMED_OUT, K.SKILL_LOST, K.SKILL_CRASHED, K.HARDWARE_LOST)

@@ -68,6 +68,7 @@ class Episode:
             if why is Why.DONE:
                 why, result = yield from self._onward(began)
                 if result is not None:
+                    yield from self._ride.halt()
                     return succeeded(result)
             elif why is Why.STUCK:
                 why = yield from self._go_planned()
@@ -76,6 +77,7 @@ class Episode:
             elif why is Why.COMMAND:
                 why = yield from self._halted()
                 if self._ride.command is Command.CANCEL:
+                    yield from self._ride.halt()
                     return canceled()
             else:
                 yield from self._give_up()
@@ -275,7 +277,8 @@ class Episode:
         """Come to rest; if it was a pause, wait for its end, the hardware holding meanwhile."""
         ride = self._ride
         yield from ride.rest(Phase.STOPPING, obeying=True)
-        self._motion.release()
+        if ride.command is Command.PAUSE:
+            self._motion.release()
         while ride.command is Command.PAUSE:
             ride.hear((yield ride.feedback(Phase.STOPPING)))
             ride.refresh()
@@ -286,8 +289,7 @@ class Episode:
         """Come to rest before failing; what is held fast, or stops by itself, is not pushed on."""
         failure = self._ride.failure
         assert failure is not None
-        pushed = failure.kind in {FailureKind.ARM_STOPPED, FailureKind.HARDWARE_STOPPED}
-        if pushed or failure.kind is FailureKind.HARDWARE_LOST:
-            yield from self._ride.halt()
-        else:
+        untouched = {FailureKind.ARM_STOPPED, FailureKind.HARDWARE_STOPPED, FailureKind.HARDWARE_LOST}
+        if failure.kind not in untouched and self._motion.streaming:
             yield from self._ride.rest(Phase.STOPPING, obeying=True)
+        yield from self._ride.halt()

@@ -18,7 +18,7 @@ from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.geometry import FloorPose, floor_distance
 from skills.ports.hardware import JointStates
-from skills.ports.keys import JOINT_STATES, STOP_STATE, Latest
+from skills.ports.keys import JOINT_STATES, STOP_STATE, Latest, group_status
 from skills.ports.message import Vector3
 from skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
 
@@ -56,6 +56,7 @@ class Live:
         """Metres between the pads that are reckoned with; as they are unless given."""
         self._joints, self._scene = Latest(bus, JOINT_STATES), Latest(bus, SCENE)
         self._pose, self._stop = Latest(bus, ROBOT_POSE), Latest(bus, STOP_STATE)
+        self._group = Latest(bus, group_status(arm.group.name))
         robot = arm.hulls.robot
         self.columns = np.array([robot.joint_index(joint) for joint in arm.group.joints])
         others = [hand for hand in arm.description.end_effectors if hand.group != arm.group.name]
@@ -73,6 +74,7 @@ class Live:
         """Take what has come."""
         joints, scene, pose = self._joints.refresh(), self._scene.refresh(), self._pose.refresh()
         self._stop.refresh()
+        self._group.refresh()
         if joints is not None:
             self._full = self._ahead(joints)
         if scene is not None and pose is not None:
@@ -89,6 +91,12 @@ class Live:
         """Whether the hardware's stop is set."""
         state = self._stop.value
         return state is not None and state.stopped
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether the hardware says that the group is at rest, and takes motions again."""
+        status = self._group.value
+        return status is None or status.at_rest
 
     @property
     def silent(self) -> bool:
@@ -165,7 +173,7 @@ class Live:
 
     def close(self) -> None:
         """End the subscriptions."""
-        for inbox in (self._joints, self._scene, self._pose, self._stop):
+        for inbox in (self._joints, self._scene, self._pose, self._stop, self._group):
             inbox.close()
         for other in self._others:
             other.close()

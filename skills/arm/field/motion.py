@@ -70,7 +70,7 @@ class Motion:
         self.record.add(self.state.q, 0.0)
 
     def ticks(self) -> int:
-        """Return how many periods have passed since something was sent, 0 when none has since asked."""
+        """Return how many periods have passed since something was sent; 0 within the same period."""
         now = self._clocks.robot()
         if now is None:
             return 0

@@ -25,6 +25,8 @@ LEFT: Final = 0.03
 """Metres that the item may move while a planned motion is followed."""
 HALTING: Final = 100
 """Periods for which the hardware's own rest is waited for."""
+HEARD_AFTER: Final = 2
+"""Periods after which what the hardware says of its rest is from after the end of the stream."""
 
 
 class Why(StrEnum):
@@ -97,11 +99,13 @@ class Ride:
                 return self.interrupted(obeying=obeying) or Why.DONE
 
     def halt(self) -> Generator[ApproachFeedback | Slice, Command, None]:
-        """Send nothing more, and wait until the hardware has come to rest by itself."""
+        """Send nothing more, and wait until the hardware says that it is at rest, and takes motions again."""
+        if not self.motion.streaming:
+            return
         self.motion.release()
-        for _ in range(HALTING):
+        for number in range(HALTING):
             yield from self.next(ApproachPhase.STOPPING)
-            if self.parts.live.silent or self.motion.quiet:
+            if self.parts.live.silent or (number >= HEARD_AFTER and self.parts.live.at_rest):
                 return
 
     def follow(
