@@ -11,7 +11,6 @@ import time
 
 from benchmarks.rows import Row, spread
 from sim.robot import compose_robot
-from skills.arm.bodies import load_hulls
 from skills.arm.field.course import Course
 from skills.arm.field.ends import End, Ends
 from skills.arm.field.live import Live
@@ -23,6 +22,7 @@ from skills.arm.gate import Gate
 from skills.arm.plan_move import MovePlanner
 from skills.arm.planning.settings import PlannerSettings
 from skills.arm.problem import Arm
+from skills.kinematics.described import load_hulls
 from skills.ports.actions.approach import ApproachGoal
 from skills.ports.geometry import FloorPose, Pose, compose
 from skills.ports.grasping import tool_orientation

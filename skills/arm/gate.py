@@ -36,6 +36,11 @@ class Gate:
             return ArmOrder(side=self._side, order=Order.HOLD)
         return None if mine is None or mine.order is Order.GO else mine
 
+    def gives_up(self) -> bool:
+        """Whether the arm is told to come to rest and fail: both were stopped, and nobody coordinates."""
+        order = self.order()
+        return order is not None and order.order is Order.STOP
+
     def close(self) -> None:
         """End the subscription."""
         if self._orders is not None:

@@ -8,11 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from skills.arm.planning.motions import weigh
-from skills.arm.scene import allowed, by_name, carried, obstacles
+from skills.arm.scene import allowed, obstacles
 from skills.arm.trajectory import MotionLimits, Trajectory
 from skills.kinematics.batch import BatchChain
 from skills.kinematics.bodies import Obstacle
 from skills.kinematics.collision import CollisionChecker, Contact
+from skills.kinematics.described import by_name, carried, home_positions
 from skills.kinematics.extent import Extent
 from skills.kinematics.hulls import RobotHulls
 from skills.kinematics.ik import SeedTable, Solver
@@ -25,8 +26,6 @@ from skills.ports.world import PlanningScene
 
 LIMIT_MARGIN = 0.01
 """Radians (or metres) that plans stay inside the joints' limits: smoothed motions overshoot a little."""
-HOME = "home"
-"""The postures of this name are known to be free of collisions."""
 SPREAD = 200
 """Configurations over which the reach is taken."""
 BEYOND = 0.35
@@ -90,13 +89,7 @@ class Arm:
         )
 
         self._reach = self._farthest() + BEYOND
-        home = {
-            joint: value
-            for posture in description.postures
-            if posture.name == HOME
-            for joint, value in zip(description.group(posture.group).joints, posture.positions, strict=True)
-        }
-        alone = CollisionChecker(hulls, self.group.joints, home)
+        alone = CollisionChecker(hulls, self.group.joints, home_positions(description))
         tip = self.group.joints[-1] if self.hand is None else self.hand.frame
         self.weights = weigh(alone.chain, self.limits, tip)
         """Of the joints, for the distances of planning, (n,)."""

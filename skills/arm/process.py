@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from skills.arm.bodies import load_hulls
 from skills.arm.field.approach import Approach
 from skills.arm.move import Move
 from skills.arm.planning.settings import PlannerSettings
 from skills.arm.problem import Arm
 from skills.arm.status import ArmStatusBoard
 from skills.arm.survey import Survey
+from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks

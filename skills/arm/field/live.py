@@ -9,8 +9,8 @@ import numpy as np
 
 from skills.arm.field.around import Around, split
 from skills.arm.problem import Arm, Moment
-from skills.arm.scene import carried
 from skills.kinematics.bodies import BoxShape, Obstacle
+from skills.kinematics.described import carried
 from skills.kinematics.proximity import Proximity
 from skills.kinematics.transforms import Array
 from skills.ports.actions.approach import approach_status

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-
 from skills.arm.bodies import load_hulls
+
 from skills.kinematics.bodies import BoxShape, Obstacle
 from skills.kinematics.collision import CollisionChecker
 from skills.kinematics.hulls import RobotHulls
