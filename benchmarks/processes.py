@@ -10,7 +10,8 @@ from collections.abc import Iterator, Sequence
 from contextlib import closing, contextmanager
 from typing import Final
 
-from executive.settings import Role, WorkerSettings
+from executive.parts import Role
+from executive.settings import WorkerSettings
 from skills.wire.zenoh_bus import BusError, ZenohBus
 
 PREFIX: Final = "bench/mock"

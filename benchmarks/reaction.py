@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import os
 import time
-from collections import deque
 from collections.abc import Iterator
 from typing import Final
 
@@ -26,6 +25,7 @@ from skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, TREE, CancelTa
 from skills.site import load
 from skills.testing.mock_robot import MockRobot
 from skills.wire.clocks import ProcessClocks
+from skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
 from skills.wire.zenoh_bus import ZenohBus, ZenohDesk, ZenohRequest
 
 FETCHES: Final = 24
@@ -121,21 +121,21 @@ def request_times(endpoint: str, count: int) -> list[float]:
     return found
 
 
-class Arrivals(deque[ZenohRequest]):
+class Arrivals(KeyedQueue[ZenohRequest]):
     """What waits at a desk; tells a spy the moment that something comes."""
 
     def __init__(self, spy: Spy) -> None:
         """Start empty."""
-        super().__init__()
+        super().__init__(DESK_DEPTH, "newest goes")
         self._spy = spy
 
-    def append(self, request: ZenohRequest) -> None:
+    def put(self, key: str, request: ZenohRequest, /) -> None:
         """Take a query in."""
         now, began = time.perf_counter(), self._spy.ended_at
         if began is not None:
             self._spy.reactions.append(now - began)
             self._spy.ended_at = None
-        super().append(request)
+        super().put(key, request)
 
 
 class Spy:
@@ -179,6 +179,10 @@ class Spy:
     def alive(self) -> frozenset[str]:
         """As the bus."""
         return self.bus.alive()
+
+    def awake(self) -> frozenset[str]:
+        """As the bus."""
+        return self.bus.awake()
 
 
 def _fetch(spy: Spy, bus: ZenohBus, robot: MockRobot, clocks: ProcessClocks, fetches: int) -> None:

@@ -132,7 +132,7 @@ class Rig:
                     velocities=tuple((pace * way).tolist()),
                 )
             )
-        return TrajectoryGoal(id=f"{group}-{self._count}", points=tuple(points), **more)
+        return TrajectoryGoal(id=f"{group}-{self._count}", keeper="", points=tuple(points), **more)
 
     def send(self, group: str, goal: TrajectoryGoal) -> Answer:
         """Send a goal; one period passes before it is answered."""

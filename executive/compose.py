@@ -17,7 +17,14 @@ from executive.demo import Caller, succeeded
 from executive.fault_file import check_faults
 from executive.options import RunOptions
 from executive.report import Recorder, write_report
-from executive.systems import LockstepSystem, ProcessSystem, RefusedError, System, SystemFailure
+from executive.systems import (
+    LedgerFailure,
+    LockstepSystem,
+    ProcessSystem,
+    RefusedError,
+    System,
+    SystemFailure,
+)
 from sim.scenario import Scenario, ScenarioError, load_scenario
 from sim.scene import build_scene
 from sim.truth import Truth, lies_on
@@ -75,6 +82,9 @@ def _ended(work: Callable[[Console], ExitCode]) -> ExitCode:
     except RefusedError as error:
         console.print(f"refused: {error}", style="red", markup=False)
         return ExitCode.REFUSED
+    except LedgerFailure as error:
+        console.print(f"error: {error}", style="red", markup=False)
+        return ExitCode.UNKEPT
     except SystemFailure as error:
         console.print(f"error: {error}", style="red", markup=False)
         return ExitCode.TASK_FAILED
@@ -108,7 +118,7 @@ def _system(
     def say(line: str) -> None:
         console.print(line, style="yellow", markup=False)
 
-    with ProcessSystem(options, say=say) as processes:
+    with ProcessSystem(options, roles=options.only, say=say) as processes:
         yield processes
 
 

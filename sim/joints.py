@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Final
 
@@ -43,6 +43,7 @@ class Report:
     joint: str = ""
     error: float = 0.0
     at_rest: bool = True
+    held: float = 0.0
 
 
 @dataclass
@@ -53,6 +54,7 @@ class _Run:
     path: Spline
     phase: float = 0.0
     rate: float = 1.0
+    held: float = 0.0
     ending: MotionState | None = None
     overtime: float = 0.0
 
@@ -84,7 +86,19 @@ class GroupController:
         self._setpoint: tuple[Array, Array] | None = None
         self._setpoint_age = 0.0
         self._settled = True
+        self._unkept = False
         self.report = Report()
+
+    @property
+    def keeper(self) -> str:
+        """Who watches over the goal that runs; empty when nobody does."""
+        return "" if self._run is None else self._run.goal.keeper
+
+    def keep(self, *, awake: bool, gone: bool) -> None:
+        """Hear of the keeper: while it is not awake the group stands on its path; gone, the goal ends."""
+        self._unkept = not awake
+        if gone:
+            self.stop()
 
     def accept(self, goal: TrajectoryGoal) -> Answer:
         """Start the goal, or say why not. A goal that runs already is accepted again and goes on."""
@@ -94,7 +108,7 @@ class GroupController:
         if reason:
             return Answer(accepted=False, reason=reason)
         self._setpoint = None
-        self._settled = False
+        self._settled = self._unkept = False
         points = goal.points
         times = [point.time for point in points]
         positions = [point.positions for point in points]
@@ -195,7 +209,7 @@ class GroupController:
             still = self._settled and float(np.abs(measured_velocity).max()) < REST_SPEED
             report = self.report
             if still is not report.at_rest:
-                self.report = Report(report.goal_id, report.state, report.joint, report.error, still)
+                self.report = replace(report, at_rest=still)
 
     def _resting(self, measured_velocity: Array) -> bool:
         """Say whether there is nothing to do but hold, and nothing new to report."""
@@ -230,10 +244,14 @@ class GroupController:
             self.velocity = np.zeros_like(self.velocity)
 
     def _follow(self, run: _Run, period: float) -> None:
-        if run.ending is not None:
+        stands = run.ending is not None or self._unkept
+        if stands or run.rate < 1.0:
             pace = np.abs(run.path.velocity(run.phase))
-            fastest = float(np.min(self._acceleration / np.maximum(pace, 1e-6)))
-            run.rate = max(0.0, run.rate - fastest * period)
+            fastest = float(np.min(self._acceleration / np.maximum(pace, 1e-6))) * period
+            run.rate = max(0.0, run.rate - fastest) if stands else min(1.0, run.rate + fastest)
+            run.held += (1.0 - run.rate) * period
+            if run.rate >= 1.0:
+                self.report = replace(self.report, held=run.held)
         run.phase = min(run.phase + run.rate * period, run.path.duration)
         self.position = run.path.position(run.phase)
         done = run.phase >= run.path.duration

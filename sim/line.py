@@ -87,3 +87,7 @@ class Line:
     def alive(self) -> frozenset[str]:
         """Return the names that are announced now."""
         return self._bus.alive()
+
+    def awake(self) -> frozenset[str]:
+        """Return those of them whose process goes on."""
+        return self._bus.awake()

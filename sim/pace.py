@@ -48,6 +48,7 @@ def run_paced(station: Station, bus: ZenohBus, speed: float | None, stopped: Cal
     followers = Followers(bus)
     due = time.monotonic()
     while not stopped():
+        bus.beat()
         station.step()
         if speed is None and not station.silent:
             followers.wait_for(station.hardware.tick)

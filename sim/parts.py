@@ -108,11 +108,17 @@ class GroupPart:
     def listen(self, *, stopped: bool) -> None:
         """Take goals, cancels and set-points."""
         controller = self.servos.controller
-        answer_all(self._goals, TrajectoryGoal, lambda goal: STOPPED if stopped else controller.accept(goal))
+        answer_all(self._goals, TrajectoryGoal, lambda goal: STOPPED if stopped else self._take(goal))
         answer_all(self._cancels, CancelMotion, lambda cancel: controller.cancel(cancel.id))
         for setpoint in self._setpoints.take():
             if not stopped:
                 controller.stream(setpoint)
+
+    def _take(self, goal: TrajectoryGoal) -> Answer:
+        if goal.keeper and goal.keeper not in self._bus.alive():
+            reason = f"its keeper {goal.keeper} is not announced"
+            return Answer(accepted=False, reason=reason)
+        return self.servos.controller.accept(goal)
 
     def halt(self) -> None:
         """Brake; a goal ends ABORTED."""
@@ -120,6 +126,10 @@ class GroupPart:
 
     def act(self, period: float) -> None:
         """Follow the goal, the stream, or hold."""
+        controller = self.servos.controller
+        if controller.keeper:
+            awake, alive = self._bus.awake(), self._bus.alive()
+            controller.keep(awake=controller.keeper in awake, gone=controller.keeper not in alive)
         self.servos.advance(period, self._body.read(self._group.joints))
         for limit in self._group.limits:
             if limit.joint in self.stalled:
@@ -140,6 +150,7 @@ class GroupPart:
             joint=report.joint,
             error=report.error,
             at_rest=report.at_rest,
+            held=report.held,
         )
         self._status.publish(self._bus, status)
 

@@ -12,9 +12,12 @@ from pydantic import ValidationError
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 from executive.options import BusOptions
+from executive.security.holders import KeysError
+from executive.security.identity import Identity
 from skills.ports.bus import Pending
 from skills.ports.keys import DESCRIPTION, Nothing, Service
 from skills.ports.message import Message
+from skills.ports.tasks import TASK_CANCEL, by_client
 from skills.wire.zenoh_bus import BusError, ZenohBus
 
 Sent = TypeVar("Sent", bound=Message)
@@ -38,7 +41,10 @@ class Connection:
         self.options = options
         self._deadline = time.monotonic() + ANSWER_WITHIN
         try:
-            self.bus = ZenohBus(options.endpoint, options.prefix, patience=ROUTER_WITHIN)
+            shown = None if options.keys is None else Identity(options.keys, options.holder).client()
+            self.bus = ZenohBus(options.endpoint, options.prefix, patience=ROUTER_WITHIN, credentials=shown)
+        except KeysError as error:
+            raise CommandError(str(error)) from error
         except BusError as error:
             raise _no_router(options) from error
 
@@ -72,6 +78,17 @@ class Connection:
                 f"{key} was answered by a program of another version: {error.error_count()} fields differ",
                 ExitCode.NOBODY_THERE,
             ) from error
+
+    def own(self, key: str) -> str:
+        """Return the key at which the holder of a key asks in its own name; without keys the key itself."""
+        return key if self.options.keys is None else by_client(self.options.holder, key)
+
+    def cancel_key(self) -> str:
+        """Return where this client cancels: a requester its own tasks, everybody else any."""
+        options = self.options
+        if options.keys is None or Identity(options.keys, options.holder).role() != "requester":
+            return TASK_CANCEL.key
+        return self.own(TASK_CANCEL.key)
 
     def raw(self, key: str, payload: bytes) -> bytes | None:
         """Return what is answered as it is, or None when nobody answers in time."""
@@ -109,6 +126,8 @@ class Connection:
         options = self.options
         there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))
         seen = f"there are only {there}" if there else "nobody is there"
+        if there and options.keys is not None:
+            seen = f"{there} are there; perhaps the key of {options.holder} does not allow to ask there"
         return (
             f"no executive on {options.prefix} at {options.endpoint}: {seen}; "
             "start the system with `tandem up`, or name another robot with --site-key and --robot"

@@ -11,7 +11,7 @@ from typing import Final
 
 import typer
 
-from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
+from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
@@ -58,10 +58,14 @@ def add_to(app: typer.Typer) -> None:
 
 
 def doctor(
-    connect: Connect = DEFAULT_ENDPOINT, site_key: SiteKey = DEFAULT_SITE, robot: Robot = DEFAULT_ROBOT
+    connect: Connect = DEFAULT_ENDPOINT,
+    site_key: SiteKey = DEFAULT_SITE,
+    robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """Say what is here and what is missing: versions, renderer, robot. Ends with 1 if something vital is."""
-    options = bus_options(connect, site_key, robot)
+    options = bus_options(connect, site_key, robot, keys, holder)
     looks: tuple[Callable[[], list[Finding]], ...] = (
         _machine, _packages, _files, _renderer, lambda: _robot(options),
     )  # fmt: skip

@@ -19,12 +19,14 @@ from executive.cli import (
     campaign_command,
     doctor,
     experiment_command,
+    keys_command,
     request_command,
     run_commands,
     scenario_commands,
     schema_command,
     task_commands,
     tree_commands,
+    verb_commands,
     watch_command,
     why_command,
     zones_command,
@@ -32,12 +34,14 @@ from executive.cli import (
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import MEANINGS, ExitCode
 from executive.cli.logs import LogOptions
+from executive.parts import LogFormat
 
 _LOG = logging.getLogger(__name__)
 
 _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     run_commands.add_to,
     task_commands.add_to,
+    verb_commands.add_to,
     watch_command.add_to,
     why_command.add_to,
     tree_commands.add_to,
@@ -47,6 +51,7 @@ _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     campaign_command.add_to,
     experiment_command.add_to,
     bench_command.add_to,
+    keys_command.add_to,
     doctor.add_to,
 )
 
@@ -112,12 +117,15 @@ def _common(
     verbose: Annotated[
         bool, typer.Option("--verbose", "-v", help="Write what happens to standard error.")
     ] = False,
+    log_format: Annotated[
+        LogFormat, typer.Option("--log-format", help="Logs for people, or as lines of JSON.")
+    ] = "text",
     version: Annotated[  # noqa: ARG001 - its callback does the work
         bool,
         typer.Option("--version", help="Print the version.", is_eager=True, callback=_print_version),
     ] = False,
 ) -> None:
-    context.obj = LogOptions(log, verbose)
+    context.obj = LogOptions(log, verbose, log_format)
     context.obj.apply()
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import inspect
 import uuid
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Final, Literal, get_args, get_origin
 
 import typer
 
-from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
+from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
 
 if TYPE_CHECKING:
@@ -41,14 +42,21 @@ Wait = Annotated[bool, typer.Option("--wait", "-w", help="Wait for the task's en
 def from_json(
     document: Annotated[str, typer.Argument(help='Such as {"task": "fetch", "item": 29}.')],
     wait: Wait = False,  # noqa: FBT002
+    *,
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """Send a request's document as it is."""
     from executive.cli.sending import send  # noqa: PLC0415
 
-    send(document.encode("utf-8", "surrogateescape"), bus_options(connect, site_key, robot), wait=wait)
+    send(
+        document.encode("utf-8", "surrogateescape"),
+        bus_options(connect, site_key, robot, keys, holder),
+        wait=wait,
+    )
 
 
 def command_of(kind: TaskType[Message]) -> Callable[..., None]:
@@ -59,10 +67,12 @@ def command_of(kind: TaskType[Message]) -> Callable[..., None]:
         from executive.cli.sending import send_fields  # noqa: PLC0415
 
         connect, site_key, robot = (str(given.pop(name)) for name in ("connect", "site_key", "robot"))
-        wait = bool(given.pop("wait"))
+        wait, holder = bool(given.pop("wait")), str(given.pop("holder"))
+        folder = given.pop("keys")
+        keys = folder if isinstance(folder, Path) else None
         document: dict[str, JsonValue] = {"task": kind.name, "id": uuid.uuid4().hex}
         document.update({name: _json(value) for name, value in given.items() if value is not None})
-        options: BusOptions = bus_options(connect, site_key, robot)
+        options: BusOptions = bus_options(connect, site_key, robot, keys, holder)
         send_fields(document, options, wait=wait)
 
     parameters = [_parameter(name, info) for name, info in fields.items()]

@@ -37,7 +37,7 @@ def send(payload: bytes, options: BusOptions, *, wait: bool) -> None:
     """
     with Connection(options) as connection:
         statuses = Latest(connection.bus, TASK_STATUS)
-        answer = connection.answer(REQUEST, _with_id(payload), TaskAnswer)
+        answer = connection.answer(connection.own(REQUEST), _with_id(payload), TaskAnswer)
         if not answer.accepted:
             raise CommandError(describe_problems(answer))
         connection.require_robot()

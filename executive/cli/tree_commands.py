@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from executive.cli.arguments import Connect, Output, Robot, SiteFile, SiteKey, bus_options
+from executive.cli.arguments import As, Connect, Keys, Output, Robot, SiteFile, SiteKey, bus_options
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
@@ -70,12 +70,14 @@ def render(
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """Draw a task's tree, or, with --live, the one that runs now with its statuses."""
     from executive.render.formats import BINARY, FORMATS  # noqa: PLC0415
 
     if live:
-        root = _running(bus_options(connect, site_key, robot))
+        root = _running(bus_options(connect, site_key, robot, keys, holder))
     elif task:
         root = _built(task, request, site)
     else:

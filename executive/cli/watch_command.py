@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
+from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
 
 if TYPE_CHECKING:
@@ -39,9 +39,12 @@ def add_to(app: typer.Typer) -> None:
 
 def watch(
     once: Annotated[bool, typer.Option("--once", help="Print what is there now, and end.")] = False,  # noqa: FBT002
+    *,
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
+    keys: Keys = None,
+    holder: As = "",
 ) -> None:
     """Show the running task's tree as it runs, until Ctrl-C."""
     from rich.console import Console  # noqa: PLC0415
@@ -49,7 +52,7 @@ def watch(
     from executive.cli.connection import Connection  # noqa: PLC0415
 
     console = Console()
-    with Connection(bus_options(connect, site_key, robot)) as connection:
+    with Connection(bus_options(connect, site_key, robot, keys, holder)) as connection:
         view = _first(connection)
         if once:
             console.print(picture(view, height=10_000))

@@ -54,7 +54,7 @@ class GroupDriver:
 
     def send(self, goal_id: str, trajectory: Trajectory) -> Generator[None, None, Failure | None]:
         """Hand the motion over; yields while there is no answer. A failure means that nothing moves."""
-        goal = TrajectoryGoal(id=goal_id, points=trajectory.points())
+        goal = TrajectoryGoal(id=goal_id, keeper=f"skill/{self._where}", points=trajectory.points())
         self._id = goal_id
         self.moving = True
         until = robot_seconds(self._clocks) + RESTS_WITHIN
@@ -85,14 +85,14 @@ class GroupDriver:
     @property
     def elapsed(self) -> float:
         """Seconds of the motion that have passed."""
-        return min(self._duration, max(0.0, robot_seconds(self._clocks) - self._sent_at))
+        return min(self._duration, max(0.0, robot_seconds(self._clocks) - self._sent_at - self._held))
 
     @property
     def progress(self) -> float:
         """Share of the motion's time that has passed, 0 to 1."""
         if self._duration <= 0.0:
             return 1.0
-        return min(1.0, max(0.0, (robot_seconds(self._clocks) - self._sent_at) / self._duration))
+        return self.elapsed / self._duration
 
     def poll(self) -> Ended | None:
         """Return how the motion ended, and None while it goes on."""
@@ -100,11 +100,17 @@ class GroupDriver:
         if status is not None and status.goal_id == self._id and status.state in ENDED and status.at_rest:
             self.moving = False
             return Ended(status, self._explain(status))
-        if robot_seconds(self._clocks) > self._ends_at:
+        if robot_seconds(self._clocks) > self._ends_at + self._held:
             self.stop()
             self.moving = False
             return Ended(None, self._failure(FailureKind.HARDWARE_LOST, f"{self._group} tells of no end"))
         return None
+
+    @property
+    def _held(self) -> float:
+        """Seconds for which the hardware has stood on the way, since it did not hear of this process."""
+        status = self._status.value
+        return status.held if status is not None and status.goal_id == self._id else 0.0
 
     def stop(self) -> None:
         """Tell the hardware to stop; ``poll`` then tells when it is at rest."""

@@ -26,6 +26,12 @@ def supports(model: pin.Model, parents: Sequence[int]) -> npt.NDArray[np.bool_]:
     return found
 
 
+def reach_of(body: pin.GeometryObject) -> float:
+    """Return the metres from a body's origin to its farthest point, or a little more."""
+    box = body.geometry.aabb_local
+    return float(np.linalg.norm(np.maximum(np.abs(np.array(box.min_)), np.abs(np.array(box.max_)))))
+
+
 def lever_arms(
     model: pin.Model, bodies: Sequence[pin.GeometryObject], support: npt.NDArray[np.bool_]
 ) -> Array:
@@ -36,9 +42,7 @@ def lever_arms(
     """
     levers = np.zeros(support.shape)
     for row, body in enumerate(bodies):
-        box = body.geometry.aabb_local
-        size = float(np.linalg.norm(np.maximum(np.abs(np.array(box.min_)), np.abs(np.array(box.max_)))))
-        length = float(np.linalg.norm(body.placement.translation)) + size
+        length = float(np.linalg.norm(body.placement.translation)) + reach_of(body)
         for joint in reversed([int(j) for j in model.supports[int(body.parentJoint)] if j > 0]):
             kind = model.joints[joint]
             shifts = kind.shortname().startswith("JointModelP")

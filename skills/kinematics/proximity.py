@@ -18,9 +18,11 @@ import pinocchio as pin
 
 from skills.kinematics.bodies import Carried, Obstacle, geometry
 from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.levers import lever_arms, supports
+from skills.kinematics.levers import lever_arms, reach_of, supports
 from skills.kinematics.transforms import Array, to_se3
 
+MANY = 25
+"""Pairs for which it pays to look at the balls around the bodies first."""
 TOUCHING = 1e-6
 """Metres below which two points are no direction any more; then coal's own normal is taken."""
 
@@ -91,6 +93,7 @@ class Proximity:
         for i, j in zip(first, second, strict=True):
             self._geometry.addCollisionPair(pin.CollisionPair(int(i), int(j)))
         self._found = self._geometry.createData()
+        self._radii = np.array([reach_of(body) for body in bodies])
         levers = lever_arms(self._model, bodies, support)
         both = support[first] & support[second]
         self._levers = np.where(both, 0.0, levers[first] + levers[second])
@@ -175,7 +178,7 @@ class Proximity:
             return None
         pin.updateGeometryPlacements(self._model, self._data, self._geometry, self._found, q)
         wide = np.broadcast_to(floors, lower.shape)
-        for k in doubtful.tolist():
+        for k in self._balls(doubtful, wide).tolist():
             if self._measure(k) < wide[k]:
                 return int(k)
         return None
@@ -193,6 +196,16 @@ class Proximity:
     def pair(self, number: int) -> tuple[str, str]:
         """Return the names of a pair's bodies."""
         return self.names[int(self._first[number])], self.names[int(self._second[number])]
+
+    def _balls(self, pairs: npt.NDArray[np.int_], floors: Array) -> npt.NDArray[np.int_]:
+        """Return those of the pairs whose bodies' enclosing balls are nearer than the floors."""
+        if len(pairs) < MANY:
+            return pairs
+        places = np.array([placed.translation for placed in self._found.oMg])
+        first, second = self._first[pairs], self._second[pairs]
+        away = places[first] - places[second]
+        gaps = np.sqrt(np.einsum("ij,ij->i", away, away)) - self._radii[first] - self._radii[second]
+        return np.asarray(pairs[gaps < floors[pairs]])
 
     def _measure(self, pair: int) -> float:
         return float(pin.computeDistance(self._geometry, self._found, pair).min_distance)

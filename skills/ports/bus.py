@@ -81,7 +81,10 @@ class Bus(Protocol):
         ...
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
-        """Receive what is put on the key expression from now on; the oldest go when ``depth`` is full."""
+        """Receive what is put on the key expression from now on.
+
+        Of each key ``depth`` are kept; then the oldest of that key go.
+        """
         ...
 
     def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
@@ -89,7 +92,7 @@ class Bus(Protocol):
         ...
 
     def serve(self, key: str) -> Desk:
-        """Answer queries on the key expression."""
+        """Answer queries on the key expression. Of each key a bounded number waits; more end unanswered."""
         ...
 
     def listened(self, key: str) -> bool:
@@ -102,4 +105,8 @@ class Bus(Protocol):
 
     def alive(self) -> frozenset[str]:
         """Return the names that are announced now."""
+        ...
+
+    def awake(self) -> frozenset[str]:
+        """Return those of them whose process goes on; one that hangs is missed within half a second."""
         ...

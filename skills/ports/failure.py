@@ -52,6 +52,7 @@ class FailureKind(StrEnum):
     FORCE_MISSING = "FORCE_MISSING"
     TILTED = "TILTED"
     OTHER_ARM_FAILED = "OTHER_ARM_FAILED"
+    INTERRUPTED = "INTERRUPTED"
 
 
 class Helper(StrEnum):
@@ -120,6 +121,9 @@ KINDS: Final = MappingProxyType(
         _K.FORCE_MISSING: KindFacts("two hands closed in and did not feel the thing", True, Helper.LOOK),
         _K.TILTED: KindFacts("what is between two hands is not level", False, Helper.LET_GO),
         _K.OTHER_ARM_FAILED: KindFacts("the other arm failed before both could act", True, Helper.AGAIN),
+        _K.INTERRUPTED: KindFacts(
+            "the executive ended in the middle; how far it came is not known", True, Helper.OPERATOR
+        ),
     }
 )
 """The facts of each kind; complete, which a test checks."""

@@ -215,9 +215,14 @@ class TrajectoryGoal(Message):
 
     The group aborts when a joint strays from the path by more than ``path_tolerance`` or is not within
     ``goal_tolerance`` of the end ``goal_time`` seconds after the last point (rad or m).
+
+    ``keeper`` is the announced name of who watches over the motion. While its process does not go on, the
+    group stands on its path; it goes on along it when the keeper does. When the name is gone the goal ABORTS.
+    Empty: nobody watches.
     """
 
     id: str
+    keeper: str = ""
     points: Annotated[tuple[TrajectoryPoint, ...], Field(min_length=1)]
     path_tolerance: Positive = 0.15
     goal_tolerance: Positive = 0.02
@@ -252,6 +257,8 @@ class GroupStatus(Message):
     error: float = 0.0
     """By how much it strayed (rad or m)."""
     at_rest: bool = True
+    held: float = 0.0
+    """Seconds by which the motion is behind its plan, since its keeper was silent for a while."""
 
 
 class Answer(Message):

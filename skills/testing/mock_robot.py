@@ -115,7 +115,8 @@ class _Mortal:
     def __init__(self, bus: ClosableBus) -> None:
         self._bus, self._dead = bus, False
         self.subscribe, self.serve, self.query = bus.subscribe, bus.serve, bus.query
-        self.listened, self.announce, self.alive = bus.listened, bus.announce, bus.alive
+        self.listened, self.announce = bus.listened, bus.announce
+        self.alive, self.awake = bus.alive, bus.awake
 
     def publish(self, key: str, payload: bytes) -> None:
         """Send, unless it is dead."""
@@ -189,6 +190,8 @@ class MockRobot:
         """Faults by the leaf that sent the goal, at each of its attempts or at one (1 is the first)."""
         self.calls: list[tuple[str, Message]] = []
         """Each goal that was run, with its action's name, in order."""
+        self.watch: Callable[[str, str, str, Message], None] = lambda *_: None
+        """Told "began" and "ended" of each goal, with action, id and goal."""
         self._ends, self._servers = ends, dict[str, _Served]()
         self._clutter: tuple[SceneObject, ...] = ()
         self._told = False
@@ -275,6 +278,8 @@ class MockRobot:
         fault_of = self._hangs if endless else self._fault_of
         skill = MockSkill(action, self._clocks, idle, recorded, self._duration, faults, fault_of)
         skill.calls = _Recorded(self.calls, action.name)
+        skill.began = lambda goal_id, goal: self.watch("began", action.name, goal_id, goal)
+        skill.ended = lambda goal_id, goal: self.watch("ended", action.name, goal_id, goal)
         mortal = None if self._ends is None else _Mortal(self._ends())
 
         def serve(at: Bus) -> Node:
@@ -368,7 +373,9 @@ class MockRobot:
                 position_sigma=0.002,
             )
             for item, tag in seen.items()
-            if item not in self.hands.values()
+            # One that a hand has closed on stands there and is seen until it is lifted, which is after it is
+            # believed to be held.
+            if item not in {hand.item for hand in self.world.held}
         )
         known = {fact.item: fact for fact in self.world.items}
         for sighting in sightings:

@@ -48,6 +48,7 @@ def run(
         while not stopped():
             if not more:
                 bus.waker.wait(IDLE_WAIT)
+            bus.beat()
             ticks = clocks.refresh()
             more = False
             for node in nodes:

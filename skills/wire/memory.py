@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
+from skills.wire.keyed_queue import DESK_DEPTH
 from skills.wire.match import matches
 
 
@@ -177,6 +178,8 @@ class MemoryBus:
         self.hub.record("query", key, payload)
         for desk in self.hub.desks:
             if matches(desk.expression, key):
+                if sum(each.key == key for each in desk.waiting) >= DESK_DEPTH:
+                    break
                 desk.waiting.append(MemoryRequest(self.hub, key, payload, pending))
                 return pending
         pending.ended = True
@@ -200,6 +203,10 @@ class MemoryBus:
     def alive(self) -> frozenset[str]:
         """Return the names that are announced now."""
         return frozenset(self.hub.names)
+
+    def awake(self) -> frozenset[str]:
+        """Return the same: in one thread nobody hangs alone."""
+        return self.alive()
 
     def close(self) -> None:
         """Take back what was announced here."""

@@ -1,28 +1,31 @@
-"""The bus over zenoh: between processes, through a router. The only module that imports zenoh.
+"""The bus over zenoh: between processes, through a router.
 
 zenoh's callbacks only enqueue and wake the one loop; everything else happens in the loop's own thread.
 """
 
 from __future__ import annotations
 
-import json
 import threading
 import time
-from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
 import zenoh
 
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
+from skills.wire.configs import client_config
+from skills.wire.credentials import Credentials
+from skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
 from skills.wire.memory import MemorySample
+from skills.wire.pulse import BEAT, SILENT_AFTER, Pulse
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 BULK: Final = 64 * 1024
 """Payloads above this many bytes are never dropped by a full queue: a picture is all or nothing."""
 
 
-STREAMS: Final = ("hw/",)
+STREAMS: Final = ("hw/", BEAT)
 """Keys whose messages are followed by newer ones."""
 
 
@@ -50,15 +53,12 @@ class Waker:
 class ZenohInbox:
     """What a subscription holds until it is drained."""
 
-    waiting: deque[MemorySample]
+    waiting: KeyedQueue[MemorySample]
     subscriber: zenoh.Subscriber[None] | None = None
 
     def drain(self) -> list[Sample]:
         """Take all that has arrived."""
-        taken: list[Sample] = []
-        while self.waiting:
-            taken.append(self.waiting.popleft())
-        return taken
+        return list[Sample](self.waiting.drain())
 
     def close(self) -> None:
         """End the subscription."""
@@ -115,48 +115,22 @@ class ZenohRequest:
 class ZenohDesk:
     """Queries that wait at a key."""
 
-    waiting: deque[ZenohRequest] = field(default_factory=deque)
+    waiting: KeyedQueue[ZenohRequest] = field(default_factory=lambda: KeyedQueue(DESK_DEPTH, "newest goes"))
     queryable: zenoh.Queryable[None] | None = None
 
     def drain(self) -> list[Request]:
         """Take all that has arrived."""
-        taken: list[Request] = []
-        while self.waiting:
-            taken.append(self.waiting.popleft())
-        return taken
+        return list[Request](self.waiting.drain())
 
     def close(self) -> None:
         """Stop serving; what waits ends without an answer."""
         if self.queryable is not None:
             self.queryable.undeclare()  # type: ignore[no-untyped-call]
             self.queryable = None
-        while self.waiting:
-            request = self.waiting.popleft()
+        for request in self.waiting.drain():
             if request.query is not None:
                 request.query.drop()  # type: ignore[no-untyped-call]
                 request.query = None
-
-
-def client_config(endpoint: str, patience: float = 2.0) -> zenoh.Config:
-    """Return the configuration of a client of the router at ``endpoint``: no scouting, no listening.
-
-    ``patience``: seconds in which the router must answer.
-    """
-    connect = {"endpoints": [endpoint], "timeout_ms": round(patience * 1000), "exit_on_failure": True}
-    return _config({"mode": "client", "connect": connect})
-
-
-def router_config(endpoint: str) -> zenoh.Config:
-    """Return the configuration of a router that listens at ``endpoint`` and nowhere else."""
-    return _config({"mode": "router", "listen": {"endpoints": [endpoint], "exit_on_failure": True}})
-
-
-def _config(entries: dict[str, object]) -> zenoh.Config:
-    config = zenoh.Config()
-    scouting = {"multicast": {"enabled": False}, "gossip": {"enabled": False}}
-    for key, value in {**entries, "scouting": scouting}.items():
-        config.insert_json5(key, json.dumps(value))
-    return config
 
 
 def open_session(config: zenoh.Config, endpoint: str) -> zenoh.Session:
@@ -171,6 +145,21 @@ def open_session(config: zenoh.Config, endpoint: str) -> zenoh.Session:
         raise BusError(f"no zenoh router answers at {endpoint}; is `tandem up` running there?") from error
 
 
+class RouterSession:
+    """A session that passes on what others say.
+
+    Raises:
+        BusError: when it can't listen.
+    """
+
+    def __init__(self, config: zenoh.Config, endpoints: Sequence[str]) -> None:
+        self._session = open_session(config, ", ".join(endpoints))
+
+    def close(self) -> None:
+        """End it; its clients look for another."""
+        self._session.close()  # type: ignore[no-untyped-call]
+
+
 class ZenohBus:
     """One process's end; implements ``skills.ports.bus.Bus``. Close it, or the process hangs at its exit.
 
@@ -178,18 +167,33 @@ class ZenohBus:
         endpoint: the router's, such as ``tcp/127.0.0.1:7447``.
         prefix: ``<site>/<robot>``, put before every key.
         patience: seconds in which the router must answer.
+        waker: told when something has arrived; one of its own unless given.
+        credentials: for a router that speaks TLS.
+        silent_after: host seconds without a beat after which a process is said not to go on.
 
     Raises:
         BusError: when it does not.
     """
 
-    def __init__(self, endpoint: str, prefix: str, *, patience: float = 2.0) -> None:
-        self.waker = Waker()
+    def __init__(
+        self,
+        endpoint: str,
+        prefix: str,
+        *,
+        patience: float = 2.0,
+        waker: Waker | None = None,
+        credentials: Credentials | None = None,
+        silent_after: float = SILENT_AFTER,
+    ) -> None:
+        self.waker = waker or Waker()
         self._prefix = prefix
-        self._session = open_session(client_config(endpoint, patience), endpoint)
+        self._session = open_session(client_config(endpoint, patience, credentials), endpoint)
         self._publishers: dict[str, zenoh.Publisher] = {}
         self._tokens: list[zenoh.LivelinessToken] = []
         self._names: dict[str, None] = {}
+        self._own: list[str] = []
+        self._pulse = Pulse(time.monotonic, silent_after)
+        self._beats = self._session.declare_subscriber(f"{prefix}/{BEAT}", self._on_beat)
         self._liveliness = self._session.liveliness().declare_subscriber(
             f"{prefix}/alive/**", self._on_liveliness, history=True
         )
@@ -208,11 +212,12 @@ class ZenohBus:
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
         """Receive what is put on the key expression from now on."""
-        inbox = ZenohInbox(deque(maxlen=depth))
+        inbox = ZenohInbox(KeyedQueue(depth, "oldest goes"))
         start = len(self._prefix) + 1
 
         def arrived(sample: zenoh.Sample) -> None:
-            inbox.waiting.append(MemorySample(str(sample.key_expr)[start:], sample.payload.to_bytes()))
+            name = str(sample.key_expr)[start:]
+            inbox.waiting.put(name, MemorySample(name, sample.payload.to_bytes()))
             self.waker.wake()
 
         inbox.subscriber = self._session.declare_subscriber(f"{self._prefix}/{key}", arrived)
@@ -236,8 +241,12 @@ class ZenohBus:
         start = len(self._prefix) + 1
 
         def asked(query: zenoh.Query) -> None:
+            name = str(query.key_expr)[start:]
+            if not desk.waiting.has_room(name):
+                query.drop()  # type: ignore[no-untyped-call]
+                return
             body = b"" if query.payload is None else query.payload.to_bytes()
-            desk.waiting.append(ZenohRequest(str(query.key_expr)[start:], body, query))
+            desk.waiting.put(name, ZenohRequest(name, body, query))
             self.waker.wake()
 
         desk.queryable = self._session.declare_queryable(f"{self._prefix}/{key}", asked)
@@ -252,10 +261,20 @@ class ZenohBus:
     def announce(self, name: str) -> None:
         """Show that this process is alive as ``name`` until its session ends."""
         self._tokens.append(self._session.liveliness().declare_token(f"{self._prefix}/alive/{name}"))
+        self._own.append(name)
+
+    def beat(self) -> None:
+        """Show that this process goes on; called once a turn by its loop, and by nothing else."""
+        if self._pulse.turn():
+            self._publisher(BEAT).put("\n".join(self._own))
 
     def alive(self) -> frozenset[str]:
         """Return the names that are announced now."""
         return frozenset(self._names)
+
+    def awake(self) -> frozenset[str]:
+        """Return those of them whose process goes on."""
+        return self._pulse.awake(self.alive())
 
     def present(self, name: str, *, timeout: float = 0.3) -> bool:
         """Ask the network whether ``name`` is announced now; a "no" takes ``timeout`` seconds.
@@ -294,7 +313,12 @@ class ZenohBus:
             self._names[name] = None
         else:
             self._names.pop(name, None)
+            self._pulse.forget(name)
         self.waker.wake()
+
+    def _on_beat(self, sample: zenoh.Sample) -> None:
+        # Wakes nobody: who asks for it looks every turn.
+        self._pulse.hear(sample.payload.to_string().split("\n"))
 
 
 def wait_until(bus: ZenohBus, condition: Pending, timeout: float) -> bytes | None:

@@ -32,6 +32,9 @@ AGED: Final = 10.0
 """Robot seconds after which any newer sighting is preferred."""
 OUT_OF_SLOT: Final = 0.15
 """Metres from its slot from which on a placed item lies there no more."""
+VERSIONS_A_START: Final = 1_000_000_000
+"""Versions that one start of the keeper may use up. A version that came again after a new start would let a
+changed scene pass for the one that a plan was checked against."""
 PUT_DOWN_SIGMA: Final = 0.01
 """Metres: how well the place of an item that was put down is known."""
 
@@ -49,14 +52,15 @@ class Beliefs:
 
     def __init__(self, site: Site, remembered: Remembered | None = None) -> None:
         self.site = site
-        self.version = 1
         kept = remembered or Remembered()
+        self.version = 1 + kept.openings * VERSIONS_A_START
         self._items: dict[int, ItemFact] = {fact.item: fact for fact in kept.items}
         self._held: dict[Side, HeldItem] = {held.side: held for held in kept.held}
         self._placed: dict[int, Placed] = {placed.item: placed for placed in kept.placed}
-        self._removed: set[int] = set()
-        self._clutter: tuple[tuple[str, Box], ...] = ()
+        self._removed: set[int] = set(kept.removed)
+        self._clutter: tuple[tuple[str, Box], ...] = kept.clutter
         self._clutter_named = 0
+        self._boot = kept.boot
         self._furniture = tuple(
             SceneObject(name=f"{each.name}_{i}", kind="furniture", box=box.box())
             for each in site.furniture
@@ -133,19 +137,36 @@ class Beliefs:
 
     def look(self, seen: Clutter) -> bool:
         """Take in the clutter of a look; say whether it changed anything."""
-        measured = []
+        measured: list[tuple[str, Box]] = []
         standing = self._standing().values()
         for box in seen.boxes:
             if any(clutter.contains(item, box.pose.position, clutter.ITEM_MARGIN) for item in standing):
                 continue
-            self._clutter_named += 1
-            measured.append((f"clutter_{self._clutter_named}", box))
+            measured.append((self._new_name({name for name, _ in (*self._clutter, *measured)}), box))
         after = clutter.after_look(self._clutter, seen.view, measured)
         if after == self._clutter:
             return False
         self._clutter = after
         self.version += 1
         return True
+
+    def _new_name(self, taken: set[str]) -> str:
+        """Return a name for a box of clutter; those that a journal gave back are taken."""
+        while True:
+            self._clutter_named += 1
+            name = f"clutter_{self._clutter_named}"
+            if name not in taken:
+                return name
+
+    def wake(self, boot: str) -> None:
+        """Take in which boot of the hardware this is: what stood about before another one is not believed."""
+        if boot == self._boot:
+            return
+        firm = {held.item for held in self._held.values()} | set(self._placed)
+        self._items = {number: fact for number, fact in self._items.items() if number in firm}
+        self._removed.clear()
+        self._clutter, self._boot = (), boot
+        self.version += 1
 
     def add(self, number: int) -> None:
         """Make the item an obstacle where it was last seen."""
@@ -214,14 +235,22 @@ class Beliefs:
             things.append(SceneObject(name=name, kind="item", box=box, item=held.item, attached_to=side))
         return PlanningScene(stamp=now, version=self.version, objects=(*self._furniture, *things))
 
+    @property
+    def firm(self) -> tuple[tuple[HeldItem, ...], tuple[Placed, ...]]:
+        """What no sensor can restore: what is in which hand, and what lies in which slot."""
+        return tuple(self._held[side] for side in sorted(self._held)), tuple(self._placed.values())
+
     def remembered(self, written_at: float) -> Remembered:
-        """Return what a journal must keep; ``written_at`` is UTC seconds."""
-        numbers = {held.item for held in self._held.values()} | set(self._placed)
+        """Return what a journal keeps; ``written_at`` is UTC seconds."""
+        held, placed = self.firm
         return Remembered(
             written_at=written_at,
-            held=tuple(self._held[side] for side in sorted(self._held)),
-            placed=tuple(self._placed.values()),
-            items=tuple(self._items[number] for number in sorted(numbers) if number in self._items),
+            held=held,
+            placed=placed,
+            items=tuple(self._items[number] for number in sorted(self._items)),
+            removed=tuple(sorted(self._removed)),
+            clutter=self._clutter,
+            boot=self._boot,
         )
 
     def _better(self, sighting: Sighting) -> bool:

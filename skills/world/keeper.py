@@ -53,23 +53,27 @@ class Keeper:
 
     def step(self) -> bool:
         """Take in what was seen and what the hands tell; publish what changed."""
-        seen, looks = self._sightings.take(), self._clutter.take()
-        if seen or looks:
-            before = self.beliefs.remembered(0.0)
-            for message in seen:
-                for sighting in message.sightings:
-                    self.beliefs.see(sighting)
-                for number in message.absent:
-                    self.beliefs.miss(number, message.stamp)
-            for look in looks:
-                self.beliefs.look(look)
-            if self.beliefs.remembered(0.0) != before:
-                self.keep()
+        now = self._clocks.robot()
+        if now is not None:
+            self.beliefs.wake(now.boot)
+        self._see()
         for side, hand in self._hands.items():
             for status in hand.take():
                 self._watch(side, status)
         self.publish()
         return False
+
+    def _see(self) -> None:
+        version, firm = self.beliefs.version, self.beliefs.firm
+        for message in self._sightings.take():
+            for sighting in message.sightings:
+                self.beliefs.see(sighting)
+            for number in message.absent:
+                self.beliefs.miss(number, message.stamp)
+        for look in self._clutter.take():
+            self.beliefs.look(look)
+        if self.beliefs.version != version:
+            self.keep(synced=self.beliefs.firm != firm)
 
     def attached(self, side: Side, now: RobotTime) -> None:
         """Note when the hand took what it holds: only later news of it count."""
@@ -85,10 +89,10 @@ class Keeper:
         self.beliefs.detach(held.item, None, None, status.stamp)
         self.keep()
 
-    def keep(self) -> None:
-        """Write what must be kept to the journal, before anybody hears of it."""
+    def keep(self, *, synced: bool = True) -> None:
+        """Write what is believed to the journal, before anybody hears of it."""
         if self._journal is not None:
-            self._journal.write(self.beliefs.remembered(self._clocks.utc()))
+            self._journal.write(self.beliefs.remembered(self._clocks.utc()), synced=synced)
 
     def publish(self) -> None:
         """Publish, if something changed or a second has passed."""

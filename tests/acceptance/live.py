@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -14,15 +15,18 @@ from pathlib import Path
 import yaml
 
 from executive.options import BusOptions, RunOptions
+from executive.parts import Role
 from executive.processes import Supervisor
-from executive.settings import Role, WorkerSettings
+from executive.settings import WorkerSettings
 from executive.systems import ProcessSystem
 from sim.scenario import Scenario
 from tests.fakes.ports import free_endpoint
 
 ROOT = Path(__file__).parents[2]
 COMMAND = [sys.executable, "-c", "from executive.cli.main import run; run()"]
-ENVIRONMENT = os.environ | {"PYTHONPATH": str(ROOT)}
+_STATE = tempfile.TemporaryDirectory(prefix="tandem-state-")
+ENVIRONMENT = os.environ | {"PYTHONPATH": str(ROOT), "XDG_STATE_HOME": _STATE.name}
+"""Of commands under test: what they keep goes with the tests."""
 
 
 def own_bus() -> BusOptions:

@@ -13,10 +13,11 @@ import pytest
 
 from executive.cli.exit_codes import ExitCode
 from executive.demo import Caller
+from executive.ledger.sqlite import FILE, SqliteLedger
 from executive.options import RunOptions
+from executive.parts import ROLES, Role
 from executive.processes import RESTARTS
-from executive.settings import ROLES, Role
-from executive.systems import ProcessSystem, SystemFailure, wait_for
+from executive.systems import LedgerFailure, ProcessSystem, SystemFailure, wait_for
 from sim.scenario import load_scenario
 from sim.truth import lies_on
 from skills.ports.action import GoalState, status_topic
@@ -26,7 +27,16 @@ from skills.ports.actions.perception import LOOK
 from skills.ports.actions.world import EDIT
 from skills.ports.geometry import FloorPose
 from skills.ports.keys import Latest, Nothing
-from skills.ports.tasks import REQUEST, TASK_ANSWERS, TASK_LIST, TaskAnswer, TaskList, TaskState
+from skills.ports.tasks import (
+    REQUEST,
+    TASK_ANSWERS,
+    TASK_LIST,
+    TaskAnswer,
+    TaskList,
+    TaskState,
+    TaskStatus,
+    task_status,
+)
 from skills.site import load
 from tests.acceptance.live import (
     COMMAND,
@@ -142,7 +152,7 @@ def test_a_second_system_at_the_same_endpoint_refuses(live: ProcessSystem) -> No
     live.advance()
 
 
-@pytest.mark.parametrize("role", ["router", "hardware", "executive"])
+@pytest.mark.parametrize("role", ["router", "hardware"])
 def test_a_process_that_nobody_can_do_without_is_named_and_the_rest_ends(role: Role) -> None:
     ends = {}
 
@@ -183,6 +193,42 @@ def test_a_skill_that_dies_is_started_again_until_it_dies_too_often() -> None:
     assert left_behind(groups) == ()
 
 
+def test_an_executive_that_dies_is_started_again_and_goes_on_with_its_task(tmp_path: Path) -> None:
+    said: list[str] = []
+    options = RunOptions(bus=own_bus(), scenario="Defaults", data=tmp_path)
+    with ProcessSystem(options, say=said.append) as system:
+        task = query(system, b'{"task": "fetch", "item": 29, "id": "mine"}').task
+        running = partial(begun, system, task, 1)
+        go_on(system, running, within=20.0)
+        kill(system.pids()["executive"])
+        go_on(system, partial(begun, system, task, 2), within=20.0)
+        assert said == ["the executive process ended (signal 9); started again"]
+        assert query(system, b'{"task": "fetch", "item": 29, "id": "mine"}').task == task
+        (status,) = tasks(system).tasks
+        assert not status.state.terminal
+
+
+def begun(system: ProcessSystem, task: str, times: int) -> bool:
+    """Say whether a task's tree has begun so often; nobody may answer for a moment."""
+    answer = wait_for(system, system.bus.query(task_status(task).key, b""), 1.0)
+    return answer is not None and TaskStatus.model_validate_json(answer).begun >= times
+
+
+def test_a_ledger_that_can_not_be_read_is_told_and_all_ends(tmp_path: Path) -> None:
+    (tmp_path / FILE).write_bytes(b"no ledger" * 1000)
+    system = ProcessSystem(RunOptions(bus=own_bus(), data=tmp_path), roles=("router", "executive"))
+    with pytest.raises(LedgerFailure, match="this is no ledger, and was left as it is"):
+        system.__enter__()
+
+
+def test_a_ledger_has_one_owner(tmp_path: Path) -> None:
+    ledger = SqliteLedger(tmp_path)
+    system = ProcessSystem(RunOptions(bus=own_bus(), data=tmp_path), roles=("router", "executive"))
+    with pytest.raises(SystemFailure, match=r"exit code 4.*\n?.*another executive has this ledger"):
+        system.__enter__()
+    ledger.close()
+
+
 KILLS: dict[str, tuple[tuple[Role, str, int], ...]] = {
     "left": (
         ("perception", LOOK.name, 2),
@@ -214,7 +260,7 @@ def test_skills_killed_at_work_are_started_again_and_the_item_gets_there(tmp_pat
         assert sorted(said) == sorted(
             f"the {role} process ended (signal 9); started again" for role, _, _ in KILLS[arm]
         )
-        assert status.state is TaskState.SUCCEEDED, status
+        assert status.state is TaskState.SUCCEEDED, status.model_dump_json(indent=1)
         assert lies_on(caller.truth(), load("lab"), 29, "depot")
 
 

@@ -11,8 +11,9 @@ import pytest
 from skills.ports.bus import Bus
 from skills.testing.faulty_bus import BusFaults, FaultyBus
 from skills.wire.clocks import SteppedClocks
+from skills.wire.configs import router_config
 from skills.wire.memory import MemoryBus, MemoryHub
-from skills.wire.zenoh_bus import ZenohBus, open_session, router_config
+from skills.wire.zenoh_bus import ZenohBus, open_session
 from tests.fakes.ports import free_endpoint
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import sys
 import time
 
+from executive.doors import Doors
 from executive.service import Executive
-from executive.task_queue import start_id
+from executive.task_book import start_id
 from skills.ports.geometry import Pose, from_axes
 from skills.ports.hardware import Clock
 from skills.ports.keys import CLOCK
@@ -14,7 +15,8 @@ from skills.ports.message import RobotTime
 from skills.site import load
 from skills.testing.mock_robot import MockRobot
 from skills.wire.clocks import ProcessClocks
-from skills.wire.zenoh_bus import ZenohBus, open_session, router_config
+from skills.wire.configs import router_config
+from skills.wire.zenoh_bus import ZenohBus, open_session
 from trees.registry import discover
 
 
@@ -33,7 +35,10 @@ def main(port: str, duration: str, parts: str) -> None:
         }
         nodes.append(MockRobot(robot_bus, robot_clocks, site, items=items, duration=float(duration)))
     if "executive" in parts:
-        nodes.append(Executive(bus, clocks, site, discover(), start=start_id(time.time()), version="test"))
+        doors = Doors(bus, clocks)
+        executive = Executive(doors, clocks, site, discover(), start=start_id(time.time()), version="test")
+        doors.tasks = executive.book.all
+        nodes.append(executive)
     sys.stdout.write("ready\n")
     sys.stdout.flush()
     while True:

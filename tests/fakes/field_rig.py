@@ -8,6 +8,7 @@ import numpy as np
 
 from sim.joints import GroupController
 from skills.arm.process import nodes
+from skills.kinematics.bodies import BoxShape, Obstacle
 from skills.kinematics.hulls import RobotHulls
 from skills.ports.action import (
     GoalCommand,
@@ -272,6 +273,33 @@ class FieldRig:
         """Go on until the goal has ended."""
         ends = (GoalState.SUCCEEDED, GoalState.FAILED, GoalState.CANCELED, GoalState.REJECTED)
         return self.until(*ends, group=group, most=most)
+
+    def status(self, group: str = "arm_left") -> GoalStatus | None:
+        """Return what was last told of the goal."""
+        return self._status[group].refresh()
+
+    def forget(self) -> None:
+        """Have no item be believed in any more."""
+        self.items.clear()
+        self.tell()
+
+    def hold_fast(self) -> None:
+        """Have the joints stay where they are."""
+        self.hardware.held_fast = True
+
+    def stop(self) -> None:
+        """Set the hardware's stop."""
+        self.hardware.stopped = True
+
+    def named(self, group: str, positions: tuple[float, ...]) -> dict[str, float]:
+        """Return a group's positions by joint."""
+        return dict(zip(self.description.group(group).joints, positions, strict=True))
+
+    def obstacles(self) -> tuple[Obstacle, ...]:
+        """Return all that is believed to stand around, as it is."""
+        boxes = [(each.name, each.box.size, each.box.pose) for each in self.others]
+        boxes += [(f"item_{item}", CUBE, pose) for item, pose in self.items.items()]
+        return tuple(Obstacle(name, BoxShape(size), pose) for name, size, pose in boxes)
 
     def tool(self, side: Side = "left") -> Pose:
         """Return where the hand's tool frame is, in the base."""

@@ -83,7 +83,7 @@ class Act(Behaviour, Generic[G, F, R]):
     def initialise(self) -> None:
         """Begin a new attempt."""
         self._handle, self.failure, self._ended_at = None, None, None
-        self._attempt += 1
+        self._attempt = self._context.next_attempt(self.name)
         self.feedback_message = ""
 
     def update(self) -> Status:

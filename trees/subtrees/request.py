@@ -23,7 +23,7 @@ from trees.subtrees.rungs import a_moment, wait_back
 WITHIN: Final = 120.0
 """Robot seconds after which localising is not tried again."""
 PATIENCE: Final = 10.0
-"""Robot seconds to wait for skills that have not been heard yet."""
+"""Seconds, of the robot and of the host, to wait for skills that have not been heard yet."""
 LOCALISES: Final = 2
 """How often it is tried again to find out where the robot is, before anything moves."""
 
@@ -67,7 +67,7 @@ def ready(context: TreeContext) -> WaitFor:
     def heard() -> bool:
         return not context.knowledge.missing() and not context.knowledge.stopped.stopped
 
-    return WaitFor("robot is ready", context, heard, otherwise, patience=PATIENCE)
+    return WaitFor("robot is ready", context, heard, otherwise, patience=PATIENCE, for_a_process=True)
 
 
 def _bind_arm(context: TreeContext, board: FetchBoard) -> Decide:

@@ -12,6 +12,8 @@ PHI: Final = 0.25
 """Seconds of motion between two samples that are told: the document's phi, for which it gives no number."""
 FINE: Final = 0.02
 """Radians by which some joint differs between two positions that are kept."""
+BACK: Final = 0.12
+"""Radians between two positions of a way back: closer ones would make its curve rough, and so slow."""
 
 
 class Record:
@@ -58,10 +60,10 @@ class Record:
         path = [q, *reversed(self._way[first:])]
         kept = [path[0]]
         for each in path[1:-1]:
-            if float(np.abs(each - kept[-1]).max()) >= FINE:
+            if float(np.abs(each - kept[-1]).max()) >= BACK:
                 kept.append(each)
         last = path[-1]
-        while len(kept) > 1 and float(np.abs(last - kept[-1]).max()) < FINE:
+        while len(kept) > 1 and float(np.abs(last - kept[-1]).max()) < BACK:
             kept.pop()
         return np.array([*kept, last])
 

@@ -1,0 +1,71 @@
+"""What ``tandem up`` opens to whom: endpoints, keys, and which processes run here."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import get_args
+
+from executive.cli.arguments import ENDPOINT, TLS
+from executive.cli.errors import CommandError
+from executive.options import BusOptions
+from executive.parts import ROLES, Role
+from executive.security.holders import KeysError
+from executive.security.identity import Identity, refuse_other_hosts, robot_in
+from skills.wire.endpoints import is_loopback
+
+
+def owner_of(bus: BusOptions) -> BusOptions:
+    """Return the options with the robot whose keys the processes show.
+
+    Raises:
+        CommandError: when the folder has no such robot.
+    """
+    if bus.keys is None:
+        return bus
+    try:
+        robot = robot_in(bus.keys, bus.holder)
+    except KeysError as error:
+        raise CommandError(str(error)) from error
+    return replace(bus, holder=robot.name)
+
+
+def checked_endpoints(bus: BusOptions, listen: Sequence[str], *, insecure: bool) -> tuple[str, ...]:
+    """Return where the router listens besides its own endpoint.
+
+    Raises:
+        CommandError: for what is no endpoint, for one beyond this host without TLS and keys, and for a host
+            that the router's certificate is not for.
+    """
+    for endpoint in (bus.endpoint, *listen):
+        if ENDPOINT.fullmatch(endpoint) is None:
+            raise CommandError(f"an endpoint tls/HOST:PORT was expected; found {endpoint!r}")
+        if endpoint.startswith(TLS) and bus.keys is None:
+            raise CommandError(f"{endpoint}: TLS needs keys; name their folder with --keys")
+        if not insecure and not endpoint.startswith(TLS) and not (is_loopback(endpoint) and bus.keys is None):
+            raise CommandError(
+                f"{endpoint}: whoever gets there could move the robot; "
+                "listen at tls/HOST:PORT with --keys, or say --insecure"
+            )
+    try:
+        if bus.keys is not None:
+            encrypted = [each for each in (bus.endpoint, *listen) if each.startswith(TLS)]
+            refuse_other_hosts(Identity(bus.keys, bus.holder), encrypted)
+    except KeysError as error:
+        raise CommandError(str(error)) from error
+    return tuple(listen)
+
+
+def checked_roles(only: str | None) -> tuple[Role, ...]:
+    """Return the roles named, in the order in which they are started; all when none is named.
+
+    Raises:
+        CommandError: naming those that there are.
+    """
+    if only is None:
+        return ROLES
+    named = [each.strip() for each in only.split(",")]
+    unknown = [each for each in named if each not in get_args(Role)]
+    if unknown:
+        raise CommandError(f"--only: of {', '.join(ROLES)} some were expected; found {unknown[0]!r}")
+    return tuple(role for role in ROLES if role in named)

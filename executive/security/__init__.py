@@ -1,0 +1,1 @@
+"""Keys, roles and access rules: who may do what on the bus."""

@@ -1,0 +1,127 @@
+"""zenoh's access rules, made from who has which key: https://zenoh.io/docs/manual/access-control.
+
+zenoh checks a message where it comes into the router (ingress: the sender's rights) and where it leaves
+(egress: the receiver's). It compares certificates' common names as they are, without wildcards; so the rules
+are made from the list of those who have been given a key, and made anew when it changes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Final, Literal
+
+from executive.security.holders import Holder
+from executive.security.rights import Rights, rights_of
+from skills.ports.message import MAX_REQUEST_BYTES, Message
+
+Flow = Literal["ingress", "egress"]
+Kind = Literal[
+    "put",
+    "delete",
+    "declare_subscriber",
+    "query",
+    "reply",
+    "declare_queryable",
+    "liveliness_token",
+    "liveliness_query",
+    "declare_liveliness_subscriber",
+]
+
+
+class Rule(Message):
+    """Messages of these kinds on these keys may pass."""
+
+    id: str
+    permission: Literal["allow"] = "allow"
+    flows: tuple[Flow, ...]
+    messages: tuple[Kind, ...]
+    key_exprs: tuple[str, ...]
+
+
+class Subject(Message):
+    """Who comes with a certificate of this name."""
+
+    id: str
+    cert_common_names: tuple[str, ...]
+
+
+class Policy(Message):
+    """Which rules hold for whom."""
+
+    rules: tuple[str, ...]
+    subjects: tuple[str, ...]
+
+
+class AccessControl(Message):
+    """zenoh's ``access_control``: what no rule allows is denied."""
+
+    enabled: bool = True
+    default_permission: Literal["deny"] = "deny"
+    rules: tuple[Rule, ...]
+    subjects: tuple[Subject, ...]
+    policies: tuple[Policy, ...]
+
+
+MESSAGES: Final[Mapping[str, Mapping[Flow, tuple[Kind, ...]]]] = {
+    "tells": {"ingress": ("put", "delete")},
+    "hears": {"ingress": ("declare_subscriber",), "egress": ("put", "delete")},
+    "asks": {"ingress": ("query",), "egress": ("reply",)},
+    "serves": {"ingress": ("declare_queryable", "reply"), "egress": ("query",)},
+    "announces": {"ingress": ("liveliness_token",)},
+    "sees": {
+        "ingress": ("declare_liveliness_subscriber", "liveliness_query"),
+        "egress": ("liveliness_token", "reply"),
+    },
+}
+"""What each right means in zenoh's messages, as the router sees them."""
+_DECLARATIONS: Final[tuple[Kind, ...]] = ("declare_subscriber", "declare_queryable")
+
+
+def access_control(holders: Iterable[Holder], prefix: str) -> AccessControl:
+    """Return the rules for all who have a key that holds.
+
+    Args:
+        holders: who has been given a key.
+        prefix: ``<site>/<robot>`` of the robot.
+    """
+    valid = [holder for holder in holders if not holder.revoked]
+    # That somebody listens or serves is told to all: without it a client's session drops what it puts.
+    # The names of keys are no secret; what travels on them is.
+    rules = [Rule(id="declarations", flows=("egress",), messages=_DECLARATIONS, key_exprs=("**",))]
+    policies = []
+    for holder in valid:
+        own = _rules(holder, prefix)
+        rules += own
+        policies.append(
+            Policy(rules=("declarations", *(rule.id for rule in own)), subjects=(holder.common_name,))
+        )
+    subjects = tuple(Subject(id=each.common_name, cert_common_names=(each.common_name,)) for each in valid)
+    return AccessControl(rules=tuple(rules), subjects=subjects, policies=tuple(policies))
+
+
+def low_pass_filter(prefix: str) -> tuple[dict[str, object], ...]:
+    """Return zenoh's bound on what clients' documents weigh: heavier ones end at the router."""
+    return (
+        {
+            "messages": ["put", "query"],
+            "flows": ["ingress"],
+            "key_exprs": [f"{prefix}/task/**"],
+            "size_limit": MAX_REQUEST_BYTES,
+        },
+    )
+
+
+def _rules(holder: Holder, prefix: str) -> list[Rule]:
+    rights: Rights = rights_of(holder.role, holder.part).of(holder.name)
+    rules = []
+    for verb, keys in rights.model_dump().items():
+        for flow, kinds in MESSAGES[verb].items():
+            if keys:
+                rule = Rule(
+                    id=f"{holder.common_name}/{verb}/{flow}",
+                    flows=(flow,),
+                    messages=kinds,
+                    key_exprs=tuple(f"{prefix}/{key}" for key in keys),
+                )
+                rules.append(rule)
+    return rules

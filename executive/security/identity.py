@@ -1,0 +1,106 @@
+"""Which files a process or a client shows, and what it is by them."""
+
+from __future__ import annotations
+
+import stat
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from executive.parts import Role as ProcessRole
+from executive.security.holders import AUTHORITY, KeysError, role_in
+from executive.security.rights import PARTS, Part, Role
+from skills.wire.credentials import Credentials
+from skills.wire.endpoints import host_of
+
+_PARTS: Final[dict[ProcessRole, Part]] = {
+    "router": "router",
+    "hardware": "hardware",
+    "executive": "executive",
+}
+
+
+@dataclass(frozen=True)
+class Identity:
+    """A folder of keys, and the name in it that is meant."""
+
+    folder: Path
+    name: str
+
+    def client(self) -> Credentials:
+        """Return a client's files.
+
+        Raises:
+            KeysError: naming what is missing, or may be read by others.
+        """
+        return _files(self.folder, self.name)
+
+    def part(self, part: Part) -> Credentials:
+        """Return the files of a part of the robot, as ``client`` does."""
+        return _files(self.folder, f"{self.name}.{part}")
+
+    def process(self, role: ProcessRole) -> Credentials:
+        """Return the files of a process: those of the part that it belongs to."""
+        return self.part(_PARTS.get(role, "skills"))
+
+    def role(self) -> Role:
+        """Return the role that the client's certificate tells."""
+        from executive.security.authority import common_name_of  # noqa: PLC0415 - loads a library
+
+        path = self.folder / f"{self.name}.pem"
+        common = common_name_of(path)
+        role = role_in(common)
+        if role is None:
+            raise KeysError(f"{path}: a certificate for tandem.<role>.<name> was expected; found {common!r}")
+        return role
+
+
+def robot_in(folder: Path, name: str = "") -> Identity:
+    """Return the robot of a folder: the one named, or the only one.
+
+    Raises:
+        KeysError: when there is none, or more than one and none is named.
+    """
+    there = sorted({file.name.split(".")[0] for part in PARTS for file in folder.glob(f"*.{part}.pem")})
+    if name in there:
+        return Identity(folder, name)
+    if name or len(there) != 1:
+        found = ", ".join(there) or "none"
+        wanted = f"the robot {name!r}" if name else "one robot, or its name with --as"
+        hint = f"`tandem keys new --role robot NAME --folder {folder}` makes one"
+        raise KeysError(f"{folder}: keys of {wanted} were expected; there are {found}; {hint}")
+    return Identity(folder, there[0])
+
+
+def refuse_other_hosts(identity: Identity, endpoints: Sequence[str]) -> None:
+    """Refuse endpoints that the router's certificate is not for: no client would believe it there.
+
+    Raises:
+        KeysError: naming the host, and those that the certificate is for.
+    """
+    from executive.security.authority import hosts_of  # noqa: PLC0415 - loads a library
+
+    certified = hosts_of(identity.part("router").certificate)
+    for endpoint in endpoints:
+        host = host_of(endpoint)
+        if host not in certified and host not in {"0.0.0.0", "::"}:  # noqa: S104 - compared, not bound
+            known = ", ".join(sorted(certified))
+            raise KeysError(
+                f"the router's certificate of {identity.name!r} is not for {host!r}, only for {known}; "
+                f"make one with `tandem keys new --role robot NAME --host {host}`"
+            )
+
+
+def _files(folder: Path, stem: str) -> Credentials:
+    authority, certificate, key = (
+        folder / f"{AUTHORITY}.pem",
+        folder / f"{stem}.pem",
+        folder / f"{stem}.key",
+    )
+    for file in (authority, certificate, key):
+        if not file.is_file():
+            raise KeysError(f"{file}: no such file; `tandem keys new` makes it, and --keys names its folder")
+    if stat.S_IMODE(key.stat().st_mode) & (stat.S_IRWXG | stat.S_IRWXO):
+        raise KeysError(f"{key}: others may read it; close it with `chmod 600 {key}`")
+    return Credentials(authority, certificate, key)

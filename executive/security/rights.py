@@ -1,0 +1,65 @@
+"""What each role may do on the bus, as data: ``access.yaml`` read into frozen models.
+
+The file ships with the program. ``executive.security.acl`` makes zenoh's access rules of it.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+from typing import Final, Literal, get_args
+
+import yaml
+from pydantic import TypeAdapter
+
+from skills.ports.message import Message
+
+Role = Literal["viewer", "requester", "operator", "robot"]
+"""What a key is made for."""
+ROLES: Final[tuple[Role, ...]] = get_args(Role)
+Part = Literal["router", "hardware", "skills", "executive", "supervisor"]
+"""A robot has a certificate for each part of it, so that the hardware's can't be used to ask for a task."""
+PARTS: Final[tuple[Part, ...]] = get_args(Part)
+NAME_IN_KEY: Final = "{name}"
+_FOR_ALL_CLIENTS: Final = "clients"
+
+
+class Rights(Message):
+    """Key expressions by what may be done there; relative to ``<site>/<robot>``."""
+
+    tells: tuple[str, ...] = ()
+    hears: tuple[str, ...] = ()
+    asks: tuple[str, ...] = ()
+    serves: tuple[str, ...] = ()
+    announces: tuple[str, ...] = ()
+    sees: tuple[str, ...] = ()
+
+    def of(self, name: str) -> Rights:
+        """Return them with the client's own name where its keys have it."""
+        filled = {
+            verb: tuple(key.replace(NAME_IN_KEY, name) for key in keys)
+            for verb, keys in self.model_dump().items()
+        }
+        return Rights.model_validate(filled)
+
+    def also(self, more: Rights) -> Rights:
+        """Return these and those."""
+        mine, others = self.model_dump(), more.model_dump()
+        return Rights.model_validate({verb: (*mine[verb], *others[verb]) for verb in mine})
+
+
+@cache
+def _table() -> dict[str, Rights]:
+    text = files("executive.security").joinpath("access.yaml").read_text("utf-8")
+    return TypeAdapter(dict[str, Rights]).validate_python(yaml.safe_load(text))
+
+
+def rights_of(role: Role, part: Part | None = None) -> Rights:
+    """Return what a role may do; a robot's by its part.
+
+    Raises:
+        KeyError: when the file has no such entry.
+    """
+    if role == "robot":
+        return _table()[f"robot.{part}"]
+    return _table()[_FOR_ALL_CLIENTS].also(_table()[role])

@@ -1,0 +1,74 @@
+"""zenoh's configurations: of a client, and of a router. Nothing is scouted; nobody listens but a router."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+
+import zenoh
+
+from skills.wire.credentials import Credentials
+
+
+def client_config(
+    endpoint: str, patience: float = 2.0, credentials: Credentials | None = None
+) -> zenoh.Config:
+    """Return the configuration of a client of the router at ``endpoint``: no scouting, no listening.
+
+    Args:
+        endpoint: the router's.
+        patience: seconds in which the router must answer.
+        credentials: for an endpoint ``tls/...``.
+    """
+    connect = {"endpoints": [endpoint], "timeout_ms": round(patience * 1000), "exit_on_failure": True}
+    return _config({"mode": "client", "connect": connect}, credentials)
+
+
+def router_config(
+    *endpoints: str,
+    credentials: Credentials | None = None,
+    access: str | None = None,
+    bounds: str | None = None,
+) -> zenoh.Config:
+    """Return the configuration of a router that listens at the endpoints and nowhere else.
+
+    Args:
+        endpoints: where it listens.
+        credentials: for endpoints ``tls/...``; who comes there must show a certificate of the same authority.
+        access: zenoh's ``access_control``, as JSON.
+        bounds: zenoh's ``low_pass_filter``, as JSON.
+    """
+    entries: dict[str, object] = {
+        "mode": "router",
+        "listen": {"endpoints": list(endpoints), "exit_on_failure": True},
+    }
+    if access is not None:
+        entries["access_control"] = json.loads(access)
+    if bounds is not None:
+        entries["low_pass_filter"] = json.loads(bounds)
+    return _config(entries, credentials)
+
+
+def _config(entries: Mapping[str, object], credentials: Credentials | None) -> zenoh.Config:
+    config = zenoh.Config()
+    scouting = {"multicast": {"enabled": False}, "gossip": {"enabled": False}}
+    everything = {**entries, "scouting": scouting}
+    if credentials is not None:
+        everything["transport/link/tls"] = _tls(credentials)
+    for key, value in everything.items():
+        config.insert_json5(key, json.dumps(value))
+    return config
+
+
+def _tls(credentials: Credentials) -> dict[str, str | bool]:
+    key, certificate = str(credentials.key), str(credentials.certificate)
+    return {
+        "root_ca_certificate": str(credentials.authority),
+        "enable_mtls": True,
+        "verify_name_on_connect": True,
+        "close_link_on_expiration": True,
+        "listen_private_key": key,
+        "listen_certificate": certificate,
+        "connect_private_key": key,
+        "connect_certificate": certificate,
+    }

@@ -1,0 +1,138 @@
+"""The executive's doors over the bus in memory: who asks, how often, and for how much."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from executive.bounds import Bounds, Rates
+from executive.doors import Doors
+from executive.service import Executive
+from skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask, ControlAnswer, TaskAnswer, by_client
+from skills.site import load
+from skills.wire.clocks import SteppedClocks
+from skills.wire.memory import MemoryBus, MemoryHub
+from tests.executive.waiting import WAIT, WAITING
+
+BOUNDS = Bounds(rate=10.0, burst=3.0, open=2)
+
+
+class Here:
+    """An executive behind its doors, and a client's end of the bus."""
+
+    def __init__(self, bounds: Bounds = BOUNDS) -> None:
+        hub, self.clocks = MemoryHub(), SteppedClocks()
+        self.bus = MemoryBus(hub)
+        self.doors = Doors(MemoryBus(hub), self.clocks, bounds)
+        self.executive = Executive(self.doors, self.clocks, load("lab"), {"wait": WAITING})
+        self.doors.tasks = self.executive.book.all
+
+    def ask(self, client: str, document: object = WAIT) -> TaskAnswer | None:
+        key = by_client(client, REQUEST) if client else REQUEST
+        body = document if isinstance(document, bytes) else json.dumps(document).encode()
+        pending = self.bus.query(key, body)
+        self.executive.step()
+        answer = pending.poll()
+        return None if answer is None else TaskAnswer.model_validate_json(answer)
+
+    def cancel(self, client: str, task: str) -> ControlAnswer:
+        key = by_client(client, TASK_CANCEL.key) if client else TASK_CANCEL.key
+        pending = self.bus.query(key, CancelTask(task=task).model_dump_json().encode())
+        self.executive.step()
+        answer = pending.poll()
+        assert answer is not None
+        return ControlAnswer.model_validate_json(answer)
+
+    def by(self, task: str) -> object:
+        (status,) = (each for each in self.executive.book.all() if each.task == task)
+        return status.request.get("by")
+
+
+def accepted(answer: TaskAnswer | None) -> str:
+    assert answer is not None
+    assert answer.accepted, answer.problems
+    return answer.task
+
+
+def refused(answer: TaskAnswer | None) -> tuple[str, str]:
+    assert answer is not None
+    assert not answer.accepted
+    (problem,) = answer.problems
+    return problem.path, problem.expected
+
+
+def test_the_key_tells_who_asks_and_the_document_keeps_it() -> None:
+    here = Here()
+    assert here.by(accepted(here.ask("ann"))) == "ann"
+    assert here.by(accepted(here.ask(""))) is None
+
+
+@pytest.mark.parametrize("client", ["", "ann"])
+def test_nobody_says_himself_who_he_is(client: str) -> None:
+    path, expected = refused(Here().ask(client, {**WAIT, "by": "bob"}))
+    assert path == "by"
+    assert "the key tells who asks" in expected
+
+
+def test_a_name_in_an_escape_is_a_name() -> None:
+    assert refused(Here().ask("ann", rb'{"task": "wait", "item": 29, "b\u0079": "bob"}'))[0] == "by"
+
+
+def test_a_client_cancels_its_own_tasks_only() -> None:
+    here = Here()
+    hers, his = accepted(here.ask("ann")), accepted(here.ask("bob"))
+    answer = here.cancel("bob", hers)
+    assert not answer.accepted
+    assert "not bob's own" in answer.reason
+    assert here.cancel("bob", his).accepted
+    assert here.cancel("", hers).accepted  # an operator's key: the access rules let nobody else there
+
+
+def test_a_client_that_asks_too_often_is_told_when_to_ask_again() -> None:
+    here = Here(Bounds(rate=10.0, burst=3.0))
+    for _ in range(3):
+        accepted(here.ask("ann"))
+    assert "ask again in 0.100 s" in refused(here.ask("ann"))[1]
+    accepted(here.ask("bob"))
+    here.clocks.advance(0.1)
+    accepted(here.ask("ann"))
+
+
+def test_a_client_that_has_too_much_open_waits_for_an_end() -> None:
+    here = Here()
+    first, _ = accepted(here.ask("ann", {**WAIT, "id": "1"})), accepted(here.ask("ann"))
+    here.clocks.advance(1.0)
+    assert "at most 2 open requests" in refused(here.ask("ann"))[1]
+    assert accepted(here.ask("ann", {**WAIT, "id": "1"})) == first  # asked again, it is no new one
+    accepted(here.ask("bob"))
+    here.cancel("ann", first)
+    here.executive.step()
+    here.clocks.advance(1.0)
+    accepted(here.ask("ann"))
+
+
+def test_what_is_put_is_bounded_too() -> None:
+    here = Here(Bounds(rate=10.0, burst=3.0))
+    for _ in range(50):
+        here.bus.publish(by_client("ann", REQUEST), json.dumps(WAIT).encode())
+    here.executive.step()
+    assert len(here.executive.book.all()) == 3
+
+
+def test_of_a_flood_a_few_are_told() -> None:
+    here = Here(Bounds(rate=1.0, burst=1.0))
+    answers = [here.ask("ann") for _ in range(60)]
+    assert 15 <= sum(answer is not None for answer in answers) <= 25
+
+
+def test_a_wrong_document_is_answered_as_ever() -> None:
+    assert refused(Here().ask("ann", b"no json"))[0] == "(the document)"
+
+
+def test_a_bucket_fills_up_to_its_burst() -> None:
+    now = [0.0]
+    rates = Rates(Bounds(rate=10.0, burst=2.0), lambda: now[0])
+    assert [rates.take("a") for _ in range(3)] == [0.0, 0.0, pytest.approx(0.1)]
+    now[0] = 100.0
+    assert [rates.take("a") for _ in range(3)] == [0.0, 0.0, pytest.approx(0.1)]
