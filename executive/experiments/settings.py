@@ -50,7 +50,7 @@ REGIONS: Final = MappingProxyType(
     {
         "uncoordinated": _cubes((0.10, 0.36), (-0.36, -0.10), (0.50, 0.74)),
         # 29 on the robot's right, 42 on its left: as far across as each arm reaches from any side.
-        "crossing": _cubes((-0.13, -0.07), (0.07, 0.13), (0.50, 0.66)),
+        "crossing": _cubes((-0.10, -0.07), (0.07, 0.10), (0.50, 0.63)),
         # Two fists that press straight inwards reach both sides of the carton here, and hardly elsewhere.
         "coordinated": (Region(item=CARTON, x=(0.56, 0.59), y=(-0.08, 0.08), turn=0.03),),
     }

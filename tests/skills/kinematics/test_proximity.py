@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from skills.arm.bodies import load_hulls
 
 from skills.kinematics.bodies import BoxShape, Obstacle
 from skills.kinematics.collision import CollisionChecker
+from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
 from skills.kinematics.proximity import Proximity
 from skills.ports.geometry import Pose

@@ -6,11 +6,11 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from skills.arm.bodies import load_hulls
 
 from sim.robot import compose_robot
 from skills.arm.field.episode import Episode
 from skills.arm.field.ride import Why
+from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
 from skills.kinematics.proximity import Proximity
 from skills.ports.action import GoalState, GoalStatus
