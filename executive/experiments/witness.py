@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-from sim.camera import pose_of
 from sim.scene import item_name
-from sim.station import Station
 from skills.ports.geometry import Pose, invert, rotate, transform
 from skills.ports.hand_grasps import TIP
 from skills.ports.message import Message, Vector3
 from skills.ports.site import SiteItem
 from skills.ports.world import SIDES, Side
+
+if TYPE_CHECKING:
+    from sim.station import Station
 
 PATH_EVERY: Final = 10
 """Steps between two points of a hand's path: 0.1 s."""
@@ -78,6 +79,8 @@ class Witness:
 
     def tool(self, side: Side) -> Pose:
         """Return where a hand's tool frame truly is in the map."""
+        from sim.camera import pose_of  # noqa: PLC0415 - pybullet prints when it is imported
+
         frame = self.station.model.description.end_effector(side).frame
         return pose_of(self.station.body.frame_matrix(frame))
 

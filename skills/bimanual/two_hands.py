@@ -33,8 +33,11 @@ from skills.ports.site import Site
 from skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
 from skills.ports.world import ROBOT_POSE, SIDES, WORLD
 
-FORCE: Final = 40.0
-"""Newtons of each hand unless a goal says otherwise: four times what friction 0.6 needs for a kilogram."""
+FORCE: Final = 70.0
+"""Newtons of each hand unless a goal says otherwise.
+
+A carton of 0.5 kg held 4 cm off its middle leaned by 1.9 degrees at 40 N after it was lifted, by 0.2 at 70 N.
+"""
 BEFORE: Final = 0.025
 """Metres between the thing's surface and the tool's origin from which on the hands close in."""
 MISSED: Final = 0.05

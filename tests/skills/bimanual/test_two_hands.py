@@ -152,7 +152,7 @@ def test_a_squeeze_ends_when_both_wrists_agree_and_is_kept() -> None:
     rig = held()
     for _ in range(100):
         rig.period()
-    assert rig.arms.forces == pytest.approx((40.0, 40.0), abs=2.0)
+    assert rig.arms.forces == pytest.approx((70.0, 70.0), abs=3.0)
 
 
 def test_both_hands_move_as_one() -> None:
