@@ -16,6 +16,7 @@ from executive.cli.exit_codes import ExitCode
 from executive.demo import Caller, succeeded
 from executive.fault_file import check_faults
 from executive.options import RunOptions
+from executive.parts import ROLES
 from executive.report import Recorder, write_report
 from executive.systems import (
     LedgerFailure,
@@ -118,7 +119,7 @@ def _system(
     def say(line: str) -> None:
         console.print(line, style="yellow", markup=False)
 
-    with ProcessSystem(options, roles=options.only, say=say) as processes:
+    with ProcessSystem(options, roles=options.only or ROLES, say=say) as processes:
         yield processes
 
 

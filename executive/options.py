@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Final
 
 from executive.on_restart import OnRestart
-from executive.parts import ROLES, LogFormat, Role
+from executive.parts import LogFormat, Role
 from skills.wire.pulse import SILENT_AFTER
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
@@ -78,8 +78,8 @@ class RunOptions:
     """Host seconds without a beat after which a process is said not to go on."""
     listen: tuple[str, ...] = ()
     """Endpoints at which the router listens besides that of ``bus``."""
-    only: tuple[Role, ...] = ROLES
-    """Roles that are started here."""
+    only: tuple[Role, ...] = ()
+    """Roles that are started here; empty: all."""
     data: Path | None = None
     """Folder of the ledger and of what skills keep; None: one that ends with the run."""
     on_restart: OnRestart = "resume"

@@ -14,6 +14,7 @@ Role = Literal[
     "base",
     "arm_left",
     "arm_right",
+    "bimanual",
     "executive",
     "observer",
     "mock",
@@ -27,6 +28,7 @@ ROLES: Final[tuple[Role, ...]] = (
     "base",
     "arm_left",
     "arm_right",
+    "bimanual",
     "executive",
 )
 """In the order in which they are started."""

@@ -31,7 +31,14 @@ if TYPE_CHECKING:
     from skills.wire.credentials import Credentials
     from skills.wire.zenoh_bus import ZenohBus
 
-SKILL_ROLES: Final[tuple[Role, ...]] = ("keeper", "perception", "base", "arm_left", "arm_right")
+SKILL_ROLES: Final[tuple[Role, ...]] = (
+    "keeper",
+    "perception",
+    "base",
+    "bimanual",
+    "arm_left",
+    "arm_right",
+)
 """In the order in which lockstep steps them: who tells first, who listens next."""
 DESCRIPTION_WITHIN: Final = 30.0
 """Seconds in which the hardware must have told who it is."""
@@ -99,12 +106,33 @@ def _arm(side: str) -> Callable[[Surroundings], Sequence[Node]]:
     return build
 
 
+def _bimanual(at: Surroundings) -> Sequence[Node]:
+    from skills.bimanual.process import nodes  # noqa: PLC0415
+    from skills.kinematics.described import load_hulls  # noqa: PLC0415
+    from skills.reflex.process import nodes as reflexes  # noqa: PLC0415
+
+    hulls = load_hulls(at.description, at.seed)
+    return [
+        *reflexes(at.bus, at.description, at.site, hulls),
+        *nodes(
+            at.bus,
+            at.clocks,
+            at.description,
+            site=at.site,
+            compute=at.compute,
+            hulls=hulls,
+            charge=at.charge,
+        ),
+    ]
+
+
 _BUILDERS: Final = {
     "keeper": _keeper,
     "perception": _perception,
     "base": _base,
     "arm_left": _arm("left"),
     "arm_right": _arm("right"),
+    "bimanual": _bimanual,
 }
 
 

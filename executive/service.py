@@ -189,7 +189,7 @@ class Executive:
             self._tell(status)
         under_way = found.under_way
         if under_way is not None:
-            _LOG.info("%s was under way; it is taken up: %s", under_way.task, under_way.how)
+            _LOG.info("a task was under way", extra={"task": under_way.task, "taken_up": under_way.how})
             self._begin(under_way.task, under_way.asked, under_way.how)
         self._prune()
 
@@ -221,7 +221,6 @@ class Executive:
         if turn.run.ended is None:
             return
         self._turn = None
-        _LOG.info("%s: %s", turn.task, turn.run.ended.state)
         self._note_tries()
         self._tell(turn.end())
         self._ended += 1
@@ -235,7 +234,7 @@ class Executive:
             return
         waits, status = self.book.next(), self.book.get(turn.task)
         if waits is not None and status is not None and waits.priority > status.priority:
-            _LOG.info("%s makes room for %s", turn.task, waits.task)
+            _LOG.info("a task makes room", extra={"task": turn.task, "room_for": waits.task})
             run.make_room()
 
     def _begin(self, task: str, asked: Asked, how: How) -> None:

@@ -238,7 +238,8 @@ class GroupController:
     def _end(self, state: MotionState, worst: int, error: float) -> None:
         assert self._run is not None
         joint = self.group.joints[worst] if state is MotionState.ABORTED and error > 0.0 else ""
-        self.report = Report(self._run.goal.id, state, joint, error, at_rest=False)
+        held = self._run.held
+        self.report = Report(self._run.goal.id, state, joint, error, at_rest=False, held=held)
         self._run = None
         if state is not MotionState.ABORTED:
             self.velocity = np.zeros_like(self.velocity)

@@ -10,6 +10,7 @@ import typer
 from rich.console import Console
 
 from executive.cli.arguments import Connect
+from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 
 if TYPE_CHECKING:
@@ -40,6 +41,7 @@ def add_to(app: typer.Typer) -> None:
     campaigns.command("fetch")(fetch)
     campaigns.command("recovery")(recovery)
     campaigns.command("crash")(crash)
+    campaigns.command("fuzz")(fuzz)
     app.add_typer(campaigns, name="campaign")
 
 
@@ -120,6 +122,37 @@ def recovery(
         report.write_text(campaign.model_dump_json(indent=2) + "\n", encoding="utf-8")
     reached = recovered >= runs * RECOVERED_SHARE and right_kind == hopeless
     raise typer.Exit(ExitCode.OK if reached else ExitCode.TASK_FAILED)
+
+
+def fuzz(
+    *,
+    inputs: Annotated[int, typer.Option("--inputs", min=1, max=100_000_000, help="How many.")] = 100_000,
+    seed: Seed = 1,
+    report: ReportFile = None,
+) -> None:
+    """Send drawn documents to an executive. Ends with 0 only when each was taken or refused with a reason."""
+    try:
+        from executive.campaigns.fuzz import fuzz as run_fuzz  # noqa: PLC0415
+    except ModuleNotFoundError as error:
+        raise CommandError(
+            f"the fuzzing needs {error.name}, which comes with the development tools: "
+            "pip install 'tandem-executive[dev]'"
+        ) from error
+    console = Console(highlight=False, soft_wrap=True)
+    counts = run_fuzz(inputs, seed, lambda fed: console.print(f"{fed} of {inputs}", end="\r"))
+    console.print(
+        f"{counts.inputs} inputs (seed {seed}): {counts.accepted} requests taken, {counts.refused} refused; "
+        f"{counts.verbs_taken} verbs taken, {counts.verbs_refused} refused; "
+        f"{counts.answered} questions answered"
+    )
+    for reason, times in counts.reasons.items():
+        console.print(f"  {times:7d}  expected {reason}", markup=False)
+    if report is not None:
+        report.parent.mkdir(parents=True, exist_ok=True)
+        report.write_text(counts.model_dump_json(indent=2) + "\n", encoding="utf-8")
+    if counts.broken:
+        console.print(f"neither taken nor refused: {counts.broken}", style="red", markup=False)
+    raise typer.Exit(ExitCode.TASK_FAILED if counts.broken else ExitCode.OK)
 
 
 def _tell_recovery(run: RecoveryRun, console: Console) -> None:

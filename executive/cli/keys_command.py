@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 from executive.cli.errors import CommandError
-from executive.security.rights import Role
+from executive.security.role import Role
 
 if TYPE_CHECKING:
     from executive.security.holders import Holder

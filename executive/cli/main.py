@@ -18,6 +18,7 @@ from executive.cli import (
     bench_command,
     campaign_command,
     doctor,
+    experiment_command,
     keys_command,
     request_command,
     run_commands,
@@ -28,6 +29,7 @@ from executive.cli import (
     verb_commands,
     watch_command,
     why_command,
+    zones_command,
 )
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import MEANINGS, ExitCode
@@ -45,7 +47,9 @@ _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     tree_commands.add_to,
     scenario_commands.add_to,
     schema_command.add_to,
+    zones_command.add_to,
     campaign_command.add_to,
+    experiment_command.add_to,
     bench_command.add_to,
     keys_command.add_to,
     doctor.add_to,

@@ -10,7 +10,6 @@ import typer
 
 from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.cli.logs import LogOptions
-from executive.cli.opening import checked_endpoints, checked_roles, owner_of
 from executive.on_restart import OnRestart as Restart
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions, default_data
 from skills.wire.pulse import SILENT_AFTER
@@ -151,6 +150,8 @@ def up(
     silent_after: SilentAfter = SILENT_AFTER,
 ) -> None:
     """Start router, simulated robot, skills and executive, and watch them until Ctrl-C."""
+    from executive.cli.opening import checked_endpoints, checked_roles, owner_of  # noqa: PLC0415
+
     logs = _logs(context)
     bus, roles = owner_of(bus_options(connect, site_key, robot, keys, holder)), checked_roles(only)
     options = RunOptions(

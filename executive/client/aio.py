@@ -8,18 +8,29 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Callable, Iterable
 from dataclasses import dataclass
 from types import TracebackType
 from typing import Protocol, Self
 
 from executive.client.errors import ClientError, NotConnectedError, TaskFailedError, UnknownTaskError
 from executive.client.following import Following, FollowingTree
-from executive.client.questions import Questions, Request, new_id
+from executive.client.questions import By, Forced, Questions, Request, When, new_id
 from executive.client.talks import PATIENCE, T, Talk, Talks
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
+from executive.security.holders import KeysError
+from executive.security.identity import Identity
 from skills.ports.bus import Bus
-from skills.ports.tasks import ExecutiveInfo, TaskState, TaskStatus, TreeSnapshot
+from skills.ports.tasks import (
+    AskHistory,
+    Breakpoint,
+    ExecutiveInfo,
+    ForceNode,
+    History,
+    TaskState,
+    TaskStatus,
+    TreeSnapshot,
+)
 from skills.wire.waking import LoopWaker
 from skills.wire.zenoh_bus import BusError, ZenohBus
 
@@ -68,6 +79,8 @@ class AsyncClient:
         site: first part of every key.
         robot: second part of every key.
         patience: seconds in which router and executive must answer.
+        identity: whose key is shown to a router that speaks TLS: ``Identity(Path(folder), name)`` of what
+            ``tandem keys`` made.
         link: an end of a bus to use instead of a session of its own, as tests do.
         ids: makes the ids of requests that have none.
         monotonic: the host's clock.
@@ -80,12 +93,14 @@ class AsyncClient:
         site: str = DEFAULT_SITE,
         robot: str = DEFAULT_ROBOT,
         patience: float = PATIENCE,
+        identity: Identity | None = None,
         link: AsyncLink | None = None,
         ids: Callable[[], str] = new_id,
         monotonic: Callable[[], float] = time.monotonic,
     ) -> None:
         self._endpoint, self._prefix, self._patience = endpoint, f"{site}/{robot}", patience
         self._link, self._ids, self._monotonic = link, ids, monotonic
+        self._identity = identity
 
     async def connect(self) -> Self:
         """Open the session, in asyncio's threads, as zenoh's opening blocks.
@@ -96,10 +111,16 @@ class AsyncClient:
         if self._link is None:
             waker = LoopWaker(asyncio.get_running_loop())
             try:
+                shown = None if self._identity is None else self._identity.client()
                 bus = await asyncio.to_thread(
-                    ZenohBus, self._endpoint, self._prefix, patience=self._patience, waker=waker
+                    ZenohBus,
+                    self._endpoint,
+                    self._prefix,
+                    patience=self._patience,
+                    waker=waker,
+                    credentials=shown,
                 )
-            except BusError as error:
+            except (BusError, KeysError) as error:
                 raise NotConnectedError(str(error)) from error
             self._link = AsyncZenohLink(bus, waker)
         return self
@@ -189,8 +210,22 @@ class AsyncClient:
         return await self._drive(self._ask.info())
 
     async def tasks(self) -> tuple[TaskStatus, ...]:
-        """Return all tasks that the executive remembers, oldest first."""
+        """Return the tasks that have not ended and the last that have, oldest first."""
         return await self._drive(self._ask.tasks())
+
+    async def history(
+        self, *, states: Iterable[TaskState] = (), since: float = 0.0, before: int = 0, limit: int = 100
+    ) -> History:
+        """Return tasks out of the ledger, also those that ended long ago, newest first.
+
+        Args:
+            states: those in one of these; all unless given.
+            since: those accepted at or after this moment (UTC seconds).
+            before: as ``History.more`` of the answer before: the next page.
+            limit: how many at the most, up to 500.
+        """
+        asked = AskHistory(states=tuple(states), since=since, before=before, limit=limit)
+        return await self._drive(self._ask.history(asked))
 
     async def status(self, task: str) -> TaskStatus:
         """Return a task as it stands; UnknownTaskError when there is none of this id."""
@@ -222,14 +257,36 @@ class AsyncClient:
         """Go on with a paused task."""
         return await self._drive(self._ask.resume(task))
 
-    async def step(self, task: str = "") -> str:
-        """Go on with a paused task until one more leaf of its tree has ended."""
-        return await self._drive(self._ask.step(task))
+    async def step(self, task: str = "", *, by: By = "leaf") -> str:
+        """Go on with a paused task until one more leaf of its tree has ended, or by one tick."""
+        return await self._drive(self._ask.step(task, by))
+
+    async def abandon(self, task: str) -> str:
+        """Give up waiting until a cancelled task comes to rest, when the hardware does not answer."""
+        return await self._drive(self._ask.abandon(task))
+
+    async def reprioritise(self, task: str, priority: int) -> str:
+        """Change the priority of a queued task: the higher goes first, -100 to 100."""
+        return await self._drive(self._ask.reprioritise(task, priority))
+
+    async def answer(self, task: str, answer: str) -> str:
+        """Answer the question that a task's tree has put to an operator (``status.question``)."""
+        return await self._drive(self._ask.answer(task, answer))
+
+    async def set_breakpoint(self, task: str, node: str, *, when: When = "before", on: bool = True) -> str:
+        """Have a task pause before or after a node, by the node's name; ``on=False`` takes it back."""
+        return await self._drive(self._ask.breakpoint(Breakpoint(task=task, node=node, when=when, on=on)))
+
+    async def force(self, task: str, node: str, status: Forced) -> str:
+        """Have a node end so without its work, for a test run; None takes it back."""
+        return await self._drive(self._ask.force(ForceNode(task=task, node=node, status=status)))
 
     @property
     def _ask(self) -> Questions:
         where = f"{self._prefix} at {self._endpoint}"
-        return Questions(Talks(self._open.bus, self._monotonic, where, self._patience), self._ids)
+        return Questions(
+            Talks(self._open.bus, self._monotonic, where, self._patience), self._ids, self._identity
+        )
 
     @property
     def _open(self) -> AsyncLink:

@@ -7,18 +7,29 @@ with Client() as client:
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from types import TracebackType
 from typing import Protocol, Self
 
 from executive.client.errors import ClientError, NotConnectedError, TaskFailedError, UnknownTaskError
 from executive.client.following import Following, FollowingTree
-from executive.client.questions import Questions, Request, new_id
+from executive.client.questions import By, Forced, Questions, Request, When, new_id
 from executive.client.talks import PATIENCE, T, Talk, Talks
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
+from executive.security.holders import KeysError
+from executive.security.identity import Identity
 from skills.ports.bus import Bus
-from skills.ports.tasks import ExecutiveInfo, TaskState, TaskStatus, TreeSnapshot
+from skills.ports.tasks import (
+    AskHistory,
+    Breakpoint,
+    ExecutiveInfo,
+    ForceNode,
+    History,
+    TaskState,
+    TaskStatus,
+    TreeSnapshot,
+)
 from skills.wire.zenoh_bus import BusError, ZenohBus
 
 
@@ -65,12 +76,14 @@ class Client:
         site: first part of every key.
         robot: second part of every key.
         patience: seconds in which router and executive must answer.
+        identity: whose key is shown to a router that speaks TLS: ``Identity(Path(folder), name)`` of what
+            ``tandem keys`` made.
         link: an end of a bus to use instead of a session of its own, as tests do.
         ids: makes the ids of requests that have none.
         monotonic: the host's clock.
 
     Raises:
-        NotConnectedError: when no router answers at the endpoint.
+        NotConnectedError: when no router answers at the endpoint, or the keys are not as they should be.
     """
 
     def __init__(
@@ -80,6 +93,7 @@ class Client:
         site: str = DEFAULT_SITE,
         robot: str = DEFAULT_ROBOT,
         patience: float = PATIENCE,
+        identity: Identity | None = None,
         link: Link | None = None,
         ids: Callable[[], str] = new_id,
         monotonic: Callable[[], float] = time.monotonic,
@@ -87,11 +101,13 @@ class Client:
         where = f"{site}/{robot} at {endpoint}"
         if link is None:
             try:
-                link = ZenohLink(ZenohBus(endpoint, f"{site}/{robot}", patience=patience))
-            except BusError as error:
+                shown = None if identity is None else identity.client()
+                bus = ZenohBus(endpoint, f"{site}/{robot}", patience=patience, credentials=shown)
+                link = ZenohLink(bus)
+            except (BusError, KeysError) as error:
                 raise NotConnectedError(str(error)) from error
         self._link: Link | None = link
-        self._ask = Questions(Talks(link.bus, monotonic, where, patience), ids)
+        self._ask = Questions(Talks(link.bus, monotonic, where, patience), ids, identity)
 
     def __enter__(self) -> Self:
         """Stay open until the context is left."""
@@ -176,8 +192,22 @@ class Client:
         return self._drive(self._ask.info())
 
     def tasks(self) -> tuple[TaskStatus, ...]:
-        """Return all tasks that the executive remembers, oldest first."""
+        """Return the tasks that have not ended and the last that have, oldest first."""
         return self._drive(self._ask.tasks())
+
+    def history(
+        self, *, states: Iterable[TaskState] = (), since: float = 0.0, before: int = 0, limit: int = 100
+    ) -> History:
+        """Return tasks out of the ledger, also those that ended long ago, newest first.
+
+        Args:
+            states: those in one of these; all unless given.
+            since: those accepted at or after this moment (UTC seconds).
+            before: as ``History.more`` of the answer before: the next page.
+            limit: how many at the most, up to 500.
+        """
+        asked = AskHistory(states=tuple(states), since=since, before=before, limit=limit)
+        return self._drive(self._ask.history(asked))
 
     def status(self, task: str) -> TaskStatus:
         """Return a task as it stands; UnknownTaskError when there is none of this id."""
@@ -210,9 +240,29 @@ class Client:
         """Go on with a paused task."""
         return self._drive(self._ask.resume(task))
 
-    def step(self, task: str = "") -> str:
-        """Go on with a paused task until one more leaf of its tree has ended."""
-        return self._drive(self._ask.step(task))
+    def step(self, task: str = "", *, by: By = "leaf") -> str:
+        """Go on with a paused task until one more leaf of its tree has ended, or by one tick."""
+        return self._drive(self._ask.step(task, by))
+
+    def abandon(self, task: str) -> str:
+        """Give up waiting until a cancelled task comes to rest, when the hardware does not answer."""
+        return self._drive(self._ask.abandon(task))
+
+    def reprioritise(self, task: str, priority: int) -> str:
+        """Change the priority of a queued task: the higher goes first, -100 to 100."""
+        return self._drive(self._ask.reprioritise(task, priority))
+
+    def answer(self, task: str, answer: str) -> str:
+        """Answer the question that a task's tree has put to an operator (``status.question``)."""
+        return self._drive(self._ask.answer(task, answer))
+
+    def set_breakpoint(self, task: str, node: str, *, when: When = "before", on: bool = True) -> str:
+        """Have a task pause before or after a node, by the node's name; ``on=False`` takes it back."""
+        return self._drive(self._ask.breakpoint(Breakpoint(task=task, node=node, when=when, on=on)))
+
+    def force(self, task: str, node: str, status: Forced) -> str:
+        """Have a node end so without its work, for a test run; None takes it back."""
+        return self._drive(self._ask.force(ForceNode(task=task, node=node, status=status)))
 
     def _drive(self, talk: Talk[T]) -> T:
         while True:

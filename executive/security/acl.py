@@ -74,6 +74,8 @@ MESSAGES: Final[Mapping[str, Mapping[Flow, tuple[Kind, ...]]]] = {
     },
 }
 """What each right means in zenoh's messages, as the router sees them."""
+ROUTER_LETS_THROUGH: Final = 4 * MAX_REQUEST_BYTES
+"""Bytes of a client's document that reach the executive at the most."""
 _DECLARATIONS: Final[tuple[Kind, ...]] = ("declare_subscriber", "declare_queryable")
 
 
@@ -100,13 +102,16 @@ def access_control(holders: Iterable[Holder], prefix: str) -> AccessControl:
 
 
 def low_pass_filter(prefix: str) -> tuple[dict[str, object], ...]:
-    """Return zenoh's bound on what clients' documents weigh: heavier ones end at the router."""
+    """Return zenoh's bound on what clients' documents weigh: much heavier ones end at the router.
+
+    Those that are a little too heavy get through, to be told by the executive what is wrong with them.
+    """
     return (
         {
             "messages": ["put", "query"],
             "flows": ["ingress"],
-            "key_exprs": [f"{prefix}/task/**"],
-            "size_limit": MAX_REQUEST_BYTES,
+            "key_exprs": [f"{prefix}/task/request", f"{prefix}/task/by/**"],
+            "size_limit": ROUTER_LETS_THROUGH,
         },
     )
 

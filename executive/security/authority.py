@@ -30,7 +30,7 @@ from executive.security.holders import (
     read_holders,
     write_holders,
 )
-from executive.security.rights import PARTS, Part, Role
+from executive.security.role import PARTS, Part, Role
 
 LOOPBACK: Final = ("localhost", "127.0.0.1", "::1")
 """Names under which every router may be reached."""

@@ -13,7 +13,7 @@ from typing import Final
 
 from pydantic import ValidationError
 
-from executive.security.rights import Part, Role
+from executive.security.role import ROLES, Part, Role
 from skills.ports.message import Message
 
 NAME: Final = re.compile(r"[a-z0-9][a-z0-9_-]{0,31}")
@@ -69,13 +69,7 @@ def role_in(common: str) -> Role | None:
     parts = common.split(".")
     if len(parts) < 3 or parts[0] != "tandem":  # noqa: PLR2004 - tandem, role, name
         return None
-    roles: dict[str, Role] = {
-        "viewer": "viewer",
-        "requester": "requester",
-        "operator": "operator",
-        "robot": "robot",
-    }
-    return roles.get(parts[1])
+    return next((role for role in ROLES if role == parts[1]), None)
 
 
 def read_holders(folder: Path) -> Holders:

@@ -10,7 +10,7 @@ from typing import Final
 
 from executive.parts import Role as ProcessRole
 from executive.security.holders import AUTHORITY, KeysError, role_in
-from executive.security.rights import PARTS, Part, Role
+from executive.security.role import PARTS, Part, Role
 from skills.wire.credentials import Credentials
 from skills.wire.endpoints import host_of
 

@@ -7,19 +7,14 @@ from __future__ import annotations
 
 from functools import cache
 from importlib.resources import files
-from typing import Final, Literal, get_args
+from typing import Final
 
 import yaml
 from pydantic import TypeAdapter
 
+from executive.security.role import Part, Role
 from skills.ports.message import Message
 
-Role = Literal["viewer", "requester", "operator", "robot"]
-"""What a key is made for."""
-ROLES: Final[tuple[Role, ...]] = get_args(Role)
-Part = Literal["router", "hardware", "skills", "executive", "supervisor"]
-"""A robot has a certificate for each part of it, so that the hardware's can't be used to ask for a task."""
-PARTS: Final[tuple[Part, ...]] = get_args(Part)
 NAME_IN_KEY: Final = "{name}"
 _FOR_ALL_CLIENTS: Final = "clients"
 

@@ -21,7 +21,7 @@ from skills.ports.world import (
     Sighting,
     WorldState,
 )
-from skills.world import clutter
+from skills.world import clutter, recorder
 from skills.world.journal import Remembered
 
 MOVED: Final = 0.02
@@ -98,7 +98,7 @@ class Beliefs:
         item = self.site.item(sighting.item)
         if item is None or self.hand_of(sighting.item) is not None or not self._better(sighting):
             return False
-        self._items[sighting.item] = ItemFact(
+        fact = ItemFact(
             item=sighting.item,
             size=item.size,
             tag_in_map=sighting.tag_in_map,
@@ -106,6 +106,7 @@ class Beliefs:
             quality=sighting.quality,
             position_sigma=sighting.position_sigma,
         )
+        self._items = recorder.update(self._items, {sighting.item: fact})
         box = item_box(sighting.tag_in_map, item.size)
         self._removed.discard(sighting.item)
         self._clutter = clutter.without_item(self._clutter, box)
@@ -137,7 +138,7 @@ class Beliefs:
     def look(self, seen: Clutter) -> bool:
         """Take in the clutter of a look; say whether it changed anything."""
         measured: list[tuple[str, Box]] = []
-        standing = self._standing()
+        standing = self._standing().values()
         for box in seen.boxes:
             if any(clutter.contains(item, box.pose.position, clutter.ITEM_MARGIN) for item in standing):
                 continue
@@ -225,18 +226,13 @@ class Beliefs:
     def scene(self, now: RobotTime) -> PlanningScene:
         """Return what arms must not hit."""
         things = [SceneObject(name=name, kind="clutter", box=box) for name, box in self._clutter]
-        for number in sorted(self._items):
-            fact, side = self._items[number], self.hand_of(number)
-            if side is None and number in self._removed:
-                continue
-            box = (
-                item_box(fact.tag_in_map, fact.size)
-                if side is None
-                else Box(size=fact.size, pose=self._held[side].item_in_tool)
-            )
-            things.append(
-                SceneObject(name=f"item_{number}", kind="item", box=box, item=number, attached_to=side)
-            )
+        for number, box in self._standing().items():
+            if number not in self._removed:
+                things.append(SceneObject(name=f"item_{number}", kind="item", box=box, item=number))
+        for side, held in sorted(self._held.items()):
+            box = Box(size=self._size(held.item), pose=held.item_in_tool)
+            name = f"item_{held.item}"
+            things.append(SceneObject(name=name, kind="item", box=box, item=held.item, attached_to=side))
         return PlanningScene(stamp=now, version=self.version, objects=(*self._furniture, *things))
 
     @property
@@ -276,13 +272,11 @@ class Beliefs:
         slot = depot.slots[placed.slot].position
         return math.dist(slot[:2], centre[:2]) > OUT_OF_SLOT or abs(centre[2] - slot[2]) > 2 * OUT_OF_SLOT
 
-    def _standing(self) -> tuple[Box, ...]:
-        """Return the boxes of the items that stand somewhere, by item."""
-        return tuple(
-            item_box(self._items[number].tag_in_map, self._items[number].size)
-            for number in sorted(self._items)
-            if self.hand_of(number) is None
-        )
+    def _standing(self) -> dict[int, Box]:
+        """Return the boxes of the items that stand somewhere, by item (the object recorder, 002, Alg. 1)."""
+        held = {each.item for each in self._held.values()}
+        facts = recorder.scene(self._items, held)
+        return {number: item_box(fact.tag_in_map, fact.size) for number, fact in facts.items()}
 
     def _size(self, number: int) -> Vector3:
         item = self.site.item(number)

@@ -107,7 +107,7 @@ def test_watching_tells_each_change_until_the_end(client: Client, link: Stepping
     task = client.submit(WAIT)
     link.events = {link.steps + 5: 1}
     seen = [(status.state, status.progress.fraction) for status in client.watch(task)]
-    assert seen == [(TaskState.RUNNING, 0.5), (TaskState.RUNNING, 1.0), (TaskState.SUCCEEDED, 1.0)]
+    assert seen == [(TaskState.RUNNING, 0.5), (TaskState.SUCCEEDED, 1.0)]
 
 
 def test_a_status_that_got_lost_is_asked_for(client: Client, link: Stepping) -> None:
@@ -166,6 +166,40 @@ def test_verbs_say_whether_they_were_taken(client: Client) -> None:
     assert client.wait(task).state is TaskState.CANCELED
     with pytest.raises(RefusedError, match="the task has ended"):
         client.cancel(task)
+
+
+def test_verbs_of_a_queued_task(client: Client) -> None:
+    client.submit(WAIT)
+    second, third = client.submit(WAIT), client.submit(WAIT)
+    assert client.reprioritise(third, 5) == third
+    assert client.status(third).priority == 5
+    for refused in (
+        lambda: client.abandon(second),
+        lambda: client.answer(second, "yes"),
+        lambda: client.reprioritise("wait-0099", 1),
+        lambda: client.force("wait-0001", "no such node", "SUCCESS"),
+    ):
+        with pytest.raises(RefusedError):
+            refused()
+
+
+def test_a_breakpoint_holds_the_task_and_a_step_goes_on(client: Client, link: Stepping) -> None:
+    task = client.submit(WAIT)
+    client.info()
+    assert client.set_breakpoint(task, "wait for the world", when="after") == task
+    link.here.world(1)
+    link.here.step(10)
+    assert client.status(task).state is TaskState.PAUSED
+    assert client.set_breakpoint(task, "wait for the world", when="after", on=False) == task
+    assert client.step(by="tick") == task
+
+
+def test_the_history_is_asked_page_by_page(client: Client) -> None:
+    tasks = [client.submit(WAIT) for _ in range(3)]
+    first = client.history(limit=2)
+    assert [status.task for status in first.tasks] == [tasks[2], tasks[1]]
+    assert [status.task for status in client.history(before=first.more).tasks] == [tasks[0]]
+    assert client.history(states=[TaskState.FAILED]).tasks == ()
 
 
 def test_an_empty_name_cancels_nothing(client: Client) -> None:

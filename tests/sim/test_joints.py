@@ -138,3 +138,33 @@ def test_a_stream_is_followed_and_held_when_it_dries_up() -> None:
     assert plant.speeds[-1] == 0.0
     assert plant.position[0] < 1.0
     assert max(np.abs(np.diff(plant.speeds))) / PERIOD <= 5.0 + 1e-6
+
+
+def test_a_group_stands_on_its_path_while_its_keeper_is_silent_and_goes_on_with_it() -> None:
+    plant = Plant()
+    plant.controller.accept(goal().model_copy(update={"keeper": "skill/x"}))
+    plant.run(0.4)
+    plant.controller.keep(awake=False, gone=False)
+    plant.run(0.5)
+    stood = plant.position[0]
+    plant.run(1.0)
+    assert plant.position[0] == stood < 0.9
+    assert plant.controller.report.state is MotionState.ACTIVE
+    plant.controller.keep(awake=True, gone=False)
+    plant.run(1.2)
+    report = plant.controller.report
+    assert report.state is MotionState.SUCCEEDED
+    assert plant.position[0] == pytest.approx(1.0)
+    assert 1.2 < report.held < 1.8  # by so much it came later than planned
+    accelerations = np.diff(plant.speeds) / PERIOD
+    assert np.abs(accelerations[2:]).max() < 6.0 * 1.3  # the cubic's own, and the braking along it
+
+
+def test_a_keeper_that_is_gone_for_good_ends_the_goal() -> None:
+    plant = Plant()
+    plant.controller.accept(goal().model_copy(update={"keeper": "skill/x"}))
+    plant.run(0.4)
+    plant.controller.keep(awake=False, gone=True)
+    plant.run(1.0)
+    assert plant.controller.report.state is MotionState.ABORTED
+    assert plant.controller.report.at_rest

@@ -147,6 +147,10 @@ class Act(Behaviour, Generic[G, F, R]):
         return Status.FAILURE
 
 
+class Lasting(Act[G, F, R]):
+    """An ``Act`` whose skill goes on until it is stopped: it never is SUCCESS."""
+
+
 def _words(handle: GoalHandle[G, F, R]) -> str:
     if handle.state is None:
         return "sent"

@@ -50,11 +50,13 @@ def request(context: TreeContext, board: FetchBoard) -> Behaviour:
     return Sequence(
         "take up request",
         memory=True,
-        children=[_ready(context), _bind_arm(context, board), bind_slot("bind slot", context, board), where],
+        children=[ready(context), _bind_arm(context, board), bind_slot("bind slot", context, board), where],
     )
 
 
-def _ready(context: TreeContext) -> WaitFor:
+def ready(context: TreeContext) -> WaitFor:
+    """Return the leaf that waits until all has been heard that a task needs, and no stop is set."""
+
     def otherwise() -> Failure:
         if context.knowledge.stopped.stopped:
             stop = context.knowledge.stopped
@@ -62,10 +64,10 @@ def _ready(context: TreeContext) -> WaitFor:
         missing = ", ".join(context.knowledge.missing())
         return Failure(kind=FailureKind.NOT_READY, message=f"not heard yet: {missing}")
 
-    def ready() -> bool:
+    def heard() -> bool:
         return not context.knowledge.missing() and not context.knowledge.stopped.stopped
 
-    return WaitFor("robot is ready", context, ready, otherwise, patience=PATIENCE, for_a_process=True)
+    return WaitFor("robot is ready", context, heard, otherwise, patience=PATIENCE, for_a_process=True)
 
 
 def _bind_arm(context: TreeContext, board: FetchBoard) -> Decide:

@@ -12,7 +12,7 @@ from pathlib import Path
 from executive.router import Router
 from executive.security.authority import Wanted, begin, issue, revoke
 from executive.security.identity import Identity
-from executive.security.rights import Part
+from executive.security.role import Part
 from executive.settings import WorkerSettings
 from skills.wire.credentials import Credentials
 from skills.wire.zenoh_bus import ZenohBus

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from skills.arm.bodies import load_hulls
 from skills.arm.move import Move
 from skills.arm.plan_move import MovePlanner
 from skills.arm.planning.settings import PlannerName, PlannerSettings
 from skills.arm.problem import LIMIT_MARGIN, Arm, Plan
 from skills.arm.status import ArmStatusBoard
+from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
 from skills.ports.action import GoalCommand, GoalState, GoalStatus, command_service
 from skills.ports.actions.arm import ArmState, Candidate, MoveFeedback, MoveGoal, MovePhase

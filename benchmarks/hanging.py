@@ -1,0 +1,105 @@
+"""A process hangs while an arm moves: how long until the arm stands."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from collections.abc import Callable, Iterator
+from typing import Final
+
+from benchmarks.processes import free_endpoint
+from benchmarks.rows import Row
+from executive.options import BusOptions, RunOptions
+from executive.parts import Role
+from executive.systems import ProcessSystem, wait_for
+from skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
+from skills.ports.actions.arm import MoveGoal, move
+from skills.ports.hardware import JointStates
+from skills.ports.keys import JOINT_STATES, Latest
+
+GROUP: Final = "arm_left"
+AT_REST: Final = 0.02
+"""rad/s below which a joint counts as at rest."""
+AFTER: Final = {"carry": "home", "home": "carry"}
+TIMES: Final = 4
+
+
+class Moving:
+    """The left arm on its way to a posture, sent in the executive's name."""
+
+    def __init__(self, system: ProcessSystem, goal_id: str, posture: str) -> None:
+        self.goal_id = goal_id
+        action = move(GROUP)
+        self.joints = Latest(system.bus, JOINT_STATES)
+        self._statuses: Latest[GoalStatus] = Latest(system.bus, status_topic(action.name))
+        self._state = GoalState.RUNNING
+        goal = MoveGoal(posture=posture).model_dump(mode="json")
+        sent = SendGoal(goal_id=goal_id, client="executive", goal=goal)
+        answer = wait_for(system, goal_service(action.name).query(system.bus, sent), 5.0)
+        assert answer is not None
+        accepted = GoalStatus.model_validate_json(answer)
+        assert accepted.state is GoalState.RUNNING, accepted
+
+    def state(self) -> GoalState:
+        """Return where the goal stands."""
+        for status in self._statuses.take():
+            if status.goal_id == self.goal_id:
+                self._state = status.state
+        return self._state
+
+    def moves(self) -> bool:
+        """Say whether the arm is well under way."""
+        return self.fastest() > 10 * AT_REST
+
+    def fastest(self) -> float:
+        """Return the speed of its fastest joint (rad/s)."""
+        joints: JointStates | None = self.joints.refresh()
+        if joints is None:
+            return 0.0
+        pairs = zip(joints.names, joints.velocities, strict=True)
+        return max(abs(speed) for name, speed in pairs if name.startswith(GROUP))
+
+
+def stands(moving: Moving) -> bool:
+    """Say whether the arm is at rest, although its goal has not ended."""
+    return moving.fastest() < AT_REST and not moving.state().terminal
+
+
+def rows() -> Iterator[Row]:
+    """Measure."""
+    options = RunOptions(bus=BusOptions(endpoint=free_endpoint()), scenario="Defaults")
+    posture = "carry"
+    with ProcessSystem(options) as system:
+        roles: tuple[Role, ...] = ("executive", "arm_left")
+        for role in roles:
+            took = []
+            for number in range(TIMES):
+                took.append(_once(system, role, f"{role}/{number}/1", posture))
+                posture = AFTER[posture]
+            note = f"of {TIMES}, in simulated motion at full speed; a braking from it included"
+            yield Row(f"the arm stands after its {role} process hangs, worst", max(took), "s", 0.5, note=note)
+
+
+def _once(system: ProcessSystem, role: Role, goal_id: str, posture: str) -> float:
+    moving = Moving(system, goal_id, posture)
+    _until(system, moving.moves)
+    process = system.pids()[role]
+    os.kill(process, signal.SIGSTOP)
+    began = time.monotonic()
+    try:
+        _until(system, lambda: stands(moving))
+        took = time.monotonic() - began
+    finally:
+        os.kill(process, signal.SIGCONT)
+    _until(system, lambda: moving.state().terminal)
+    assert moving.state() is GoalState.SUCCEEDED, moving.state()
+    return took
+
+
+def _until(system: ProcessSystem, holds: Callable[[], bool], within: float = 60.0) -> None:
+    deadline = time.monotonic() + within
+    while not holds():
+        if time.monotonic() > deadline:
+            raise TimeoutError("the arm did not do what was waited for")
+        system.advance()

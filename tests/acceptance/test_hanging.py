@@ -1,0 +1,38 @@
+"""Processes that hang (SIGSTOP) while an arm moves: the arm stands, and goes on when they do."""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Iterator
+
+import pytest
+
+from benchmarks.hanging import Moving, stands
+from executive.options import RunOptions
+from executive.parts import Role
+from executive.systems import ProcessSystem
+from skills.ports.action import GoalState
+from tests.acceptance.live import go_on, own_bus
+
+pytestmark = [pytest.mark.processes, pytest.mark.xdist_group("processes")]
+
+
+@pytest.fixture(scope="module")
+def live() -> Iterator[ProcessSystem]:
+    with ProcessSystem(RunOptions(bus=own_bus(), scenario="Defaults")) as system:
+        yield system
+
+
+@pytest.mark.parametrize("role", ["executive", "arm_left"])
+def test_the_arm_stands_while_it_hangs_and_gets_there_afterwards(live: ProcessSystem, role: Role) -> None:
+    moving = Moving(live, f"{role}/hangs/1", "carry" if role == "executive" else "home")
+    go_on(live, moving.moves, within=30.0)
+    process = live.pids()[role]
+    os.kill(process, signal.SIGSTOP)
+    try:
+        go_on(live, lambda: stands(moving), within=10.0)
+    finally:
+        os.kill(process, signal.SIGCONT)
+    go_on(live, lambda: moving.state().terminal, within=60.0)
+    assert moving.state() is GoalState.SUCCEEDED
