@@ -18,11 +18,13 @@ from skills.world.journal import Journal
 log = logging.getLogger(__name__)
 
 REPEAT: Final = 1.0
-"""Robot seconds between two publications when nothing changes: for those who came late."""
+"""Robot seconds between two publications when nothing changes."""
 
 
 class Keeper:
     """A ``Node``: merges what perception tells, and publishes on each change and every second.
+
+    It also publishes when somebody comes: an executive that is started again waits for the world.
 
     A hand that tells EMPTY has lost what it is believed to hold, if it was attached before: then nobody knows
     where that is.
@@ -43,7 +45,7 @@ class Keeper:
         self._clutter = Latest(bus, CLUTTER)
         self._hands = {side: Latest(bus, hand_status(side)) for side in SIDES}
         self._attached: dict[Side, RobotTime] = {}
-        self._published = 0
+        self._published, self._there = 0, frozenset[str]()
         self._published_at: RobotTime | None = None
 
     @property
@@ -95,9 +97,10 @@ class Keeper:
             self._journal.write(self.beliefs.remembered(self._clocks.utc()), synced=synced)
 
     def publish(self) -> None:
-        """Publish, if something changed or a second has passed."""
-        now = self._clocks.robot()
-        if now is None or (self.beliefs.version == self._published and not self._due(now)):
+        """Publish, if something changed, a second has passed, or somebody has come."""
+        now, there = self._clocks.robot(), self._bus.alive()
+        came, self._there = not there <= self._there, there
+        if now is None or not (self.beliefs.version != self._published or came or self._due(now)):
             return
         WORLD.publish(self._bus, self.beliefs.state(now))
         SCENE.publish(self._bus, self.beliefs.scene(now))

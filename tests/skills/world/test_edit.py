@@ -190,3 +190,15 @@ def test_what_the_camera_saw_outlives_the_keeper_but_not_the_hardwares_boot(
     assert scene is not None
     assert [fact.item for fact in world.items] == known
     assert [each.item for each in scene.objects if each.kind == "item"] == known
+
+
+def test_who_comes_late_is_told_at_once() -> None:
+    desk = Desk()
+    desk.step()
+    desk.step()
+    desk.world.take()
+    desk.step()
+    assert not desk.world.take(), "nothing has changed"
+    desk.bus.announce("executive")
+    desk.step()
+    assert len(desk.world.take()) == 1
