@@ -224,7 +224,7 @@ class Move:
             return canceled(), command
         if ended.failure is not None:
             return failed(ended.failure), command
-        if command is Command.PAUSE or held:
+        if held:
             return None, command
         return self._verify(plan, steps, robot_seconds(self._clocks) - began), command
 
@@ -264,17 +264,17 @@ class Move:
     def _watch(
         self, command: Command, watch: MotionWatch
     ) -> Generator[MoveFeedback | Slice, Command, tuple[Ended, Command, bool]]:
-        """Wait for the end, and say whether an order has brought it about.
+        """Wait for the end, and say whether an order or a pause has brought it about.
 
         A cancel, a pause, an order, an obstacle or an item that has moved stops the hardware; its rest is
-        awaited.
+        awaited. Who is resumed before that has stopped short all the same.
         """
         stopping = held = False
         wrong: Failure | None = None
         while True:
             wrong = wrong or watch.found or self._followed.moved()
-            held = held or self._gate.order() is not None
-            if (command in {Command.CANCEL, Command.PAUSE} or held or wrong is not None) and not stopping:
+            held = held or command is Command.PAUSE or self._gate.order() is not None
+            if (command is Command.CANCEL or held or wrong is not None) and not stopping:
                 self._driver.stop()
                 stopping = True
             ended = self._driver.poll()

@@ -134,6 +134,16 @@ def test_a_pause_stops_and_a_resume_gets_there(rig: ArmRig) -> None:
     assert np.allclose(rig.result(rig.until(GoalState.SUCCEEDED)).positions, SIDE)
 
 
+@pytest.mark.parametrize("rounds", [0, 1, 3])
+def test_one_who_is_resumed_before_it_stands_gets_there_too(rig: ArmRig, rounds: int) -> None:
+    rig.send(MoveGoal(joints=SIDE))
+    rig.rounds(30)
+    command(rig, Command.PAUSE)
+    rig.rounds(rounds)
+    command(rig, Command.RESUME)
+    assert np.allclose(rig.result(rig.until(GoalState.SUCCEEDED)).positions, SIDE)
+
+
 def in_the_way(rig: ArmRig, hulls: RobotHulls) -> SceneObject:
     """Return a box where the hand is to end at SIDE."""
     tool = hulls.robot.pose("panda_hand_tcp", dict(zip(rig.group.joints, SIDE, strict=True))).position
