@@ -21,11 +21,11 @@ from benchmarks.arm_problems import Drawing, Problem, held, states
 from benchmarks.rows import Row, quantile
 from sim.robot import compose_robot
 from sim.scenario import load_scenario
-from skills.arm.bodies import load_hulls
 from skills.arm.plan_move import MovePlanner, Steps
 from skills.arm.planning.settings import PlannerSettings
 from skills.arm.problem import Arm, Moment, Plan
 from skills.arm.timing import bang_bang
+from skills.kinematics.described import load_hulls
 from skills.ports.actions.arm import MoveGoal
 from skills.ports.failure import Failure
 from skills.site import load

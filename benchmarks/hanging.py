@@ -11,7 +11,7 @@ from typing import Final
 from benchmarks.processes import free_endpoint
 from benchmarks.rows import Row
 from executive.options import BusOptions, RunOptions
-from executive.settings import Role
+from executive.parts import Role
 from executive.systems import ProcessSystem, wait_for
 from skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
 from skills.ports.actions.arm import MoveGoal, move

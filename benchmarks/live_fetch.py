@@ -18,7 +18,8 @@ from benchmarks.processes import free_endpoint
 from benchmarks.rows import Row
 from benchmarks.stillness import Stillness
 from executive.options import BusOptions
-from executive.settings import ROLES, WorkerSettings
+from executive.parts import ROLES
+from executive.settings import WorkerSettings
 from skills.ports.keys import CLOCK, Latest
 from skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus
 from skills.wire.zenoh_bus import BusError, ZenohBus

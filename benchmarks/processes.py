@@ -8,9 +8,11 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import closing, contextmanager
+from pathlib import Path
 from typing import Final
 
-from executive.settings import Role, WorkerSettings
+from executive.parts import Role
+from executive.settings import WorkerSettings
 from skills.wire.zenoh_bus import BusError, ZenohBus
 
 PREFIX: Final = "bench/mock"
@@ -26,13 +28,22 @@ def free_endpoint() -> str:
 
 
 @contextmanager
-def running(roles: Sequence[Role]) -> Iterator[tuple[str, dict[str, int]]]:
-    """Start a router and these roles; yields the router's endpoint, and the process ids by role."""
+def running(roles: Sequence[Role], data: Path | None = None) -> Iterator[tuple[str, dict[str, int]]]:
+    """Start a router and these roles; yields the router's endpoint, and the process ids by role.
+
+    ``data``: folder of the executive's ledger; without it nothing is kept.
+    """
     endpoint = free_endpoint()
     started: dict[str, subprocess.Popen[bytes]] = {}
     try:
         for role in ("router", *roles):
-            settings = WorkerSettings(role=role, endpoint=endpoint, prefix=PREFIX, site="lab")
+            settings = WorkerSettings(
+                role=role,
+                endpoint=endpoint,
+                prefix=PREFIX,
+                site="lab",
+                data=None if data is None else str(data),
+            )
             started[role] = _start("executive.worker", settings.model_dump_json())
             await_there(endpoint, "" if role == "router" else f"process/{role}")
         yield endpoint, {role: process.pid for role, process in started.items()}

@@ -97,10 +97,14 @@ def request_times(endpoint: str, count: int) -> list[float]:
     bus = ZenohBus(endpoint, PREFIX)
     trees, statuses = Latest(bus, TREE), Latest(bus, TASK_STATUS)
     found: list[float] = []
-    time.sleep(0.5)
+    since = time.monotonic()
+    while time.monotonic() - since < 0.5:
+        _tick(bus, since)
+        bus.waker.wait(0.01)
     try:
         for _ in range(count):
             trees.take()
+            _tick(bus, since)
             began = time.perf_counter()
             bus.publish(REQUEST, FETCH)
             tree = None
@@ -114,11 +118,18 @@ def request_times(endpoint: str, count: int) -> list[float]:
             TASK_CANCEL.query(bus, CancelTask(task=tree.task))
             over = False
             while not over and time.perf_counter() - began < 2.0:
+                _tick(bus, since)
                 bus.waker.wait(0.01)
                 over = any(status.state.terminal for status in statuses.take())
     finally:
         bus.close()
     return found
+
+
+def _tick(bus: ZenohBus, since: float) -> None:
+    """Tell the robot's clock: no task begins while the hardware is silent."""
+    seconds = time.monotonic() - since
+    CLOCK.publish(bus, Clock(stamp=RobotTime(boot="requests", seconds=seconds), tick=int(seconds * 100.0)))
 
 
 class Arrivals(KeyedQueue[ZenohRequest]):

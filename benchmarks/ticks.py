@@ -96,7 +96,7 @@ def fetches(count: int) -> tuple[Times, Times, list[float]]:
             mocked.ask()
             began[0] = time.thread_time()
             mocked.executive.step()
-            run = mocked.executive._running  # noqa: SLF001 - the tick alone is wanted
+            run = mocked.executive.running
             assert run is not None
             _time_ticks(run._root, ticks)  # noqa: SLF001
             mocked.run(timed)

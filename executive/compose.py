@@ -16,9 +16,16 @@ from executive.cli.exit_codes import ExitCode
 from executive.demo import Caller, succeeded
 from executive.fault_file import check_faults
 from executive.options import RunOptions
+from executive.parts import ROLES
 from executive.report import Recorder, write_report
-from executive.settings import ROLES
-from executive.systems import LockstepSystem, ProcessSystem, RefusedError, System, SystemFailure
+from executive.systems import (
+    LedgerFailure,
+    LockstepSystem,
+    ProcessSystem,
+    RefusedError,
+    System,
+    SystemFailure,
+)
 from sim.scenario import Scenario, ScenarioError, load_scenario
 from sim.scene import build_scene
 from sim.truth import Truth, lies_on
@@ -76,6 +83,9 @@ def _ended(work: Callable[[Console], ExitCode]) -> ExitCode:
     except RefusedError as error:
         console.print(f"refused: {error}", style="red", markup=False)
         return ExitCode.REFUSED
+    except LedgerFailure as error:
+        console.print(f"error: {error}", style="red", markup=False)
+        return ExitCode.UNKEPT
     except SystemFailure as error:
         console.print(f"error: {error}", style="red", markup=False)
         return ExitCode.TASK_FAILED

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from py_trees.behaviour import Behaviour
 
 from skills.ports.failure import Failure, FailureKind
-from skills.ports.tasks import NodeStatus, TaskState, TreeNode
+from skills.ports.tasks import NodeStatus, Problem, TaskState, TreeNode
 from trees.snapshot import snapshot
 
 
@@ -58,6 +58,30 @@ def hardware_lost(where: str, silent: float, *, before: Failure | None) -> Failu
         evidence={"silent_s": round(silent, 1)},
         causes=() if before is None else (before,),
     )
+
+
+def abandoned(where: str, skills: Iterable[str], silent: float) -> Failure:
+    """Return the failure of a task that was given up before all was at rest. ``silent``: host seconds."""
+    names = ", ".join(sorted(set(skills))) or "none"
+    return Failure(
+        kind=FailureKind.HARDWARE_LOST,
+        message=f"abandoned while the hardware did not answer; skills not known to be at rest: {names}",
+        where=where,
+        evidence={"silent_s": round(silent, 1)},
+    )
+
+
+def not_taken_up(where: str, why: str) -> Failure:
+    """Return the failure of a task that was under way when the executive ended, and does not go on."""
+    text = f"it was under way when the executive ended, and {why}; how far it came is not known"
+    return Failure(kind=FailureKind.INTERRUPTED, message=text, where=where)
+
+
+def no_longer_valid(where: str, problems: Iterable[Problem]) -> Failure:
+    """Return the failure of a request that was accepted before a restart and is none any more."""
+    words = "; ".join(f"{each.path}: expected {each.expected}" for each in problems)
+    text = f"it was accepted before a restart and no longer fits: {words}"
+    return Failure(kind=FailureKind.INVALID_GOAL, message=text, where=where)
 
 
 def not_wound_down(where: str, seconds: float) -> Failure:

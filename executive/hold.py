@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Literal
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
@@ -12,6 +13,9 @@ from skills.ports.tasks import TaskState
 from trees.context import TreeContext
 from trees.elapsed import Elapsed
 from trees.snapshot import kind_of
+
+Step = Literal["", "leaf", "tick"]
+"""How far a paused task goes on: to its end, by one leaf, by one tick of its tree."""
 
 
 class Hold:
@@ -26,7 +30,7 @@ class Hold:
         self.state = TaskState.RUNNING
         """RUNNING, PAUSING or PAUSED."""
         self._context, self._clocks = context, clocks
-        self._stepping = False
+        self._stepping: Step = ""
         self._stood: Elapsed | None = None
 
     @property
@@ -36,14 +40,14 @@ class Hold:
 
     def pause(self) -> None:
         """Have all goals come to rest; ``step`` sees when they have."""
-        self._stepping = False
+        self._stepping = ""
         if self.free:
             self.state, self._stood = TaskState.PAUSING, Elapsed(self._clocks)
             self.step()
 
-    def resume(self, *, one_leaf: bool = False) -> None:
-        """Have the goals go on; with ``one_leaf`` until one more leaf has ended."""
-        self._stepping = one_leaf
+    def resume(self, step: Step = "") -> None:
+        """Have the goals go on; with a ``step`` until one more leaf has ended, or by one tick."""
+        self._stepping = step
         if self._stood is not None:
             self._stood.update()
             self._context.paused_for += self._stood.robot
@@ -63,7 +67,7 @@ class Hold:
 
     def after_tick(self, ticked: Iterable[Behaviour]) -> None:
         """Pause again when one of the nodes just ticked is the leaf that was waited for."""
-        if self._stepping and any(_is_leaf_at_its_end(node) for node in ticked):
+        if self._stepping == "tick" or (self._stepping and any(_is_leaf_at_its_end(node) for node in ticked)):
             self.pause()
 
 

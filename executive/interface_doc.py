@@ -38,7 +38,8 @@ from skills.wire import loop
 from trees.recoveries import RECOVERIES
 from trees.registry import discover
 
-_Entry = Topic[Message] | Service[Message, Message]
+Entry = Topic[Message] | Service[Message, Message]
+"""A key and what travels on it."""
 _REQUEST_ROW: Final = (
     f"`{tasks.REQUEST}`",
     "put or queried",
@@ -69,6 +70,17 @@ def tables() -> dict[str, str]:
     }
 
 
+def entries() -> dict[str, list[Entry]]:
+    """Return the keys of the interface, by who they are for."""
+    return {
+        "clients": _task_entries(),
+        "world": _entries(world),
+        "skills": [*_entries(action), *_status_entries()],
+        "hardware": _entries(keys),
+        "stand-in": _sim_entries(),
+    }
+
+
 def fill(page: str) -> str:
     """Return the page with its tables made anew.
 
@@ -84,9 +96,9 @@ def marked(page: str) -> list[str]:
     return [found[2] for found in _MARKED.finditer(page)]
 
 
-def _entries(module: ModuleType) -> list[_Entry]:
+def _entries(module: ModuleType) -> list[Entry]:
     """Return the topics and services that a module defines; functions get their arguments' names."""
-    found: list[_Entry] = []
+    found: list[Entry] = []
     for value in vars(module).values():
         made = _called(module, value) if inspect.isfunction(value) else value
         if isinstance(made, Topic | Service):
@@ -102,7 +114,7 @@ def _called(module: ModuleType, function: Callable[..., object]) -> object:
     return function(*(f"<{name}>" for name in names))
 
 
-def _task_entries() -> list[_Entry]:
+def _task_entries() -> list[Entry]:
     return [*_entries(tasks), Topic("task/<id>/status", tasks.TaskStatus)]
 
 
@@ -111,7 +123,7 @@ def _action_modules() -> Iterator[ModuleType]:
         yield importlib.import_module(f"{actions.__name__}.{module.name}")
 
 
-def _status_entries() -> list[_Entry]:
+def _status_entries() -> list[Entry]:
     return [entry for module in _action_modules() for entry in _entries(module)]
 
 
@@ -125,7 +137,7 @@ def _actions() -> list[ActionType[Message, Message, Message]]:
     return found
 
 
-def _key_table(entries: list[_Entry], *others: tuple[str, str, str]) -> str:
+def _key_table(entries: list[Entry], *others: tuple[str, str, str]) -> str:
     rows = list(others)
     for entry in entries:
         if isinstance(entry, Topic):
@@ -217,7 +229,7 @@ def _field_table(model: type[Message]) -> str:
     return _table(("field", "type", "default", "meaning"), rows)
 
 
-def _sim_entries() -> list[_Entry]:
+def _sim_entries() -> list[Entry]:
     return [*_entries(controls), *_entries(loop)]
 
 

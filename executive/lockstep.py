@@ -8,8 +8,8 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Sequence
 
+from executive.parts import Role
 from executive.roles import SKILL_ROLES, Surroundings, executive_node, skill_nodes
-from executive.settings import Role
 from sim.scenario import Scenario
 from sim.station import Station, StationSettings
 from skills.ports.bus import Bus

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
+from executive.on_restart import OnRestart
+from executive.parts import LogFormat, Role
 from skills.wire.pulse import SILENT_AFTER
-
-if TYPE_CHECKING:
-    from executive.settings import Role
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 DEFAULT_SITE: Final = "lab"
@@ -34,6 +34,13 @@ class BusOptions:
     def prefix(self) -> str:
         """What stands before every key: ``<site>/<robot>``."""
         return f"{self.site}/{self.robot}"
+
+
+def default_data(bus: BusOptions, environment: Mapping[str, str]) -> Path:
+    """Return the folder of a robot's data: in ``$XDG_STATE_HOME/tandem``, or in ~/.local/state/tandem."""
+    state = environment.get("XDG_STATE_HOME", "")
+    home = Path(state) if state else Path(environment.get("HOME", "~")).expanduser() / ".local" / "state"
+    return home / "tandem" / f"{bus.site}-{bus.robot}"
 
 
 @dataclass(frozen=True)
@@ -62,11 +69,20 @@ class RunOptions:
     log: Path | None = None
     """Where logs of all processes go; None: standard error when ``verbose``."""
     verbose: bool = False
+    log_format: LogFormat = "text"
+    metrics: str = ""
+    """Host and port where metrics are served for Prometheus; empty: nowhere."""
+    traces: str = ""
+    """Address of a collector of OpenTelemetry traces; empty: none."""
     silent_after: float = SILENT_AFTER
     """Host seconds without a beat after which a process is said not to go on."""
     listen: tuple[str, ...] = ()
     """Endpoints at which the router listens besides that of ``bus``."""
     only: tuple[Role, ...] = ()
     """Roles that are started here; empty: all."""
+    data: Path | None = None
+    """Folder of the ledger and of what skills keep; None: one that ends with the run."""
+    on_restart: OnRestart = "resume"
+    """What becomes of a task that was under way when the executive ended, unless its request says so."""
     request: str = ""
     """The demo's request as a JSON document; empty: the demo's own choice."""

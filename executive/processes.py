@@ -1,4 +1,4 @@
-"""Starts the processes of the system, watches them, starts skills again that die, and ends them all.
+"""Starts the processes of the system, watches them, starts those again that can be, and ends them all.
 
 Nothing is left behind.
 """
@@ -16,7 +16,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Final, Self
 
-from executive.settings import ROLES, WorkerSettings
+from executive.parts import OBSERVER, ROLES
+from executive.settings import REFUSED, UNKEPT, WorkerSettings
 
 ENDS_WITHIN: Final = 5.0
 """Seconds that a process has for its own end; then it is killed."""
@@ -25,8 +26,12 @@ FOLLOWERS_END_WITHIN: Final = 1.5
 LAST_WORDS: Final = 12
 """Lines of a dead process's log that are shown."""
 SKILL_ROLES: Final = tuple(role for role in ROLES if role not in {"router", "hardware", "executive"})
+RESTARTED: Final = (*SKILL_ROLES, "executive", OBSERVER)
+"""Those that are started again: what they do is taken up."""
+NO_USE: Final = (REFUSED, UNKEPT)
+"""Exit codes that say that another start would end the same way."""
 RESTARTS: Final = 3
-"""Times that a skill's process is started again ..."""
+"""Times that a process is started again ..."""
 RESTARTS_WITHIN: Final = 60.0
 """... in so many seconds; one that dies more often has a fault that no new start mends."""
 
@@ -124,19 +129,25 @@ class Supervisor:
         )
 
     def restart(self, role: str) -> bool:
-        """Start a skill's dead process again, as it was; return whether it may be."""
+        """Start a dead process again, as it was; return whether it may be."""
         child, now = self.child(role), time.monotonic()
         times = self._restarted.setdefault(role, deque(maxlen=RESTARTS))
         often = len(times) == RESTARTS and now - times[0] < RESTARTS_WITHIN
-        if role not in SKILL_ROLES or often:
+        if role not in RESTARTED or often or child.process.returncode in NO_USE:
             return False
         times.append(now)
         self.children.remove(child)
         child.stream.close()
         self._orphans[child.process.pid] = now + FOLLOWERS_END_WITHIN
         _tell_group(child.process.pid, signal.SIGTERM)
-        self.start(child.settings)
+        self.start(child.settings.model_copy(update={"again": True, "crash_at": None}))
         return True
+
+    def give_up(self, role: str) -> None:
+        """Do without a process that has ended and that nothing needs."""
+        child = self.child(role)
+        self.children.remove(child)
+        child.stream.close()
 
     def tidy(self) -> None:
         """See to the followers of processes that were started again. Never waits."""
@@ -145,20 +156,13 @@ class Supervisor:
             if not _tell_group(group, signal.SIGKILL if now > end else 0):
                 del self._orphans[group]
 
-    def collect_logs(self, into: Path) -> None:
-        """Write the logs of all roles into one file, one role after the other."""
-        into.parent.mkdir(parents=True, exist_ok=True)
-        with into.open("a", encoding="utf-8") as all_logs:
-            for log in sorted(self.folder.glob("*.log")):
-                all_logs.write(log.read_text("utf-8", "replace"))
-
     def end(self) -> None:
         """Tell all to end and kill those that don't: the executive first, so that its goals come to rest.
 
         Its leaves cancel their goals while the skills still live; the hardware outlives the skills, and the
         router everybody.
         """
-        for roles in (("executive",), SKILL_ROLES, ("hardware",), ("router",)):
+        for roles in (("executive",), SKILL_ROLES, (OBSERVER,), ("hardware", "mock"), ("router",)):
             going = [child for child in self.children if child.role in roles]
             for child in going:
                 if child.process.poll() is None:

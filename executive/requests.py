@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final
 
 from pydantic import JsonValue, ValidationError
 
 from executive.documents import WHOLE, parse, path_of, show
+from executive.envelope import FIELDS, Envelope
 from skills.ports.message import Message
 from skills.ports.site import Site
 from skills.ports.tasks import Problem
@@ -48,6 +49,7 @@ class Asked:
     document: dict[str, JsonValue]
     """As the client sent it."""
     client_id: str = ""
+    envelope: Envelope = field(default_factory=Envelope)
 
 
 @dataclass(frozen=True)
@@ -73,19 +75,40 @@ def read_request(payload: bytes, kinds: Mapping[str, TaskType[Message]], site: S
         known = " or ".join(show(each) for each in kinds) or "a task (none is installed)"
         found = show(name) if KIND_FIELD in document else ""
         return Refused((Problem(path=KIND_FIELD, expected=known, found=found),), client_id)
+    return _checked(document, kind, site, client_id)
+
+
+def _checked(
+    document: dict[str, JsonValue], kind: TaskType[Message], site: Site, client_id: str
+) -> Asked | Refused:
+    outside = FIELDS - kind.request.model_fields.keys()
+    said = {name: value for name, value in document.items() if name in outside}
+    found: list[Problem] = []
+    envelope = Envelope()
+    try:
+        envelope = Envelope.model_validate_json(json.dumps(said), strict=True)
+    except ValidationError as error:
+        found += problems_of(error)
     try:
         request = kind.request.model_validate_json(json.dumps(body_of(document, kind.request)), strict=True)
     except ValidationError as error:
-        return Refused(problems_of(error), client_id)
-    problems = kind.problems(request, site)
+        return Refused((*problems_of(error), *found), client_id)
+    problems = (*kind.problems(request, site), *found, *_contradictions(envelope))
     if problems:
         return Refused(problems, client_id)
-    return Asked(kind, request, document, client_id)
+    return Asked(kind, request, document, client_id, envelope)
+
+
+def _contradictions(envelope: Envelope) -> tuple[Problem, ...]:
+    first, last = envelope.not_before, envelope.expires
+    if first is None or last is None or first < last:
+        return ()
+    return (Problem(path="expires", expected=f"a time after not_before ({first:g})", found=f"{last:g}"),)
 
 
 def body_of(document: Mapping[str, JsonValue], model: type[Message]) -> dict[str, JsonValue]:
     """Return what the model itself asks for: without the envelope's fields that it does not have."""
-    envelope = {KIND_FIELD, ID_FIELD, BY_FIELD} - model.model_fields.keys()
+    envelope = {KIND_FIELD, ID_FIELD, BY_FIELD, *FIELDS} - model.model_fields.keys()
     return {name: value for name, value in document.items() if name not in envelope}
 
 

@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from executive.settings import RefusalError, Role, WorkerSettings
+from executive.parts import Role
+from executive.settings import RefusalError, WorkerSettings
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.compute import Compute
@@ -25,10 +26,19 @@ from skills.ports.site import Site
 from skills.site import load
 
 if TYPE_CHECKING:
+    from executive.ledger.port import Ledger
+    from executive.on_restart import OnRestart
     from skills.wire.credentials import Credentials
     from skills.wire.zenoh_bus import ZenohBus
 
-SKILL_ROLES: Final[tuple[Role, ...]] = ("keeper", "perception", "base", "arm_left", "arm_right")
+SKILL_ROLES: Final[tuple[Role, ...]] = (
+    "keeper",
+    "perception",
+    "base",
+    "bimanual",
+    "arm_left",
+    "arm_right",
+)
 """In the order in which lockstep steps them: who tells first, who listens next."""
 DESCRIPTION_WITHIN: Final = 30.0
 """Seconds in which the hardware must have told who it is."""
@@ -96,25 +106,66 @@ def _arm(side: str) -> Callable[[Surroundings], Sequence[Node]]:
     return build
 
 
+def _bimanual(at: Surroundings) -> Sequence[Node]:
+    from skills.bimanual.process import nodes  # noqa: PLC0415
+    from skills.kinematics.described import load_hulls  # noqa: PLC0415
+    from skills.reflex.process import nodes as reflexes  # noqa: PLC0415
+
+    hulls = load_hulls(at.description, at.seed)
+    return [
+        *reflexes(at.bus, at.description, at.site, hulls),
+        *nodes(
+            at.bus,
+            at.clocks,
+            at.description,
+            site=at.site,
+            compute=at.compute,
+            hulls=hulls,
+            charge=at.charge,
+        ),
+    ]
+
+
 _BUILDERS: Final = {
     "keeper": _keeper,
     "perception": _perception,
     "base": _base,
     "arm_left": _arm("left"),
     "arm_right": _arm("right"),
+    "bimanual": _bimanual,
 }
 
 
-def executive_node(bus: Bus, clocks: Clocks, site: Site, *, start: str) -> Node:
-    """Return the executive, with all tasks there are; ``start`` becomes a part of the tasks' ids."""
+def executive_node(
+    bus: Bus,
+    clocks: Clocks,
+    site: Site,
+    *,
+    start: str,
+    ledger: Ledger | None = None,
+    on_restart: OnRestart = "resume",
+) -> Node:
+    """Return the executive, with all tasks there are; ``start`` becomes a part of the tasks' ids.
+
+    Without a ``ledger`` it keeps what it must not forget in memory.
+    """
     from importlib.metadata import version  # noqa: PLC0415
 
     from executive.doors import Doors  # noqa: PLC0415
-    from executive.service import Executive  # noqa: PLC0415
+    from executive.service import Executive, Policy  # noqa: PLC0415
     from trees.registry import discover  # noqa: PLC0415
 
     doors = Doors(bus, clocks)
-    executive = Executive(doors, clocks, site, discover(), start=start, version=version("tandem-executive"))
+    executive = Executive(
+        doors,
+        clocks,
+        site,
+        discover(),
+        start=start,
+        version=version("tandem-executive"),
+        ledger=ledger,
+        policy=Policy(on_restart=on_restart),
+    )
     doors.tasks = executive.book.all
     return executive
 
@@ -139,14 +190,18 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
     try:
         # Announced at once, long before ``process/...`` says that the role is ready to be played.
         claim = f"role/{settings.role}"
-        if bus.present(claim):
+        if not settings.again and bus.present(claim):
             raise RefusalError(
                 f"{settings.role}: there is such a process for {settings.prefix} at {settings.endpoint} "
                 f"already; end it first, or give this robot keys of its own with --robot"
             )
         bus.announce(claim)
-        if settings.role == "hardware":
+        if settings.role == "observer":
+            _play_observer(settings, bus, stopped)
+        elif settings.role == "hardware":
             _play_hardware(settings, bus, stopped)
+        elif settings.role == "mock":
+            _play_mock(settings, bus, stopped)
         else:
             _play_node(settings, bus, stopped)
     finally:
@@ -200,6 +255,32 @@ def _play_hardware(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[]
         station.close()
 
 
+def _play_observer(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
+    from executive.telemetry.process import observe  # noqa: PLC0415
+
+    observe(settings, bus, stopped)
+
+
+def _play_mock(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
+    from executive.campaigns.crash_world import TICK, LastingRobot  # noqa: PLC0415
+    from skills.wire.clocks import ProcessClocks  # noqa: PLC0415
+
+    assert settings.data is not None, "the mock keeps its truth in a folder"
+    boot = uuid.uuid4().hex[:8]
+    clocks = ProcessClocks(bus)
+    robot = LastingRobot(bus, clocks, load(settings.site), Path(settings.data), boot)
+    bus.announce("process/mock")
+    more = False
+    try:
+        while not stopped():
+            if not more:
+                bus.waker.wait(TICK)
+            clocks.refresh()
+            more = robot.step()
+    finally:
+        robot.close()
+
+
 def _play_node(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
     from skills.wire.clocks import ProcessClocks  # noqa: PLC0415
     from skills.wire.loop import run  # noqa: PLC0415
@@ -209,9 +290,7 @@ def _play_node(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bo
     site = load(settings.site)
     faulty = _with_faults(settings, bus, clocks)
     if settings.role == "executive":
-        from executive.task_queue import start_id  # noqa: PLC0415
-
-        node = executive_node(faulty, clocks, site, start=start_id(time.time()))
+        node = _executive(settings, faulty, clocks, site)
         run("executive", bus, clocks, [node], stopped)
         return
     compute = ProcessCompute(bus.waker.wake)
@@ -225,9 +304,41 @@ def _play_node(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bo
             seed=settings.seed,
             journal=None if settings.journal is None else Path(settings.journal),
         )
-        run(settings.role, bus, clocks, skill_nodes(settings.role, at), stopped)
+        nodes = skill_nodes(settings.role, at)
+        _keep_goals(settings, nodes)
+        run(settings.role, bus, clocks, nodes, stopped)
     finally:
         compute.close()
+
+
+def _keep_goals(settings: WorkerSettings, nodes: Sequence[Node]) -> None:
+    """Have the action servers of a process journal the goals that they accept."""
+    if settings.data is None:
+        return
+    from skills.goal_journal import GoalJournal  # noqa: PLC0415
+    from skills.server import ActionServer  # noqa: PLC0415
+
+    folder = Path(settings.data)
+    folder.mkdir(parents=True, exist_ok=True)
+    journal = GoalJournal(folder / f"{settings.role}.goals")
+    for node in nodes:
+        if isinstance(node, ActionServer):
+            node.keep(journal)
+
+
+def _executive(settings: WorkerSettings, bus: Bus, clocks: Clocks, site: Site) -> Node:
+    from executive.ledger.sqlite import SqliteLedger  # noqa: PLC0415
+    from executive.task_book import start_id  # noqa: PLC0415
+
+    ledger: Ledger | None = None if settings.data is None else SqliteLedger(Path(settings.data))
+    start = start_id(time.time())
+    if settings.crash_at is not None or settings.crash_log is not None:
+        from executive.campaigns.crash_points import CrashBus, CrashLedger, CrashPoints  # noqa: PLC0415
+
+        log = None if settings.crash_log is None else Path(settings.crash_log)
+        points = CrashPoints(settings.crash_at or "", log)
+        bus, ledger = CrashBus(bus, points), None if ledger is None else CrashLedger(ledger, points)
+    return executive_node(bus, clocks, site, start=start, ledger=ledger, on_restart=settings.on_restart)
 
 
 def _with_faults(settings: WorkerSettings, bus: Bus, clocks: Clocks) -> Bus:

@@ -6,6 +6,7 @@ It looks after what no tree can: goals that don't come to rest, hardware that is
 from __future__ import annotations
 
 import logging
+from collections.abc import Callable
 from typing import Final
 
 from py_trees.behaviour import Behaviour
@@ -13,6 +14,7 @@ from py_trees.common import Status
 
 from executive.endings import (
     Ending,
+    abandoned,
     hardware_lost,
     kept_from_winding_down,
     not_at_rest,
@@ -21,7 +23,8 @@ from executive.endings import (
     unsaid,
 )
 from executive.halt import Halt
-from executive.hold import Hold
+from executive.hold import Hold, Step
+from executive.ledger.port import LedgerError
 from executive.tree_view import TreeView
 from skills.ports.clocks import Clocks
 from skills.ports.failure import Failure
@@ -30,6 +33,7 @@ from skills.ports.tasks import NodeStatus, Progress, TaskState, TreeNode, TreeSn
 from trees.clients import AnyGoal
 from trees.context import TreeContext
 from trees.elapsed import Elapsed
+from trees.gates import Gates
 
 TICK_PERIOD: Final = 0.05
 """Robot seconds after which the tree is ticked although nothing was heard: its timers."""
@@ -50,6 +54,10 @@ WAITS: Final = "waits for the hardware"
 _LOG = logging.getLogger(__name__)
 
 
+def _nobody(_: float) -> None:
+    """Nobody asks how long a tick took."""
+
+
 class Run:
     """One task, from its first tick until the robot is at rest.
 
@@ -59,10 +67,18 @@ class Run:
         kind: the kind of task.
         clocks: robot time for timers, host time for when the robot's stands still.
         halt: stops the hardware, when goals don't come to rest.
+        ticked: told how many seconds of the host each tick took.
     """
 
     def __init__(
-        self, context: TreeContext, root: Behaviour, kind: str, *, clocks: Clocks, halt: Halt
+        self,
+        context: TreeContext,
+        root: Behaviour,
+        kind: str,
+        *,
+        clocks: Clocks,
+        halt: Halt,
+        ticked: Callable[[float], None] = _nobody,
     ) -> None:
         self.context = context
         self.ended: Ending | None = None
@@ -70,6 +86,7 @@ class Run:
         self.canceling = False
         """Whether it has been cancelled."""
         self._root, self._kind, self._clocks, self._halt = root, kind, clocks, halt
+        self._ticked = ticked
         self._hold = Hold(context, clocks)
         self._ending: Ending | None = None
         self._resting = Elapsed(clocks)  # since the tree's end
@@ -79,10 +96,16 @@ class Run:
         self._waits = False
         self._ticked_at: RobotTime | None = None
         self._ticked_on_host = clocks.monotonic()
-        self._progress = Progress()
+        self._progress = context.progress  # a task that is taken up again does not fall back
         self._view = TreeView(root)
         self._shown: TreeNode | None = None
         self._touched = False  # a tree changes only when it is ticked or stopped
+        self.gates = Gates(root, context)
+        """Breakpoints and forced nodes."""
+        self.yielding = False
+        """Whether it makes room for another task."""
+        self.running: tuple[str, ...] = ()
+        """The leaves that run, by their names."""
 
     @property
     def ending(self) -> Ending | None:
@@ -119,36 +142,71 @@ class Run:
 
         What is to be done after a cancel is done then; cancelled once more, that is stopped as well.
         """
-        if self._ending is None:
-            self.canceling = True
+        if self._ending is None or self.yielding:
+            self.canceling, self.yielding = True, False
             self._hold.resume()
             self._stop_tree()
             self._end_with(Ending(TaskState.CANCELED))
 
+    def make_room(self) -> None:
+        """Stop the tree for another task's sake: it ends as QUEUED when all is at rest."""
+        if self._ending is None:
+            self.yielding = True
+            self._stop_tree()
+            self._end_with(Ending(TaskState.QUEUED))
+
+    def interrupt(self, failure: Failure) -> None:
+        """Stop the tree: the task ends as INTERRUPTED when all is at rest."""
+        self._hold.resume()
+        self._stop_tree()
+        self._end_with(Ending(TaskState.INTERRUPTED, failure))
+
+    def look_again(self) -> None:
+        """Tick with the next step, whatever the timers say: something has changed."""
+        self._ticked_at = None
+
+    def abandon(self) -> str:
+        """Give it up although not all is at rest; return why not, or nothing."""
+        if not self.canceling:
+            return "only a task that has been cancelled can be abandoned"
+        silent = self.context.knowledge.hardware_silent_for
+        self._resting.update()
+        if silent <= SILENT_AFTER and self._halted is None:
+            return "the hardware answers; its skills are coming to rest"
+        skills = (handle.action for handle in self.context.clients.open)
+        self.ended = self._ending = Ending(TaskState.INTERRUPTED, abandoned(self._root.name, skills, silent))
+        return ""
+
     def pause(self) -> str:
         """Have all come to rest and the tree stay where it is; return why not, or nothing."""
-        why = self._not_to_be_held()
+        why = self.held_up_by()
         if not why:
             self._hold.pause()
         return why
 
     def resume(self) -> str:
         """Go on after a pause; return why not, or nothing."""
-        why = self._not_to_be_held()
+        why = self.held_up_by()
         if not why and self._hold.free:
             why = "the task is not paused"
+        if not why and self.context.question is not None and self.ticks == 0:
+            why = "it asks whether it shall go on: answer that"
         if not why:
+            self._go_on_from_gate()
             self._hold.resume()
         return why
 
-    def step_leaf(self) -> str:
-        """Go on until one more leaf has ended, and pause again; return why not, or nothing."""
-        why = self._not_to_be_held()
+    def step_by(self, step: Step) -> str:
+        """Go on until one more leaf has ended or by one tick, and pause again; return why not, or nothing."""
+        why = self.held_up_by()
         if not why and self._hold.state is not TaskState.PAUSED:
             pausing = self._hold.state is TaskState.PAUSING
             why = "its skills are still coming to rest" if pausing else "the task is not paused"
+        if not why and self.context.question is not None and self.ticks == 0:
+            why = "it asks whether it shall go on: answer that"
         if not why:
-            self._hold.resume(one_leaf=True)
+            self._go_on_from_gate()
+            self._hold.resume(step)
         return why
 
     def changed_tree(self) -> TreeSnapshot | None:
@@ -172,9 +230,16 @@ class Run:
             root=self._view.look(),
         )
 
-    def _not_to_be_held(self) -> str:
+    def _go_on_from_gate(self) -> None:
+        self.gates.release()
+        self.look_again()
+
+    def held_up_by(self) -> str:
+        """Return why its tree is not to be held or changed any more, or nothing."""
         if self.canceling:
             return "the task is being cancelled"
+        if self.yielding:
+            return "the task makes room for another one"
         return "" if self._ending is None else f"the task is about to end: {self._ending.state}"
 
     def _poll(self) -> bool:
@@ -214,14 +279,22 @@ class Run:
         self.ticks += 1
         self._touched = True
         try:
-            self._judge(tuple(self._root.tick()))
+            ticked = tuple(self._root.tick())
+            self._judge(ticked)
+            # Last, and so also when the tree has ended: nothing of it runs any more.
+            self.running = tuple(n.name for n in ticked if not n.children and n.status is Status.RUNNING)
+        except LedgerError:
+            raise  # no goal may be sent that is not written down
         except Exception as error:  # noqa: BLE001 - a tree's mistake costs its task, not the service
             self._crash(error)
+        self._ticked(self._clocks.monotonic() - self._ticked_on_host)
 
     def _judge(self, ticked: tuple[Behaviour, ...]) -> None:
         status = NodeStatus(self._root.status.name)
         if status is NodeStatus.RUNNING:
             self._hold.after_tick(ticked)
+            if self.gates.hit:
+                self._hold.pause()
         elif status is NodeStatus.SUCCESS:
             self._end_with(Ending(TaskState.CANCELED if self.canceling else TaskState.SUCCEEDED))
         else:
@@ -240,17 +313,18 @@ class Run:
 
     def _crash(self, error: Exception) -> None:
         """End a tree that raised: a mistake in the program, which must cost this task and nothing else."""
-        _LOG.error("%s: its tree raised", self.context.task, exc_info=error)
+        _LOG.error("a tree raised", extra={"task": self.context.task}, exc_info=error)
         if self._ending is None:
             self._stop_tree()
             self._end_with(self._as_failed(raised(self._root, error)))
 
     def _stop_tree(self) -> None:
         self._touched = True
+        self.running = ()
         try:
             self._root.stop(Status.INVALID)
         except Exception:  # noqa: BLE001 - the tree is given up anyway
-            _LOG.exception("%s: its tree raised while it was stopped", self.context.task)
+            _LOG.exception("a tree raised while it was stopped", extra={"task": self.context.task})
 
     # The end.
 
@@ -277,6 +351,7 @@ class Run:
         self._before_winding = self.context.failures[-1] if self.context.failures else None
         self._winding, self._ending = Elapsed(self._clocks), None
         self._root, self._view, self._shown = tree, TreeView(tree), None
+        self.gates = Gates(tree, self.context)
         self._touched, self._ticked_at = True, None
         return True
 
@@ -313,7 +388,7 @@ class Run:
         try:
             return self.context.with_places(failure)
         except Exception:  # noqa: BLE001 - the end is told in any case
-            _LOG.exception("%s: where everything is could not be told", self.context.task)
+            _LOG.exception("where everything is could not be told", extra={"task": self.context.task})
             return failure
 
     def _last_failure(self) -> Failure | None:

@@ -8,22 +8,40 @@ from typing import Final
 from pydantic import JsonValue, TypeAdapter
 from pydantic.json_schema import models_json_schema
 
+from executive.envelope import Envelope
 from executive.requests import ID_FIELD, KIND_FIELD, MAX_ID
 from skills.ports.hardware import Stop, StopState
 from skills.ports.keys import STOP, STOP_RELEASE, STOP_STATE, Nothing
 from skills.ports.message import Message
 from skills.ports.tasks import (
     REQUEST,
+    TASK_ABANDON,
+    TASK_ANSWER,
     TASK_ANSWERS,
+    TASK_BREAKPOINT,
     TASK_CANCEL,
+    TASK_FORCE,
+    TASK_HISTORY,
     TASK_INFO,
     TASK_LIST,
+    TASK_PAUSE,
+    TASK_REPRIORITISE,
+    TASK_RESUME,
     TASK_STATUS,
+    TASK_STEP,
     TREE,
     TREE_NOW,
+    AnswerQuestion,
+    AskHistory,
+    Breakpoint,
     CancelTask,
     ControlAnswer,
     ExecutiveInfo,
+    ForceNode,
+    History,
+    NameTask,
+    Reprioritise,
+    StepTask,
     TaskAnswer,
     TaskList,
     TaskStatus,
@@ -37,12 +55,31 @@ CLIENT_MESSAGES: Final[tuple[type[Message], ...]] = (
     TaskStatus,
     TaskList,
     CancelTask,
+    NameTask,
+    StepTask,
+    Reprioritise,
+    AnswerQuestion,
+    Breakpoint,
+    ForceNode,
     ControlAnswer,
+    AskHistory,
+    History,
     ExecutiveInfo,
     TreeSnapshot,
     Stop,
     StopState,
     Nothing,
+)
+_VERBS: Final = (
+    TASK_CANCEL,
+    TASK_PAUSE,
+    TASK_RESUME,
+    TASK_STEP,
+    TASK_ABANDON,
+    TASK_REPRIORITISE,
+    TASK_ANSWER,
+    TASK_BREAKPOINT,
+    TASK_FORCE,
 )
 _DOCUMENT: Final[TypeAdapter[dict[str, JsonValue]]] = TypeAdapter(dict[str, JsonValue])
 
@@ -51,7 +88,7 @@ def interface_schema(kinds: Mapping[str, TaskType[Message]]) -> dict[str, JsonVa
     """Return one document: every message in ``$defs``, and which of them travels on which key."""
     definitions = _definitions([kind.request for kind in kinds.values()] + list(CLIENT_MESSAGES))
     for kind in kinds.values():
-        definitions[kind.request.__name__] = _with_envelope(definitions[kind.request.__name__], kind)
+        definitions[kind.request.__name__] = with_envelope(definitions[kind.request.__name__], kind)
     requests: list[JsonValue] = [_ref(kind.request) for kind in kinds.values()]
     definitions["Request"] = {"oneOf": requests, "title": "Request"}
     return {
@@ -80,7 +117,7 @@ def _definitions(models: list[type[Message]]) -> dict[str, JsonValue]:
     return _DOCUMENT.validate_python(schema["$defs"])
 
 
-def _with_envelope(schema: JsonValue, kind: TaskType[Message]) -> JsonValue:
+def with_envelope(schema: JsonValue, kind: TaskType[Message]) -> JsonValue:
     """Return a request's schema with what the executive takes beside the model's own fields."""
     assert isinstance(schema, dict)
     properties, required = schema.get("properties"), schema.get("required", [])
@@ -92,9 +129,11 @@ def _with_envelope(schema: JsonValue, kind: TaskType[Message]) -> JsonValue:
         "maxLength": MAX_ID,
         "type": "string",
     }
+    envelope = Envelope.model_json_schema()["properties"]
+    said = {name: value for name, value in envelope.items() if name not in properties}
     return {
         **schema,
-        "properties": {**properties, KIND_FIELD: task, ID_FIELD: own},
+        "properties": {**properties, **said, KIND_FIELD: task, ID_FIELD: own},
         "required": [KIND_FIELD, *(name for name in required if name != KIND_FIELD)],
     }
 
@@ -106,7 +145,7 @@ def _keys() -> dict[str, JsonValue]:
     }
     for topic in (TASK_ANSWERS, TASK_STATUS, TREE, STOP_STATE):
         puts[topic.key] = {"subscribe": _ref(topic.model)}
-    for service in (TASK_CANCEL, TASK_LIST, TASK_INFO, TREE_NOW, STOP, STOP_RELEASE):
+    for service in (*_VERBS, TASK_LIST, TASK_HISTORY, TASK_INFO, TREE_NOW, STOP, STOP_RELEASE):
         puts[service.key] = {"query": _ref(service.asked), "answer": _ref(service.answered)}
     puts[REQUEST] = {
         "put": {"$ref": "#/$defs/Request"},

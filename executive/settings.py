@@ -2,23 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Final, Literal
+from typing import Final
 
+from executive.on_restart import OnRestart
+from executive.parts import LogFormat, Role
 from skills.ports.message import Message
 from skills.wire.pulse import SILENT_AFTER
-
-Role = Literal["router", "hardware", "keeper", "perception", "base", "arm_left", "arm_right", "executive"]
-ROLES: Final[tuple[Role, ...]] = (
-    "router",
-    "hardware",
-    "keeper",
-    "perception",
-    "base",
-    "arm_left",
-    "arm_right",
-    "executive",
-)
-"""In the order in which they are started."""
 
 
 class WorkerSettings(Message):
@@ -38,7 +27,22 @@ class WorkerSettings(Message):
     gui: bool = False
     journal: str | None = None
     """File in which the keeper keeps what no sensor can restore."""
+    data: str | None = None
+    """Folder of the executive's ledger and of the skills' goal journals; None: nothing is kept."""
+    on_restart: OnRestart = "resume"
+    """What becomes of a task that was under way when the executive ended, unless its request says so."""
+    again: bool = False
+    """Whether it takes the place of one that is known to be dead."""
+    crash_at: str | None = None
+    """Kill this process at a point by its name (``executive.crash_points``); for the campaign of crashes."""
+    crash_log: str | None = None
+    """File to which each such point is written when it is first passed."""
     verbose: bool = False
+    log_format: LogFormat = "text"
+    metrics: str = ""
+    """The observer's: host and port where it serves metrics for Prometheus; empty: nowhere."""
+    traces: str = ""
+    """The observer's: address of a collector of OpenTelemetry traces; empty: none."""
     silent_after: float = SILENT_AFTER
     """Host seconds without a beat after which another process is said not to go on."""
     listen: tuple[str, ...] = ()
@@ -47,6 +51,12 @@ class WorkerSettings(Message):
     """Folder of keys, with which every process shows who it is; None: nobody asks."""
     holder: str = ""
     """The robot's name in that folder."""
+
+
+REFUSED: Final = 4
+"""Exit code of a process that must not start here."""
+UNKEPT: Final = 5
+"""Exit code of an executive whose ledger can't be opened or written."""
 
 
 class RefusalError(RuntimeError):

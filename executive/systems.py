@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import sys
 import tempfile
 import time
 from collections.abc import Callable
+from contextlib import ExitStack
 from pathlib import Path
-from typing import Final, Protocol, Self
+from typing import IO, Final, Protocol, Self
 
 from executive.options import RunOptions
+from executive.parts import OBSERVER, ROLES, Role
 from executive.processes import Death, Supervisor
 from executive.security.identity import Identity
-from executive.settings import ROLES, Role, WorkerSettings
+from executive.settings import UNKEPT, WorkerSettings
+from executive.telemetry.relay import LogRelay
 from sim.chatter import unheard
 from sim.scenario import Scenario, load_scenario
 from skills.ports.bus import Bus, Pending
@@ -29,6 +33,10 @@ READY_WITHIN: Final = 60.0
 
 class SystemFailure(RuntimeError):  # noqa: N818 - what happened to a system, not a mistake in a call
     """The system can't go on; the message says which process ended, with its last words."""
+
+
+class LedgerFailure(SystemFailure):
+    """The executive can't keep its ledger; the message says why."""
 
 
 class RefusedError(RuntimeError):
@@ -124,11 +132,14 @@ class ProcessSystem:
         roles: tuple[Role, ...] = ROLES,
         say: Callable[[str], None] = lambda _: None,
     ) -> None:
-        self._options, self._roles, self._say = options, roles, say
+        observed: tuple[Role, ...] = (OBSERVER,) if options.metrics or options.traces else ()
+        self._options, self._roles, self._say = options, roles + observed, say
         self._ready = False
         self._site = load_scenario(options.scenario).site
         self._folder = tempfile.TemporaryDirectory(prefix="tandem-")
         self.supervisor = Supervisor(Path(self._folder.name) / "logs")
+        self._logs = ExitStack()
+        self._relay = LogRelay(self.supervisor.folder, self._log_sinks(), options.log_format)
         self._bus: ZenohBus | None = None
         self._clocks: ProcessClocks | None = None
 
@@ -178,9 +189,16 @@ class ProcessSystem:
             self._bus.close()
             self._bus = None
         self.supervisor.end()
-        if self._options.log is not None:
-            self.supervisor.collect_logs(self._options.log)
+        self._relay.step(last=True)
+        self._logs.close()
         self._folder.cleanup()
+
+    def _log_sinks(self) -> tuple[IO[str], ...]:
+        sinks: list[IO[str]] = [sys.stderr] if self._options.verbose else []
+        if self._options.log is not None:
+            self._options.log.parent.mkdir(parents=True, exist_ok=True)
+            sinks.append(self._logs.enter_context(self._options.log.open("a", encoding="utf-8")))
+        return tuple(sinks)
 
     def _start(self) -> None:
         bus = self._options.bus
@@ -251,7 +269,12 @@ class ProcessSystem:
             speed=options.speed,
             gui=options.gui,
             journal=str(Path(self._folder.name) / "held.jsonl") if role == "keeper" else None,
+            data=str(options.data or self._folder.name),
+            on_restart=options.on_restart,
             verbose=options.verbose,
+            log_format=options.log_format,
+            metrics=options.metrics if role == OBSERVER else "",
+            traces=options.traces if role == OBSERVER else "",
             silent_after=options.silent_after,
             listen=options.listen if role == "router" else (),
             keys=None if options.bus.keys is None else str(options.bus.keys),
@@ -264,11 +287,17 @@ class ProcessSystem:
         for death in deaths:
             if self._ready and self.supervisor.restart(death.role):
                 self._say(f"{death.head()}; started again")
+            elif self._ready and death.role == OBSERVER:
+                self.supervisor.give_up(death.role)
+                self._say(f"{death.head()} again and again; nothing is recorded any more")
             else:
                 fatal.append(death)
         if fatal:
-            raise SystemFailure("\n".join(death.describe() for death in fatal))
+            unkept = any(death.code == UNKEPT for death in fatal)
+            words = "\n".join(death.describe() for death in fatal)
+            raise LedgerFailure(words) if unkept else SystemFailure(words)
         self.supervisor.tidy()
+        self._relay.step()
 
 
 def wait_for(system: System, pending: Pending, within: float) -> bytes | None:

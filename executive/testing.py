@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
+from py_trees.composites import Sequence
 
 from skills.ports.failure import Failure
 from skills.ports.geometry import Pose
@@ -20,6 +21,7 @@ from skills.wire.clocks import SteppedClocks
 from skills.wire.memory import MemoryBus, MemoryHub
 from trees.clients import Clients
 from trees.context import TreeContext
+from trees.gates import Gates
 from trees.knowledge import Knowledge
 from trees.registry import discover
 
@@ -61,6 +63,8 @@ class TreeBench:
         self._runs, self._step = 0, step
         self.context = self._new_context()
         self.root: Behaviour | None = None
+        self.gates = Gates(Sequence("no task", memory=True), self.context)
+        """Breakpoints and forced nodes of the tree that was started last."""
         self.visited: list[tuple[str, Status]] = []
         """What each node became when it was ticked, in order: RUNNING once, INVALID when interrupted."""
         self.events: dict[str, Callable[[MockRobot], None]] = {}
@@ -73,7 +77,27 @@ class TreeBench:
         self.context = self._new_context()
         self.visited, self._running = [], {}
         self.root = kind.build(kind.request.model_validate({"task": task, **request}), self.context)
+        self.gates = Gates(self.root, self.context)
         return self.root
+
+    def hold(self, node: str, *, before: bool = True) -> None:
+        """Have the tree held before or behind a node.
+
+        ``gates.hit`` says when it is, ``gates.release`` lets it go on.
+
+        KeyError for a name that no node, or more than one, has.
+        """
+        self.gates.hold(self._node(node), before=before)
+
+    def force(self, node: str, status: Status | None) -> None:
+        """Have a node end with a status instead of working; None lets it work again."""
+        self.gates.force(self._node(node), status)
+
+    def _node(self, name: str) -> Behaviour:
+        found = self.gates.find(name)
+        if isinstance(found, str):
+            raise KeyError(found)
+        return found
 
     def step(self) -> Status:
         """Let one period pass: skills, then one tick of the tree; return the root's status."""

@@ -1,17 +1,40 @@
-"""What clients may ask of a task: cancel, pause, resume, step; each answered at once: taken, or why not."""
+"""What clients may ask of a task; each verb is answered at once: taken, or why not."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Generic, TypeVar
 
 from pydantic import ValidationError
 
-from skills.ports.bus import Bus
+from skills.ports.bus import Bus, Desk
+from skills.ports.keys import Service
 from skills.ports.message import Message
-from skills.ports.tasks import ControlAnswer, NameTask
+from skills.ports.tasks import ControlAnswer
 
-Take = Callable[[str], ControlAnswer]
-"""Given a task's id; returns the answer."""
+M = TypeVar("M", bound=Message)
+
+
+@dataclass(frozen=True)
+class Verb(Generic[M]):
+    """A verb's service, and who takes it."""
+
+    service: Service[M, ControlAnswer]
+    take: Callable[[M], ControlAnswer]
+
+    def answer(self, payload: bytes) -> ControlAnswer:
+        """Read a document and take it."""
+        model = self.service.asked
+        try:
+            asked = model.model_validate_json(payload)
+        except ValidationError as error:
+            fields = ", ".join(f'"{name}"' for name in model.model_fields)
+            first = error.errors(include_url=False)[0]
+            at = ".".join(str(part) for part in first["loc"]) or "the document"
+            reason = f"a document with {fields} was expected; at {at}: {first['msg']}"
+            return ControlAnswer(accepted=False, reason=reason)
+        return self.take(asked)
 
 
 class Verbs:
@@ -19,27 +42,21 @@ class Verbs:
 
     Args:
         bus: where clients are.
-        takes: who takes each verb, by its key.
+        verbs: all of them.
     """
 
-    def __init__(self, bus: Bus, takes: Mapping[str, Take]) -> None:
-        self._desks = [(bus.serve(key), take) for key, take in takes.items()]
+    def __init__(self, bus: Bus, verbs: Iterable[Verb[Message]]) -> None:
+        self._desks: list[tuple[Desk, Verb[Message]]] = [
+            (bus.serve(each.service.key), each) for each in verbs
+        ]
 
     def step(self) -> None:
         """Answer all who asked."""
-        for desk, take in self._desks:
+        for desk, verb in self._desks:
             for request in desk.drain():
-                request.reply(_answer(request.payload, take).model_dump_json().encode())
+                request.reply(verb.answer(request.payload).model_dump_json().encode())
 
     def close(self) -> None:
         """Stop serving."""
         for desk, _ in self._desks:
             desk.close()
-
-
-def _answer(payload: bytes, take: Take) -> Message:
-    try:
-        named = NameTask.model_validate_json(payload)
-    except ValidationError:
-        return ControlAnswer(accepted=False, reason='a document {"task": "<id>"} was expected')
-    return take(named.task)

@@ -43,6 +43,9 @@ OPERATORS: Final = MappingProxyType(
         FailureKind.GRIPPER_STUCK: (
             "Look at the gripper: something may be between its fingers, or it has no power. Then ask again."
         ),
+        FailureKind.INTERRUPTED: (
+            "See what is in the hands and where the item is. Then ask again: what is done is not done again."
+        ),
     }
 )
 """What an operator does, by kind, where more can be said."""

@@ -14,9 +14,10 @@ from types import FrameType
 from typing import Final
 
 from executive import roles
-from executive.settings import RefusalError, WorkerSettings
+from executive.ledger.port import LedgerError, LedgerLockedError
+from executive.settings import REFUSED, UNKEPT, RefusalError, WorkerSettings
+from executive.telemetry.logs import formatter
 
-REFUSED: Final = 4
 SWITCH_INTERVAL: Final = 0.0005
 """Seconds after which a thread that computes lets another go on."""
 
@@ -44,21 +45,22 @@ class Ending:
 def main(argv: list[str]) -> int:
     """Play the role; return the process's exit code."""
     settings = WorkerSettings.model_validate_json(argv[0])
-    logging.basicConfig(
-        level=logging.DEBUG if settings.verbose else logging.INFO,
-        format=f"%(asctime)s {settings.role} %(levelname)s %(name)s: %(message)s",
-        stream=sys.stderr,
-    )
-    # zenoh's callbacks wait until the loop's thread lets them go on. At Python's 5 ms for each message, a
-    # busy loop would hear 200 of them in a second.
+    handler = logging.StreamHandler(sys.stderr)
+    handler.setFormatter(formatter(settings.log_format, settings.role))
+    logging.basicConfig(level=logging.DEBUG if settings.verbose else logging.INFO, handlers=[handler])
+    # zenoh's callbacks wait until the loop's thread lets them go on. At Python's 5 ms a message, a loop
+    # that is busy would hear 200 of them in a second.
     sys.setswitchinterval(SWITCH_INTERVAL)
     ending = Ending()
     ending.listen()
     try:
         roles.play(settings, ending)
-    except RefusalError as refusal:
+    except (RefusalError, LedgerLockedError) as refusal:
         logging.getLogger(__name__).error("%s", refusal)  # noqa: TRY400 - no fault of the program
         return REFUSED
+    except LedgerError as error:
+        logging.getLogger(__name__).error("%s", error)  # noqa: TRY400 - the disk's fault
+        return UNKEPT
     except Exception:
         logging.getLogger(__name__).exception("%s ended by an error", settings.role)
         return 1

@@ -57,7 +57,7 @@ def fetch_worlds(site: Site | None = None) -> Mapping[str, Make]:
             "depot full": partial(world, begin=partial(_fill, range(len(slots)))),
             "a slot taken": partial(world, begin=partial(_clutter, slots[:1])),
             "all slots taken": partial(world, begin=partial(_clutter, slots)),
-            "stop is set": partial(world, begin=_stop),
+            "stop is set": partial(world, begin=stop),
             "dropped on the way": partial(world, events={"drive to slot": _Once(_drop)}),
             "dropped again and again": partial(world, events={"drive to slot": _drop}),
             "arms knocked out on the way": partial(world, events={"survey item, left arm": _stretch}),
@@ -264,7 +264,8 @@ def _clutter(slots: tuple[Vector3, ...], robot: MockRobot) -> None:
         robot.put_in(slot, f"clutter_{number}")
 
 
-def _stop(robot: MockRobot) -> None:
+def stop(robot: MockRobot) -> None:
+    """Have somebody set the hardware's stop."""
     STOP_STATE.publish(robot.bus, StopState(stopped=True, by="an operator", reason="a person in the room"))
 
 

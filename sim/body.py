@@ -125,6 +125,12 @@ class RobotBody:
         if not anchored:
             self.physics.set_group(self.body, links, Group.ROBOT)
 
+    def pad_force(self, hand: Hand) -> float:
+        """Return the newtons with which a hand's fingers press on what is not the robot."""
+        links = [self.link_index[link] for link in hand.finger_links]
+        touched = self.physics.contacts(self.body, links=links)
+        return sum(contact.force for contact in touched if contact.body_b != self.body)
+
     def base_pose(self) -> tuple[Vector3, Quaternion]:
         """Return the pose of the root frame (base_footprint) in the world."""
         centre, turn = self.physics.body_pose(self.body)

@@ -17,6 +17,7 @@ from skills.ports.hardware import (
     Bumpers,
     CancelMotion,
     GripperCommand,
+    GripperMotion,
     GripperState,
     GroupStatus,
     LaserScan,
@@ -39,6 +40,10 @@ if TYPE_CHECKING:
 
 M = TypeVar("M", bound=Message)
 
+CLOSED: Final = 0.001
+"""Metres between pads that have met: the hand is a fist."""
+PRESSING: Final = 2.0
+"""Newtons with which a fist's fingertips press before static friction keeps its place there."""
 STATE_EVERY: Final = 2
 """Periods between two odometry, gripper and wrench messages (50 Hz)."""
 BUMPERS_EVERY: Final = 20
@@ -191,7 +196,7 @@ class HandPart:
         drive = self.controller.advance(
             period, (inner.position, outer.position), (inner.effort, outer.effort)
         )
-        squeezing = self.controller.squeezing
+        squeezing = self.controller.squeezing or self._presses()
         if self.defects != SOUND:
             drive = self.defects.bend(drive, self._gripper.speed / 2.0, self._gripper.force)
             squeezing = squeezing and not self.defects.opens
@@ -199,6 +204,11 @@ class HandPart:
         if squeezing is not self._anchored:
             self._anchored = squeezing
             self._body.anchor_pads(self._hand, anchored=self._anchored)
+
+    def _presses(self) -> bool:
+        """Say whether the closed hand presses with its fingertips, as two fists do on a carton."""
+        closed = self.controller.motion is GripperMotion.AT_WIDTH and self.controller.width < CLOSED
+        return closed and self._body.pad_force(self._hand) >= PRESSING
 
     def tell(self, now: RobotTime, tick: int) -> None:
         """Publish the gripper's state (also on each change) and the wrench."""

@@ -14,6 +14,9 @@ from skills.ports.message import Quaternion, Vector3
 TIME_STEP: Final = 0.01 / 3.0
 """Seconds a physics step (300 Hz): three a hardware period."""
 
+SOFT_DAMPING: Final = 0.01
+"""Seconds: damping of a soft surface over its stiffness."""
+
 Rays = Sequence[Sequence[float]]
 
 GRAVITY: Final = 9.81
@@ -149,6 +152,20 @@ class Physics:
             spinningFriction=0.0,
             rollingFriction=0.0,
             frictionAnchor=int(anchored),
+            physicsClientId=self.client,
+        )
+
+    def soften(self, body: int, stiffness: float) -> None:
+        """Have a body's surface yield: ``stiffness`` N/m at each point of contact, well damped.
+
+        A rigid wall is touched at one corner of a pad, which then turns on it; one that yields by a
+        millimetre, as cardboard does, bears on the whole pad.
+        """
+        pybullet.changeDynamics(
+            body,
+            -1,
+            contactStiffness=stiffness,
+            contactDamping=SOFT_DAMPING * stiffness,
             physicsClientId=self.client,
         )
 

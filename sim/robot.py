@@ -19,7 +19,15 @@ from sim.laser import laser_sensor
 from sim.model import ROOT, Hand, RobotModel, Wheels
 from sim.postures import POSTURES
 from sim.urdf import UrdfDocument, end_of
-from skills.ports.hardware import Drive, EndEffector, Gripper, JointGroup, JointLimit, RobotDescription
+from skills.ports.hardware import (
+    ArmsCrossing,
+    Drive,
+    EndEffector,
+    Gripper,
+    JointGroup,
+    JointLimit,
+    RobotDescription,
+)
 from skills.ports.packages import resolve
 
 SOURCE: Final = "package://example-robot-data/robots/tiago_description/robots/tiago_dual.urdf"
@@ -45,6 +53,9 @@ FOOTPRINT_RADIUS: Final = 0.37
 """The arms at home reach 0.364 m from the base's axis; the base itself 0.30 m."""
 HEIGHT: Final = 1.6
 """With the torso up."""
+
+ARMS_CROSSING: Final = ArmsCrossing(k=0.21, gamma=0.0, mu=0.0, clearance=0.03)
+"""Found with ``python -m benchmarks.crossing_tuning``; see docs/decisions/005-arms-crossing.md."""
 
 FINGER_TRAVEL: Final = 0.045
 FINGER_FORCE: Final = 16.0
@@ -110,6 +121,7 @@ def _describe(document: UrdfDocument) -> RobotDescription:
         drive=DRIVE,
         postures=POSTURES,
         period=PERIOD,
+        arms_crossing=ARMS_CROSSING,
     )
 
 
@@ -167,6 +179,7 @@ def _end_effector(side: Side) -> EndEffector:
         # elbow out, and not in the torso.
         work_point=(0.58, 0.20 if side == "left" else -0.20),
         work_heading=math.radians(-45.0 if side == "left" else 45.0),
+        safe_point=(0.38, 0.50 if side == "left" else -0.50, 1.00),
     )
 
 

@@ -44,6 +44,7 @@ class SceneBody:
     friction: float
     colour: tuple[float, float, float]
     label: Label | None = None
+    stiffness: float | None = None
 
 
 def item_name(tag: int) -> str:
@@ -101,6 +102,7 @@ def item_body(site: Site, item: TrueItem) -> SceneBody:
         friction=item.friction,
         colour=ITEM_COLOUR,
         label=Label(item.tag, known.tag_size),
+        stiffness=item.stiffness,
     )
 
 

@@ -29,8 +29,10 @@ class TrueItem(Message):
     x: Coordinate
     y: Coordinate
     yaw: Angle = 0.0
-    mass: float = Field(default=0.1, ge=0.05, le=0.2)
+    mass: float = Field(default=0.1, ge=0.05, le=5.0)
     friction: Friction = 0.9
+    stiffness: float | None = Field(default=None, ge=500.0, le=1e6)
+    """N/m with which its walls yield at each point of contact, as cardboard does; rigid unless given."""
 
 
 class BoxShape(Message):

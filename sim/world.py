@@ -103,6 +103,13 @@ def spawn(physics: Physics, site: Site, scenario: Scenario) -> World:
 
 
 def _make(physics: Physics, body: SceneBody) -> int:
+    made = _shape(physics, body)
+    if body.stiffness is not None:
+        physics.soften(made, body.stiffness)
+    return made
+
+
+def _shape(physics: Physics, body: SceneBody) -> int:
     position, orientation = body.pose.position, body.pose.orientation
     if isinstance(body.shape, BoxShape):
         colour = (*body.colour, 1.0)

@@ -14,6 +14,7 @@ from typing import Final, Generic
 
 from pydantic import ValidationError
 
+from skills.goal_journal import GoalJournal
 from skills.ports.action import (
     AskResult,
     GoalCommand,
@@ -24,6 +25,7 @@ from skills.ports.action import (
     goal_service,
     result_service,
     status_topic,
+    task_of,
 )
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
@@ -77,6 +79,7 @@ class ActionServer(Generic[G, F, R]):
         self._known: OrderedDict[str, GoalStatus] = OrderedDict()
         self._sequence = 0
         self._published_at = float("-inf")
+        self._journal: GoalJournal | None = None
         bus.announce(f"skill/{name}")
 
     @property
@@ -88,6 +91,10 @@ class ActionServer(Generic[G, F, R]):
     def busy(self) -> bool:
         """Whether a goal runs."""
         return self._current is not None
+
+    def keep(self, journal: GoalJournal) -> None:
+        """Write each goal down before it starts; one that was accepted before is not started again."""
+        self._journal = journal
 
     def step(self) -> bool:
         """Answer who asks, then resume the skill."""
@@ -126,12 +133,21 @@ class ActionServer(Generic[G, F, R]):
         except ValidationError as error:
             failure = self._failure(FailureKind.INVALID_GOAL, str(error))
             return self._status(sent.goal_id, GoalState.REJECTED, failure=failure)
+        if self._journal is not None and sent.goal_id in self._journal.before:
+            text = (
+                f"{sent.goal_id} was accepted before this process was started anew; how it ended is not known"
+            )
+            lost = self._failure(FailureKind.SKILL_LOST, text)
+            return self._status(sent.goal_id, GoalState.FAILED, failure=lost)
         if self._current is not None:
             busy = self._failure(FailureKind.BUSY, f"{self.name} is at goal {self._current.goal_id}")
             return self._status(sent.goal_id, GoalState.REJECTED, failure=busy)
         refusal = self._skill.check(goal)
         if refusal is not None:
             return self._status(sent.goal_id, GoalState.REJECTED, failure=refusal)
+        if self._journal is not None:
+            self._journal.accept(sent.goal_id)
+        log.info("goal begins", extra=self._about(sent.goal_id))
         self._current = _Current(sent.goal_id, sent.client, self._skill.run(goal, sent.goal_id))
         return self._change(sent.goal_id, GoalState.RUNNING)
 
@@ -182,9 +198,7 @@ class ActionServer(Generic[G, F, R]):
         elif current.client_gone_since is None:
             current.client_gone_since = now
         elif now - current.client_gone_since > ORPHANED_AFTER:
-            log.warning(
-                "%s: client %s is gone, goal %s is cancelled", self.name, current.client, current.goal_id
-            )
+            log.warning("a client is gone, its goal is cancelled", extra=self._about(current.goal_id))
             self._command(current, Command.CANCEL)
 
     def _stand_by(self, current: _Current[F, R], *, awake: bool) -> None:
@@ -221,7 +235,7 @@ class ActionServer(Generic[G, F, R]):
                 self._finish(stop.value)
                 return False
             except Exception as error:
-                log.exception("%s: goal %s crashed", self.name, current.goal_id)
+                log.exception("a goal crashed", extra=self._about(current.goal_id))
                 self._end(GoalState.FAILED, failure=self._failure(FailureKind.SKILL_CRASHED, repr(error)))
                 return False
             if not isinstance(yielded, Slice):
@@ -246,6 +260,8 @@ class ActionServer(Generic[G, F, R]):
         if self._current is None:
             return
         goal_id, self._current = self._current.goal_id, None
+        kind = "" if failure is None else str(failure.kind)
+        log.info("goal ended", extra={**self._about(goal_id), "state": str(state), "kind": kind})
         self._change(goal_id, state, result=result, failure=failure)
 
     def _feed_back(self, goal_id: str, feedback: F) -> None:
@@ -293,6 +309,10 @@ class ActionServer(Generic[G, F, R]):
             result=None if result is None else result.model_dump(mode="json"),
             failure=failure,
         )
+
+    def _about(self, goal_id: str) -> dict[str, str]:
+        """Return what a line of the log is about."""
+        return {"task": task_of(goal_id), "action": self.name, "goal": goal_id}
 
     def _failure(self, kind: FailureKind, message: str) -> Failure:
         return Failure(kind=kind, message=message, where=self.name)

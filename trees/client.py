@@ -8,7 +8,7 @@ each handle listens for its own id only.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Final, Generic
+from typing import Final, Generic, Protocol
 
 from pydantic import JsonValue, ValidationError
 
@@ -40,10 +40,12 @@ ANSWER_WITHIN: Final = 3.0
 class GoalHandle(Generic[G, F, R]):
     """One goal, from sending to its end."""
 
-    def __init__(self, client: ActionClient[G, F, R], goal: G, goal_id: str, timeout: float) -> None:
-        """Send the goal. ``timeout``: robot seconds."""
+    def __init__(
+        self, client: ActionClient[G, F, R], goal: G, goal_id: str, timeout: float, *, known: bool = False
+    ) -> None:
+        """Send the goal, or with ``known`` ask after one that was sent. ``timeout``: robot seconds."""
         self.goal_id = goal_id
-        self.state: GoalState | None = None
+        self.state: GoalState | None = GoalState.RUNNING if known else None
         self.feedback: F | None = None
         self.result: R | None = None
         self.failure: Failure | None = None
@@ -100,9 +102,13 @@ class GoalHandle(Generic[G, F, R]):
         """Say whether it was told to come to rest and has not in time.
 
         ``within_robot``: robot seconds; ``within_host``: host seconds for which the robot's clock stands.
+        A goal whose server is gone is not overdue but about to be lost, after ``ANSWER_WITHIN`` of the host's
+        clock, however far the robot's has run meanwhile.
         """
         settling = None if self.ended else self._settling
-        return settling is not None and settling.beyond(within_robot, within_host)
+        if settling is None or not self._client.awake():
+            return False
+        return settling.beyond(within_robot, within_host)
 
     def drop(self, message: str) -> None:
         """Give it up: it has failed, and nothing that its server says later is heard."""
@@ -228,6 +234,28 @@ class GoalHandle(Generic[G, F, R]):
         return Failure(kind=kind, message=message, where=self._client.action.name)
 
 
+class GoalJournal(Protocol):
+    """Is told of each goal before it is sent, and when it has ended."""
+
+    def sending(self, goal_id: str, action: str) -> None:
+        """Write it down: a goal that is not known of is not sent."""
+        ...
+
+    def ended(self, goal_id: str, how: str) -> None:
+        """Write down how it ended."""
+        ...
+
+
+class NoJournal:
+    """Writes nothing down."""
+
+    def sending(self, goal_id: str, action: str) -> None:
+        """Do nothing."""
+
+    def ended(self, goal_id: str, how: str) -> None:
+        """Do nothing."""
+
+
 class ActionClient(Generic[G, F, R]):
     """Starts goals of one action and keeps their handles until they have ended.
 
@@ -236,17 +264,34 @@ class ActionClient(Generic[G, F, R]):
         clocks: robot time for time-outs, host time for lost answers.
         action: the contract.
         owner: the announced name of this process; when it is gone, the server cancels its goals.
+        journal: is told of each goal before it is sent.
     """
 
-    def __init__(self, bus: Bus, clocks: Clocks, action: ActionType[G, F, R], owner: str) -> None:
+    def __init__(
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        action: ActionType[G, F, R],
+        owner: str,
+        journal: GoalJournal | None = None,
+    ) -> None:
         self.bus, self.clocks, self.action, self.owner = bus, clocks, action, owner
+        self._journal: GoalJournal = NoJournal() if journal is None else journal
         self._statuses = bus.subscribe(status_topic(action.name).key)
         self._open: dict[str, GoalHandle[G, F, R]] = {}
 
     def start(self, goal: G, goal_id: str, *, timeout: float | None = None) -> GoalHandle[G, F, R]:
         """Send a goal under a new id; ``timeout`` in robot seconds (the action's own unless given)."""
+        self._journal.sending(goal_id, self.action.name)
         handle = GoalHandle(self, goal, goal_id, self.action.timeout if timeout is None else timeout)
         self._open[goal_id] = handle
+        return handle
+
+    def adopt(self, goal_id: str, goal: G) -> GoalHandle[G, F, R]:
+        """Bring a goal to rest that was sent before a restart; one that its server never had is none."""
+        handle = GoalHandle(self, goal, goal_id, self.action.timeout, known=True)
+        self._open[goal_id] = handle
+        handle.cancel()
         return handle
 
     def poll(self) -> bool:
@@ -264,6 +309,8 @@ class ActionClient(Generic[G, F, R]):
             handle.poll()
         changed = any((h.state, h.feedback) != before[goal_id] for goal_id, h in self._open.items())
         for handle in self._open.values():
+            if handle.ended:
+                self._journal.ended(handle.goal_id, str(handle.state))
             handle.conclude()
         self._open = {goal_id: handle for goal_id, handle in self._open.items() if not handle.ended}
         return changed
@@ -281,6 +328,7 @@ class ActionClient(Generic[G, F, R]):
     def drop(self, handle: GoalHandle[G, F, R], message: str) -> None:
         """Give a goal up that does not end: it has failed, and nothing more is heard of it."""
         handle.drop(message)
+        self._journal.ended(handle.goal_id, "given up")
         handle.conclude()
         self._open.pop(handle.goal_id, None)
 

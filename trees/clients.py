@@ -9,7 +9,7 @@ from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.message import Message
 from skills.ports.skill import ActionType
-from trees.client import ActionClient, GoalHandle
+from trees.client import ActionClient, GoalHandle, GoalJournal
 
 G = TypeVar("G", bound=Message)
 F = TypeVar("F", bound=Message)
@@ -22,16 +22,17 @@ AnyGoal = GoalHandle[Message, Message, Message]
 class Clients:
     """Makes a client for an action when it is first used, and moves all of them on."""
 
-    def __init__(self, bus: Bus, clocks: Clocks, owner: str) -> None:
-        """``owner``: the announced name of this process."""
+    def __init__(self, bus: Bus, clocks: Clocks, owner: str, journal: GoalJournal | None = None) -> None:
+        """``owner``: the announced name of this process; ``journal`` is told of each goal first."""
         self._bus, self._clocks, self._owner = bus, clocks, owner
+        self.journal = journal
         self._clients: dict[str, ActionClient[Message, Message, Message]] = {}
 
     def of(self, action: ActionType[G, F, R]) -> ActionClient[G, F, R]:
         """Return the client of the action."""
         client = self._clients.get(action.name)
         if client is None:
-            made = ActionClient(self._bus, self._clocks, action, self._owner)
+            made = ActionClient(self._bus, self._clocks, action, self._owner, self.journal)
             # The table holds clients of all kinds; an action's name fixes its models.
             client = cast("ActionClient[Message, Message, Message]", made)
             self._clients[action.name] = client

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -11,7 +11,7 @@ from py_trees.behaviour import Behaviour
 from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.site import Site
-from skills.ports.tasks import Attempt, Progress
+from skills.ports.tasks import Attempt, Progress, Question
 from skills.ports.world import Sighting, WorldState
 from trees.clients import Clients
 from trees.knowledge import Knowledge
@@ -51,7 +51,27 @@ class TreeContext:
     """The failure that a recovery gave up last, and the conditions whose repairs it had tried."""
     closing: Callable[[], dict[str, str]] | None = None
     """Says at the end where everything is: evidence of the task's failure. The task's builder sets it."""
+    goals_before: Mapping[str, int] = field(default_factory=dict)
+    """The number of the last goal of each node, from before this tree began (once more)."""
+    question: Question | None = None
+    """What the tree asks an operator now."""
+    answers: dict[str, str] = field(default_factory=dict)
+    """What was answered, by the node that asked, until it takes the answer."""
+    open_doors: dict[str, None] = field(default_factory=dict)
+    """The nodes at work that may be interrupted (``trees.behaviours.interruptible``)."""
+    _numbered: dict[str, int] = field(default_factory=dict)
     _progress: Progress = field(default_factory=Progress)
+
+    @property
+    def interruptible(self) -> bool:
+        """Whether another task may take over now."""
+        return bool(self.open_doors)
+
+    def next_attempt(self, node: str) -> int:
+        """Return the number of a node's next goal; none comes twice in a task, not even after a restart."""
+        number = self._numbered.get(node, self.goals_before.get(node, 0)) + 1
+        self._numbered[node] = number
+        return number
 
     @property
     def seconds(self) -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from skills.ports.actions.arm import ArmStatus, arm_status
+from skills.ports.actions.bimanual import ZONES, Zones
 from skills.ports.bus import Bus, Pending
 from skills.ports.clocks import Clocks
 from skills.ports.hardware import RobotDescription, StopState
@@ -42,6 +43,7 @@ class Knowledge:
         self._scene = Latest(bus, SCENE, depth=4)
         self._robot = Latest(bus, ROBOT_POSE)
         self._stop = Latest(bus, STOP_STATE)
+        self._zones = Latest(bus, ZONES, depth=4)
         self._arms = {side: Latest(bus, arm_status(f"arm_{side}")) for side in SIDES}
         self._ticks = bus.subscribe(CLOCK.key, depth=1)
         self._tick_heard_at: float | None = None
@@ -96,6 +98,11 @@ class Knowledge:
         """Return what the arm tells, or None before it did."""
         return self._arms[side].value
 
+    @property
+    def zones(self) -> Zones | None:
+        """Where which hand gets to, or None before it came; read when asked for, which is seldom."""
+        return self._zones.refresh()
+
     def missing(self) -> tuple[str, ...]:
         """Return the names of what has not been heard yet and no task can do without."""
         parts = {
@@ -112,6 +119,7 @@ class Knowledge:
         self._scene.close()
         self._robot.close()
         self._stop.close()
+        self._zones.close()
         self._ticks.close()
         for latest in self._arms.values():
             latest.close()

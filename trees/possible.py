@@ -9,15 +9,19 @@ from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess, Inverter
 
 from skills.ports.tasks import NodeStatus
-from trees.behaviours.act import Act
+from trees.behaviours.act import Act, Lasting
+from trees.behaviours.barrier import Meet
 from trees.behaviours.check import Check
 from trees.behaviours.decide import Decide
 from trees.behaviours.give_up import GiveUp
 from trees.behaviours.guarded import Guarded
+from trees.behaviours.meanwhile import Meanwhile
 from trees.behaviours.note import Note
 from trees.behaviours.pause import Pause
 from trees.behaviours.recovery import Allowance, Recovery
 from trees.behaviours.remember import Remember, Verdict
+from trees.behaviours.side_by_side import SideBySide
+from trees.behaviours.turn import InTurn
 from trees.behaviours.wait_for import WaitFor
 
 Seen = frozenset[NodeStatus]
@@ -27,8 +31,10 @@ _S, _F, _R, _I = NodeStatus.SUCCESS, NodeStatus.FAILURE, NodeStatus.RUNNING, Nod
 _ALL: Final[Seen] = frozenset((_S, _F, _R, _I))
 _AT_ONCE: Final[Seen] = frozenset((_S, _F))
 _LEAVES: Final[tuple[tuple[type[Behaviour], Seen], ...]] = (
+    (Lasting, frozenset((_F, _R, _I))),
     (Act, _ALL),
     (WaitFor, _ALL),
+    (Meet, _ALL),
     (Pause, frozenset((_S, _R, _I))),
     (Check, _AT_ONCE),
     (Decide, _AT_ONCE),
@@ -46,7 +52,7 @@ def possible(node: Behaviour) -> Seen:  # noqa: PLR0911 - one way out for each k
         if isinstance(node, kind):
             return statuses
     lasting = frozenset((_R, _I)) if any(_R in each for each in below) else frozenset()
-    if isinstance(node, Sequence):
+    if isinstance(node, (Sequence, SideBySide)):
         return (
             lasting | _if(_S, all(_S in each for each in below)) | _if(_F, any(_F in each for each in below))
         )
@@ -56,6 +62,8 @@ def possible(node: Behaviour) -> Seen:  # noqa: PLR0911 - one way out for each k
         )
     if isinstance(node, Recovery):
         return lasting | (below[0] & _AT_ONCE)
+    if isinstance(node, (Meanwhile, InTurn)):
+        return frozenset((_R, _I)) | (below[0] & _AT_ONCE)
     if isinstance(node, (FailureIsSuccess, Remember)):
         return lasting | {_S}
     if isinstance(node, Inverter):

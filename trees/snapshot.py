@@ -11,7 +11,9 @@ from py_trees.decorators import Decorator
 
 from skills.ports.tasks import NodeStatus, TreeNode
 from trees.behaviours.check import Check
+from trees.behaviours.meanwhile import Meanwhile
 from trees.behaviours.recovery import Recovery
+from trees.behaviours.side_by_side import SideBySide
 
 Kind = Literal["sequence", "selector", "parallel", "recovery", "decorator", "condition", "action"]
 
@@ -19,6 +21,8 @@ _KINDS: Final[tuple[tuple[type[Behaviour], Kind], ...]] = (
     (Sequence, "sequence"),
     (Selector, "selector"),
     (Parallel, "parallel"),
+    (SideBySide, "parallel"),
+    (Meanwhile, "parallel"),
     (Recovery, "recovery"),
     (Decorator, "decorator"),
     (Check, "condition"),

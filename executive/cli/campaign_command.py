@@ -9,9 +9,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.console import Console
 
+from executive.cli.arguments import Connect
+from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from executive.campaigns.crash import CrashRun
     from executive.campaigns.fetch import FetchRun
     from executive.campaigns.recovery import RecoveryRun
 
@@ -32,11 +37,11 @@ RECOVERED_SHARE = 58 / 60
 
 def add_to(app: typer.Typer) -> None:
     """Add the command."""
-    campaigns = typer.Typer(
-        help="Series of seeded runs in lockstep, each with its aim.", no_args_is_help=True
-    )
+    campaigns = typer.Typer(help="Series of seeded runs, each with its aim.", no_args_is_help=True)
     campaigns.command("fetch")(fetch)
     campaigns.command("recovery")(recovery)
+    campaigns.command("crash")(crash)
+    campaigns.command("fuzz")(fuzz)
     app.add_typer(campaigns, name="campaign")
 
 
@@ -119,6 +124,37 @@ def recovery(
     raise typer.Exit(ExitCode.OK if reached else ExitCode.TASK_FAILED)
 
 
+def fuzz(
+    *,
+    inputs: Annotated[int, typer.Option("--inputs", min=1, max=100_000_000, help="How many.")] = 100_000,
+    seed: Seed = 1,
+    report: ReportFile = None,
+) -> None:
+    """Send drawn documents to an executive. Ends with 0 only when each was taken or refused with a reason."""
+    try:
+        from executive.campaigns.fuzz import fuzz as run_fuzz  # noqa: PLC0415
+    except ModuleNotFoundError as error:
+        raise CommandError(
+            f"the fuzzing needs {error.name}, which comes with the development tools: "
+            "pip install 'tandem-executive[dev]'"
+        ) from error
+    console = Console(highlight=False, soft_wrap=True)
+    counts = run_fuzz(inputs, seed, lambda fed: console.print(f"{fed} of {inputs}", end="\r"))
+    console.print(
+        f"{counts.inputs} inputs (seed {seed}): {counts.accepted} requests taken, {counts.refused} refused; "
+        f"{counts.verbs_taken} verbs taken, {counts.verbs_refused} refused; "
+        f"{counts.answered} questions answered"
+    )
+    for reason, times in counts.reasons.items():
+        console.print(f"  {times:7d}  expected {reason}", markup=False)
+    if report is not None:
+        report.parent.mkdir(parents=True, exist_ok=True)
+        report.write_text(counts.model_dump_json(indent=2) + "\n", encoding="utf-8")
+    if counts.broken:
+        console.print(f"neither taken nor refused: {counts.broken}", style="red", markup=False)
+    raise typer.Exit(ExitCode.TASK_FAILED if counts.broken else ExitCode.OK)
+
+
 def _tell_recovery(run: RecoveryRun, console: Console) -> None:
     mark = "ok  " if run.right else "FAIL"
     why = "" if run.failure is None else f"  {run.failure.where}: {run.failure.kind}: {run.failure.message}"
@@ -147,3 +183,48 @@ def _tell(run: FetchRun, console: Console) -> None:
         f"{run.robot_seconds:6.1f} s  {run.state.lower()}{why}",
         markup=False,
     )
+
+
+def crash(
+    *,
+    runs: Annotated[int, typer.Option("--runs", min=0, max=10_000, help="How many with random kills.")] = 200,
+    seed: Seed = 1,
+    first: First = 0,
+    points: Annotated[
+        bool, typer.Option("--points/--no-points", help="Also kill at each point where it keeps or talks.")
+    ] = True,
+    report: ReportFile = None,
+    connect: Connect = "tcp/127.0.0.1:7449",
+) -> None:
+    """Kill processes, start them again. Ends with 0 only when nothing was lost, doubled or stuck."""
+    import tempfile  # noqa: PLC0415
+
+    from executive.campaigns.crash import CrashCampaign, crash_points, crash_runs, point_runs  # noqa: PLC0415
+
+    console = Console(highlight=False, soft_wrap=True)
+    done: list[CrashRun] = []
+
+    def take(made: Iterable[CrashRun]) -> None:
+        for run in made:
+            done.append(run)
+            console.print(_crash_line(run), markup=False)
+
+    with tempfile.TemporaryDirectory(prefix="tandem-crash-") as folder:
+        take(crash_runs(Path(folder) / "random", connect, runs, seed, first=first))
+        if points:
+            named = crash_points(Path(folder) / "found", connect)
+            take(point_runs(Path(folder) / "points", connect, named))
+    right = sum(not run.wrong for run in done)
+    console.print(f"{right} of {len(done)} right (seed {seed})")
+    if report is not None:
+        report.parent.mkdir(parents=True, exist_ok=True)
+        campaign = CrashCampaign(seed=seed, right=right, runs=tuple(done))
+        report.write_text(campaign.model_dump_json(indent=2) + "\n", encoding="utf-8")
+    raise typer.Exit(ExitCode.OK if right == len(done) else ExitCode.TASK_FAILED)
+
+
+def _crash_line(run: CrashRun) -> str:
+    kills = ", ".join(f"{kill.victim} at {kill.after:.2f} s" for kill in run.kills)
+    how = f"{run.point} ({'killed there' if kills else 'not passed'})" if run.point else kills
+    end = "ok" if not run.wrong else "WRONG: " + "; ".join(run.wrong)
+    return f"{run.run:4d}  {run.seconds:6.2f} s  begun {run.begun}  {how}: {end}"

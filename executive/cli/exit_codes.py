@@ -15,6 +15,7 @@ class ExitCode(IntEnum):
     BAD_INPUT = 2
     NOBODY_THERE = 3
     REFUSED = 4
+    UNKEPT = 5
     BUG = 70
     INTERRUPTED = 130
 
@@ -26,6 +27,7 @@ MEANINGS: Final = MappingProxyType(
         ExitCode.BAD_INPUT: "an argument, a file or a request is wrong; the message says where",
         ExitCode.NOBODY_THERE: "no router, robot or executive answers within three seconds",
         ExitCode.REFUSED: "there is a second executive, sim or router for this robot already",
+        ExitCode.UNKEPT: "the ledger can't be opened or written; nothing that was acknowledged is lost by it",
         ExitCode.BUG: "a mistake in the program; its trace is in the log (`--log FILE`, or `-v`)",
         ExitCode.INTERRUPTED: "interrupted with Ctrl-C; the processes that it had started have been stopped",
     }

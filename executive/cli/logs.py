@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from executive.cli.errors import CommandError
+from executive.parts import LogFormat
+from executive.telemetry.logs import formatter
 
 
 @dataclass(frozen=True)
@@ -16,6 +18,7 @@ class LogOptions:
 
     file: Path | None = None
     verbose: bool = False
+    format: LogFormat = "text"
 
     def apply(self) -> None:
         """Send the logs there; nowhere, when nothing was said.
@@ -34,9 +37,10 @@ class LogOptions:
                 ) from error
         if self.verbose:
             handlers.append(logging.StreamHandler(sys.stderr))
+        for handler in handlers:
+            handler.setFormatter(formatter(self.format, "tandem"))
         logging.basicConfig(
             level=logging.DEBUG if self.verbose else logging.INFO,
-            format="%(asctime)s %(levelname)s %(name)s: %(message)s",
             handlers=handlers or [logging.NullHandler()],
             force=True,
         )

@@ -18,6 +18,7 @@ from executive.cli import (
     bench_command,
     campaign_command,
     doctor,
+    experiment_command,
     keys_command,
     request_command,
     run_commands,
@@ -25,24 +26,30 @@ from executive.cli import (
     schema_command,
     task_commands,
     tree_commands,
+    verb_commands,
     watch_command,
     why_command,
+    zones_command,
 )
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import MEANINGS, ExitCode
 from executive.cli.logs import LogOptions
+from executive.parts import LogFormat
 
 _LOG = logging.getLogger(__name__)
 
 _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     run_commands.add_to,
     task_commands.add_to,
+    verb_commands.add_to,
     watch_command.add_to,
     why_command.add_to,
     tree_commands.add_to,
     scenario_commands.add_to,
     schema_command.add_to,
+    zones_command.add_to,
     campaign_command.add_to,
+    experiment_command.add_to,
     bench_command.add_to,
     keys_command.add_to,
     doctor.add_to,
@@ -110,12 +117,15 @@ def _common(
     verbose: Annotated[
         bool, typer.Option("--verbose", "-v", help="Write what happens to standard error.")
     ] = False,
+    log_format: Annotated[
+        LogFormat, typer.Option("--log-format", help="Logs for people, or as lines of JSON.")
+    ] = "text",
     version: Annotated[  # noqa: ARG001 - its callback does the work
         bool,
         typer.Option("--version", help="Print the version.", is_eager=True, callback=_print_version),
     ] = False,
 ) -> None:
-    context.obj = LogOptions(log, verbose)
+    context.obj = LogOptions(log, verbose, log_format)
     context.obj.apply()
 
 

@@ -9,9 +9,9 @@ from typing import get_args
 from executive.cli.arguments import ENDPOINT, TLS
 from executive.cli.errors import CommandError
 from executive.options import BusOptions
+from executive.parts import ROLES, Role
 from executive.security.holders import KeysError
 from executive.security.identity import Identity, refuse_other_hosts, robot_in
-from executive.settings import ROLES, Role
 from skills.wire.endpoints import is_loopback
 
 

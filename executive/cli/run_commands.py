@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, cast, get_args
 
 import typer
 
 from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
 from executive.cli.logs import LogOptions
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions
+from executive.on_restart import OnRestart as Restart
+from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions, default_data
 from skills.wire.pulse import SILENT_AFTER
 
 Scenario = Annotated[
@@ -29,7 +31,31 @@ Window = Annotated[bool, typer.Option("--gui/--headless", help="Show the simulat
 Lockstep = Annotated[
     bool, typer.Option("--lockstep", help="All in one thread: the same seed gives the same run.")
 ]
+MetricsAt = Annotated[
+    str,
+    typer.Option(
+        "--metrics", metavar="HOST:PORT", help="Serve metrics for Prometheus there: 127.0.0.1:9464."
+    ),
+]
+TracesTo = Annotated[
+    str,
+    typer.Option("--traces", metavar="URL", help="Send OpenTelemetry traces there: http://127.0.0.1:4318."),
+]
 ReportFile = Annotated[Path | None, typer.Option("--report", metavar="FILE", help="Write the report here.")]
+Data = Annotated[
+    Path | None,
+    typer.Option(
+        "--data", metavar="DIR", help="Of the ledger; $XDG_STATE_HOME/tandem/<site>-<robot> unless given."
+    ),
+]
+OnRestart = Annotated[
+    str,
+    typer.Option(
+        "--on-restart",
+        metavar="resume|ask|interrupt",
+        help="What becomes of a task that was under way when the executive ended.",
+    ),
+]
 Picture = Annotated[
     Path | None, typer.Option("--picture", metavar="FILE", help="Save the last scene's picture here.")
 ]
@@ -92,6 +118,7 @@ def demo(
         picture=picture,
         log=logs.file,
         verbose=logs.verbose,
+        log_format=logs.format,
     )
     from executive.compose import run_demo  # noqa: PLC0415 - loads the whole system
 
@@ -108,6 +135,10 @@ def up(
     gui: Window = False,
     lockstep: Lockstep = False,
     report: ReportFile = None,
+    metrics: MetricsAt = "",
+    traces: TracesTo = "",
+    data: Data = None,
+    on_restart: OnRestart = "resume",
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
@@ -119,12 +150,14 @@ def up(
     silent_after: SilentAfter = SILENT_AFTER,
 ) -> None:
     """Start router, simulated robot, skills and executive, and watch them until Ctrl-C."""
-    logs = _logs(context)
     from executive.cli.opening import checked_endpoints, checked_roles, owner_of  # noqa: PLC0415
 
+    logs = _logs(context)
     bus, roles = owner_of(bus_options(connect, site_key, robot, keys, holder)), checked_roles(only)
     options = RunOptions(
         bus=bus,
+        data=data or default_data(bus, os.environ),
+        on_restart=_on_restart(on_restart),
         scenario=_scenario(scenario, faults),
         faults=faults,
         seed=seed,
@@ -134,6 +167,9 @@ def up(
         report=report,
         log=logs.file,
         verbose=logs.verbose,
+        log_format=logs.format,
+        metrics=_metrics(metrics, lockstep=lockstep),
+        traces=_traces(traces, lockstep=lockstep),
         silent_after=silent_after,
         listen=checked_endpoints(bus, listen or (), insecure=insecure) if "router" in roles else (),
         only=roles,
@@ -141,6 +177,14 @@ def up(
     from executive.compose import run_up  # noqa: PLC0415 - loads the whole system
 
     raise typer.Exit(run_up(options))
+
+
+def _on_restart(text: str) -> Restart:
+    for wish in get_args(Restart):
+        if text == wish:
+            return cast("Restart", text)
+    raise typer.BadParameter(f"resume, ask or interrupt was expected; found {text!r}",
+                             param_hint="--on-restart")  # fmt: skip
 
 
 def _speed(text: str) -> float | None:
@@ -154,6 +198,36 @@ def _speed(text: str) -> float | None:
         raise typer.BadParameter(f"a number from 0.01 to 100, or max, was expected; found {text!r}",
                                  param_hint="--speed")  # fmt: skip
     return speed
+
+
+def _metrics(text: str, *, lockstep: bool) -> str:
+    from executive.telemetry.process import host_and_port  # noqa: PLC0415
+
+    if not text:
+        return text
+    try:
+        host_and_port(text)
+    except ValueError as error:
+        raise typer.BadParameter(str(error), param_hint="--metrics") from error
+    return _observed(text, "--metrics", lockstep=lockstep)
+
+
+def _traces(text: str, *, lockstep: bool) -> str:
+    if not text:
+        return text
+    if not text.startswith(("http://", "https://")):
+        raise typer.BadParameter(
+            f"an address such as http://127.0.0.1:4318 was expected; found {text!r}", param_hint="--traces"
+        )
+    return _observed(text, "--traces", lockstep=lockstep)
+
+
+def _observed(text: str, option: str, *, lockstep: bool) -> str:
+    if lockstep:
+        raise typer.BadParameter(
+            "the observer is a process of its own; leave out --lockstep", param_hint=option
+        )
+    return text
 
 
 def _scenario(name_or_path: str, faults: Path | None) -> str:

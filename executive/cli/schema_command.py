@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -17,16 +17,28 @@ def add_to(app: typer.Typer) -> None:
 
 def schema(
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="DIR", help="A file for each message, here.")
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="DIR|FILE", help="A file for each message here; AsyncAPI: this file."
+        ),
     ] = None,
+    form: Annotated[
+        Literal["jsonschema", "asyncapi"],
+        typer.Option("--format", "-f", help="JSON Schemas, or one AsyncAPI 3.0 document."),
+    ] = "jsonschema",
 ) -> None:
-    """Print the JSON Schemas of the interface as one document, or write one file for each message."""
+    """Print the interface as JSON Schemas in one document or a file for each message, or as AsyncAPI."""
     import json  # noqa: PLC0415
 
     from executive.schemas import interface_schema, separate_schemas  # noqa: PLC0415
     from trees.registry import discover  # noqa: PLC0415
 
     kinds = discover()
+    if form == "asyncapi":
+        from executive.asyncapi import asyncapi  # noqa: PLC0415
+
+        _put(json.dumps(asyncapi(kinds), indent=1), output)
+        return
     if output is None:
         typer.echo(json.dumps(interface_schema(kinds), indent=2))
         return
@@ -38,3 +50,15 @@ def schema(
             typer.echo(str(path))
     except OSError as error:
         raise CommandError(f"--output {output}: a writable folder was expected: {error.strerror}") from error
+
+
+def _put(text: str, output: Path | None) -> None:
+    """Print a document, or write it to the file named."""
+    if output is None:
+        typer.echo(text)
+        return
+    try:
+        output.write_text(f"{text}\n", encoding="utf-8")
+    except OSError as error:
+        raise CommandError(f"--output {output}: a writable file was expected: {error.strerror}") from error
+    typer.echo(str(output))

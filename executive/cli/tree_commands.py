@@ -14,6 +14,9 @@ from executive.cli.exit_codes import ExitCode
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from executive.worlds import Make
     from skills.ports.tasks import TreeNode
 
 
@@ -103,12 +106,9 @@ def coverage(
 ) -> None:
     """Have each leaf fail in each way, with mocked skills. Ends with 1 when a status or a rule was missed."""
     from executive.exploring import explore  # noqa: PLC0415
-    from executive.worlds import fetch_corners, fetch_worlds  # noqa: PLC0415
 
-    if task != "fetch":
-        raise CommandError(f"no worlds to explore {task!r} in; there are some for fetch")
     tell = typer.echo if plans else _tell_nobody
-    seen = explore(fetch_worlds(), fetch_corners(), depth=depth, tell=tell)
+    seen = explore(*_worlds(task), depth=depth, tell=tell)
     for name, gaps in seen.missing().items():
         typer.echo(f"not seen  {name}: {', '.join(status.lower() for status in gaps)}")
     for broken in seen.broken:
@@ -129,13 +129,28 @@ def properties(
 ) -> None:
     """Run drawn schedules of faults with mocked skills. Ends with 1 when one broke a rule, and tells it."""
     from executive.properties import search  # noqa: PLC0415
-    from executive.worlds import fetch_worlds  # noqa: PLC0415
 
-    if task != "fetch":
-        raise CommandError(f"no worlds to explore {task!r} in; there are some for fetch")
-    runs, bad = search(fetch_worlds(), ticks=ticks, seed=seed, tell=typer.echo)
-    typer.echo(f"{runs} fetches, {ticks} ticks or a few more: {bad} broke a rule")
+    worlds, _ = _worlds(task)
+    runs, bad = search(worlds, ticks=ticks, seed=seed, tell=typer.echo)
+    typer.echo(f"{runs} runs, {ticks} ticks or a few more: {bad} broke a rule")
     raise typer.Exit(ExitCode.TASK_FAILED if bad else ExitCode.OK)
+
+
+def _worlds(task: str) -> tuple[Mapping[str, Make], Mapping[str, Make]]:
+    """Return the worlds and corners of a task.
+
+    Raises:
+        CommandError: when there are none.
+    """
+    from executive.hand_worlds import HAND_WORLDS  # noqa: PLC0415
+    from executive.worlds import fetch_corners, fetch_worlds  # noqa: PLC0415
+
+    if task == "fetch":
+        return fetch_worlds(), fetch_corners()
+    if task in HAND_WORLDS:
+        return HAND_WORLDS[task]()
+    known = ", ".join(("fetch", *HAND_WORLDS))
+    raise CommandError(f"no worlds to explore {task!r} in; there are some for {known}")
 
 
 def _tell_nobody(_: str) -> None:

@@ -23,6 +23,7 @@ def add_to(app: typer.Typer) -> None:
 
 
 def why(
+    *,
     task: Annotated[
         str,
         typer.Argument(metavar="[ID]", help="As `tandem tasks` tells it; the last that failed unless given."),
@@ -31,7 +32,10 @@ def why(
         Path | None,
         typer.Option("--picture", metavar="FILE", help="Save the last attempt's picture (JPEG) here."),
     ] = None,
-    *,
+    data: Annotated[
+        Path | None,
+        typer.Option("--data", metavar="DIR", help="As `tandem up` had it; read when no executive runs."),
+    ] = None,
     connect: Connect = DEFAULT_ENDPOINT,
     site_key: SiteKey = DEFAULT_SITE,
     robot: Robot = DEFAULT_ROBOT,
@@ -40,19 +44,24 @@ def why(
 ) -> None:
     """Tell why a task failed, what was tried, where things are, and what to do next."""
     from executive.cli.connection import Connection  # noqa: PLC0415
-    from executive.why import chosen, explain  # noqa: PLC0415
-    from skills.ports.keys import Nothing  # noqa: PLC0415
-    from skills.ports.tasks import TASK_LIST  # noqa: PLC0415
+    from executive.cli.history import lately, of_ledger  # noqa: PLC0415
+    from executive.why import chosen, explain, last_picture  # noqa: PLC0415
+    from skills.ports.tasks import AskHistory  # noqa: PLC0415
 
-    with Connection(bus_options(connect, site_key, robot, keys, holder)) as connection:
-        status = chosen(connection.ask(TASK_LIST, Nothing()).tasks, task)
-        if status is None:
-            if task:
-                raise CommandError(f"no task {task!r} is known; see `tandem tasks`", ExitCode.BAD_INPUT)
-            typer.echo("no task has failed, and none is running")
-            return
-        typer.echo(explain(status))
-        typer.echo("")
+    options = bus_options(connect, site_key, robot, keys, holder)
+    known = of_ledger(options, data, AskHistory(task=task)) if task else lately(options, data)
+    status = chosen(known, task)
+    if status is None:
+        if task:
+            raise CommandError(f"no task {task!r} is known; see `tandem tasks --all`", ExitCode.BAD_INPUT)
+        typer.echo("no task has failed, and none is running")
+        return
+    typer.echo(explain(status))
+    typer.echo("")
+    if not last_picture(status):
+        typer.echo("no picture was taken when it went wrong")
+        return
+    with Connection(options) as connection:
         typer.echo(_picture(connection, status, picture))
 
 
@@ -62,8 +71,6 @@ def _picture(connection: Connection, status: TaskStatus, path: Path | None) -> s
     from skills.ports.tasks import TASK_PICTURE, AskPicture  # noqa: PLC0415
 
     number = last_picture(status)
-    if not number:
-        return "no picture was taken when it went wrong"
     if path is None:
         return f"the picture of that moment: tandem why {status.task} --picture FILE"
     asked = AskPicture(task=status.task, picture=number).model_dump_json().encode()

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from executive.parts import Role as ProcessRole
 from executive.security.holders import AUTHORITY, KeysError, role_in
 from executive.security.role import PARTS, Part, Role
-from executive.settings import Role as ProcessRole
 from skills.wire.credentials import Credentials
 from skills.wire.endpoints import host_of
 

@@ -9,11 +9,11 @@ from typing import Final
 
 import numpy as np
 
-from skills.arm.bodies import load_hulls
 from skills.arm.planning.motions import Motions, Space
 from skills.arm.planning.path import find_path
 from skills.arm.planning.settings import PlannerSettings
 from skills.arm.problem import Arm, Moment
+from skills.kinematics.described import load_hulls
 from skills.kinematics.transforms import Array
 from skills.ports.actions.arm import MoveGoal
 from skills.ports.compute import Compute

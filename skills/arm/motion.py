@@ -17,6 +17,8 @@ ANSWER_WITHIN: Final = 2.0
 """Robot seconds for the hardware's answer to a goal or a cancel."""
 LATE: Final = 2.0
 """Robot seconds beyond the motion's and its settling time after which the hardware is said to be lost."""
+RESTS_WITHIN: Final = 0.6
+"""Robot seconds for which a motion is offered again to a group that is not at rest yet."""
 ENDED: Final = frozenset({MotionState.SUCCEEDED, MotionState.ABORTED, MotionState.CANCELED})
 
 
@@ -55,16 +57,21 @@ class GroupDriver:
         goal = TrajectoryGoal(id=goal_id, keeper=f"skill/{self._where}", points=trajectory.points())
         self._id = goal_id
         self.moving = True
-        pending = self._goal.query(self._bus, goal)
-        answer = yield from self._await(pending)
-        if answer is None:
-            self.stop()
-            return self._failure(FailureKind.HARDWARE_LOST, f"{self._group} did not answer to a goal")
-        accepted = self._goal.decode_answer(answer)
-        if not accepted.accepted:
-            self.moving = False
-            kind = FailureKind.HARDWARE_STOPPED if self.stopped else FailureKind.NOT_READY
-            return self._failure(kind, f"{self._group} refused the motion: {accepted.reason}")
+        until = robot_seconds(self._clocks) + RESTS_WITHIN
+        while True:
+            answer = yield from self._await(self._goal.query(self._bus, goal))
+            if answer is None:
+                self.stop()
+                return self._failure(FailureKind.HARDWARE_LOST, f"{self._group} did not answer to a goal")
+            accepted = self._goal.decode_answer(answer)
+            if accepted.accepted:
+                break
+            # Whoever streamed set-points before leaves the arm swaying for a moment after the last of them.
+            if self.stopped or robot_seconds(self._clocks) > until:
+                self.moving = False
+                kind = FailureKind.HARDWARE_STOPPED if self.stopped else FailureKind.NOT_READY
+                return self._failure(kind, f"{self._group} refused the motion: {accepted.reason}")
+            yield
         self._sent_at, self._duration = robot_seconds(self._clocks), trajectory.duration
         self._ends_at = self._sent_at + trajectory.duration + goal.goal_time + LATE
         return None

@@ -1,7 +1,8 @@
 """MOVE: bring a group to joint positions, a named posture, or the hand to a pose, through free space only.
 
-Nothing moves before the whole motion was checked against the newest planning scene. A paused move stops, and
-plans anew from where it stands when it goes on.
+Nothing moves before the whole motion was checked against the newest planning scene. A paused move stops,
+and plans anew from where it stands when it goes on. So does one whose side must hold or step back by the
+coordination's order: it goes on when it may.
 """
 
 from __future__ import annotations
@@ -12,6 +13,8 @@ from typing import Final
 
 import numpy as np
 
+from skills.arm.followed import FollowedItem
+from skills.arm.gate import Gate
 from skills.arm.motion import Ended, GroupDriver
 from skills.arm.plan_move import MovePlanner, Steps
 from skills.arm.planning.settings import PlannerSettings
@@ -72,6 +75,8 @@ class Move:
         self._driver = GroupDriver(bus, clocks, arm.group.name, self._action.name)
         self._joints = Latest(bus, JOINT_STATES)
         self._scene, self._pose = Latest(bus, SCENE), Latest(bus, ROBOT_POSE)
+        self._gate = Gate(bus, clocks, None if arm.hand is None else arm.hand.side)
+        self._followed = FollowedItem(bus, self._action.name)
 
     @property
     def action(self) -> ActionType[MoveGoal, MoveFeedback, MoveResult]:
@@ -132,9 +137,12 @@ class Move:
     def _attempts(self, goal: MoveGoal, goal_id: str) -> Moves:
         steps, number = 0, 0
         while True:
+            if (yield from self._held()):
+                return canceled()
             moment = yield from self._listen(goal)
             if moment is None or isinstance(moment, Failure):
                 return canceled() if moment is None else failed(moment)
+            self._followed.begin(goal)
             rng = np.random.default_rng([self._seed, zlib.crc32(goal_id.encode()), number])
             planned, slices, command = yield from self._sliced(self._planner.plan(goal, moment, rng))
             steps += slices
@@ -143,11 +151,13 @@ class Move:
             if isinstance(planned, Failure):
                 return failed(planned)
             if isinstance(planned, Plan):
-                outcome = yield from self._execute(goal, f"{goal_id}#{number}", moment, planned, steps)
+                outcome, command = yield from self._execute(
+                    goal, f"{goal_id}#{number}", moment, planned, steps
+                )
                 if outcome is not None:
                     return outcome
             number += 1
-            if (yield from self._paused()):
+            if command is Command.PAUSE and (yield from self._paused()):
                 return canceled()
 
     def _listen(self, goal: MoveGoal) -> Generator[MoveFeedback | Slice, Command, Moment | Failure | None]:
@@ -192,30 +202,31 @@ class Move:
 
     def _execute(  # noqa: PLR0911 - one way out for each way a motion can end
         self, goal: MoveGoal, motion_id: str, moment: Moment, plan: Plan, steps: int
-    ) -> Generator[MoveFeedback | Slice, Command, Outcome[MoveResult] | None]:
-        """Move along the plan; None when it was paused and has to be planned again."""
+    ) -> Generator[MoveFeedback | Slice, Command, tuple[Outcome[MoveResult] | None, Command]]:
+        """Move along the plan; without an outcome it was paused or held, and has to be planned again."""
         changed, command = yield from self._against_newest(goal, moment, plan)
         if command is Command.CANCEL:
-            return canceled()
-        if command is Command.PAUSE:
-            return None
-        if changed is not None:
-            return failed(changed)
+            return canceled(), command
+        changed = changed or self._followed.moved()
+        if changed is not None and command is not Command.PAUSE:
+            return failed(changed), command
+        if command is Command.PAUSE or self._gate.order() is not None:
+            return None, command
         if len(plan.trajectory.times) == 1:
-            return self._verify(plan, steps, 0.0)
+            return self._verify(plan, steps, 0.0), command
         watch = MotionWatch(self._planner, self._scene, goal, moment, plan)
         began = robot_seconds(self._clocks)
         refused, command = yield from self._send(motion_id, plan)
         if refused is not None:
-            return canceled() if command is Command.CANCEL else failed(refused)
-        ended, command = yield from self._watch(command, watch)
+            return canceled() if command is Command.CANCEL else failed(refused), command
+        ended, command, held = yield from self._watch(command, watch)
         if command is Command.CANCEL:
-            return canceled()
+            return canceled(), command
         if ended.failure is not None:
-            return failed(ended.failure)
-        if command is Command.PAUSE:
-            return None
-        return self._verify(plan, steps, robot_seconds(self._clocks) - began)
+            return failed(ended.failure), command
+        if held:
+            return None, command
+        return self._verify(plan, steps, robot_seconds(self._clocks) - began), command
 
     def _send(
         self, motion_id: str, plan: Plan
@@ -252,23 +263,38 @@ class Move:
 
     def _watch(
         self, command: Command, watch: MotionWatch
-    ) -> Generator[MoveFeedback | Slice, Command, tuple[Ended, Command]]:
-        """Wait for the end; a cancel, a pause or an obstacle stops the hardware, then its rest is awaited."""
-        stopping = False
+    ) -> Generator[MoveFeedback | Slice, Command, tuple[Ended, Command, bool]]:
+        """Wait for the end, and say whether an order or a pause has brought it about.
+
+        A cancel, a pause, an order, an obstacle or an item that has moved stops the hardware; its rest is
+        awaited. Who is resumed before that has stopped short all the same.
+        """
+        stopping = held = False
+        wrong: Failure | None = None
         while True:
-            wrong = watch.found
-            if (command in {Command.CANCEL, Command.PAUSE} or wrong is not None) and not stopping:
+            wrong = wrong or watch.found or self._followed.moved()
+            held = held or command is Command.PAUSE or self._gate.order() is not None
+            if (command is Command.CANCEL or held or wrong is not None) and not stopping:
                 self._driver.stop()
                 stopping = True
             ended = self._driver.poll()
             if ended is not None:
-                return Ended(ended.status, wrong or ended.failure), command
+                return Ended(ended.status, wrong or ended.failure), command, held
             units = 0 if stopping else watch.look(self._driver.elapsed)
             if units:
                 command = _graver(command, (yield Slice(units * UNIT_COST)))
                 continue
             phase = MovePhase.STOPPING if stopping else MovePhase.MOVING
             command = _graver(command, (yield self._feedback(phase)))
+
+    def _held(self) -> Generator[MoveFeedback | Slice, Command, bool]:
+        """Wait until the coordination lets the group go on; True when it was cancelled instead."""
+        command = Command.GO_ON
+        while self._gate.order() is not None or command is Command.PAUSE:
+            command = _graver(command, (yield self._feedback(MovePhase.STOPPING)))
+            if command is Command.CANCEL:
+                return True
+        return False
 
     def _paused(self) -> Generator[MoveFeedback | Slice, Command, bool]:
         """Wait for RESUME; True when it was cancelled instead."""

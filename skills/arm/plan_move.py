@@ -102,6 +102,25 @@ class MovePlanner:
                 return True
         return False
 
+    def reach(self, goal: MoveGoal, moment: Moment) -> Generator[int, None, tuple[int, Array] | Failure]:
+        """Return the first candidate that has joint positions, with all that follows it, and those (n,).
+
+        How the group gets there is not asked.
+        """
+        checker = self._arm.checker(moment, goal)
+        yield CHECKS_AT_ONCE
+        start, motions, hand = self._arm.start(moment), self._motions(checker), self._hand(checker)
+        poses = [to_base(each.pose, goal.frame, moment.base_in_map) for each in goal.candidates]
+        refused: list[_Refusal] = []
+        for number, pose in enumerate(poses):
+            answers = yield from hand.solver.solve(hand.chain, [to_se3(pose)], start, LOOKS[0])
+            ends = yield from self._ends(goal, moment, motions, goal.candidates[number], answers[0])
+            if not isinstance(ends, _Refusal):
+                return number, ends[0]
+            refused.append(ends)
+        failures = [self._explain(each, checker) for each in refused]
+        return failures[0].model_copy(update={"causes": tuple(failures)})
+
     def recheck(
         self,
         trajectory: Trajectory,

@@ -8,10 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from skills.arm.planning.motions import weigh
-from skills.arm.scene import allowed, by_name, carried, obstacles
+from skills.arm.scene import allowed, obstacles
 from skills.arm.trajectory import MotionLimits, Trajectory
 from skills.kinematics.batch import BatchChain
+from skills.kinematics.bodies import Obstacle
 from skills.kinematics.collision import CollisionChecker, Contact
+from skills.kinematics.described import by_name, carried, home_positions
 from skills.kinematics.extent import Extent
 from skills.kinematics.hulls import RobotHulls
 from skills.kinematics.ik import SeedTable, Solver
@@ -24,8 +26,6 @@ from skills.ports.world import PlanningScene
 
 LIMIT_MARGIN = 0.01
 """Radians (or metres) that plans stay inside the joints' limits: smoothed motions overshoot a little."""
-HOME = "home"
-"""The postures of this name are known to be free of collisions."""
 SPREAD = 200
 """Configurations over which the reach is taken."""
 BEYOND = 0.35
@@ -89,13 +89,7 @@ class Arm:
         )
 
         self._reach = self._farthest() + BEYOND
-        home = {
-            joint: value
-            for posture in description.postures
-            if posture.name == HOME
-            for joint, value in zip(description.group(posture.group).joints, posture.positions, strict=True)
-        }
-        alone = CollisionChecker(hulls, self.group.joints, home)
+        alone = CollisionChecker(hulls, self.group.joints, home_positions(description))
         tip = self.group.joints[-1] if self.hand is None else self.hand.frame
         self.weights = weigh(alone.chain, self.limits, tip)
         """Of the joints, for the distances of planning, (n,)."""
@@ -119,18 +113,23 @@ class Arm:
 
     def checker(self, moment: Moment, goal: MoveGoal, *, padded: bool = True) -> CollisionChecker:
         """Return the collisions of this group at that moment, with what the goal permits."""
-        base = moment.base_in_map
         touch = () if self.hand is None else self.hand.touch_links
         return CollisionChecker(
             self.hulls,
             self.group.joints,
-            self._with_hand(moment, goal.hand_width),
-            () if base is None else obstacles(moment.scene, base, self._reach, padded=padded),
+            self.with_hand(moment, goal.hand_width),
+            self.obstacles(moment.scene, moment.base_in_map, padded=padded),
             carried(moment.scene, self.description),
             touchable=allowed(moment.scene, goal.touch_item, touch, every=bool(goal.by)),
         )
 
-    def _with_hand(self, moment: Moment, width: float | None) -> Mapping[str, float]:
+    def obstacles(
+        self, scene: PlanningScene, base_in_map: FloorPose | None, *, padded: bool = True
+    ) -> tuple[Obstacle, ...]:
+        """Return what stands within this group's reach, in the base."""
+        return () if base_in_map is None else obstacles(scene, base_in_map, self._reach, padded=padded)
+
+    def with_hand(self, moment: Moment, width: float | None) -> Mapping[str, float]:
         """Return the positions with the hand as wide as it will be when it reaches for something."""
         if self.hand is None or width is None:
             return moment.positions

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from skills.arm.bodies import load_hulls
+from skills.arm.field.approach import Approach
 from skills.arm.move import Move
 from skills.arm.planning.settings import PlannerSettings
 from skills.arm.problem import Arm
 from skills.arm.status import ArmStatusBoard
 from skills.arm.survey import Survey
+from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
@@ -31,7 +32,9 @@ def nodes(
     charge: bool = False,
     compute: Compute | None = None,
 ) -> tuple[Node, ...]:
-    """Return the state boards and the servers of ``<group>/move`` for each of the groups.
+    """Return the state boards and the servers of the groups.
+
+    Each group has a ``<group>/move``; one with a hand has ``<group>/survey`` and ``<group>/approach`` too.
 
     Args:
         bus: the hardware, the world, the clients.
@@ -57,4 +60,8 @@ def nodes(
         if arm.hand is not None:
             look = Survey(bus, clocks, arm, settings or PlannerSettings(), seed)
             made.append(ActionServer(bus, clocks, look, charge=charge))
+            near = Approach(
+                bus, clocks, arm, board, settings or PlannerSettings(), seed=seed, compute=compute
+            )
+            made.append(ActionServer(bus, clocks, near, charge=charge))
     return tuple(made)

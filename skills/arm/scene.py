@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
-from skills.kinematics.bodies import BoxShape, Carried, Obstacle
+from skills.kinematics.bodies import BoxShape, Obstacle
 from skills.ports.geometry import FloorPose, Pose, compose, invert, to_pose
-from skills.ports.hardware import RobotDescription
 from skills.ports.world import PlanningScene, SceneObject
 
 PADDING = {"furniture": (0.015, 0.003), "clutter": (0.01, 0.004), "item": (0.004, 0.002)}
@@ -31,18 +29,6 @@ def obstacles(
     return tuple(found)
 
 
-def carried(scene: PlanningScene, description: RobotDescription) -> tuple[Carried, ...]:
-    """Return what the hands hold, each in its tool frame."""
-    found = []
-    for each in scene.objects:
-        if each.attached_to is not None:
-            hand = description.end_effector(each.attached_to)
-            found.append(
-                Carried(each.name, BoxShape(each.box.size), hand.frame, each.box.pose, hand.touch_links)
-            )
-    return tuple(found)
-
-
 def allowed(
     scene: PlanningScene, touch_item: int | None, touch_links: tuple[str, ...], *, every: bool = False
 ) -> tuple[tuple[str, str], ...]:
@@ -58,11 +44,6 @@ def to_base(pose: Pose, frame: str, base_in_map: FloorPose | None) -> Pose:
     if frame == "base" or base_in_map is None:
         return pose
     return compose(invert(to_pose(base_in_map)), pose)
-
-
-def by_name(names: tuple[str, ...], positions: tuple[float, ...]) -> Mapping[str, float]:
-    """Return joint positions by name."""
-    return dict(zip(names, positions, strict=True))
 
 
 def _gap(base: FloorPose, each: SceneObject) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from skills.arm.problem import Arm
-from skills.arm.scene import by_name, carried
+from skills.kinematics.described import by_name, carried
 from skills.kinematics.extent import Extent
 from skills.ports.actions.arm import ArmState, ArmStatus, arm_status
 from skills.ports.bus import Bus

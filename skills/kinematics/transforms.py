@@ -34,3 +34,8 @@ def interpolate(a: Pose, b: Pose, fraction: float) -> Pose:
     turn = pin.log3(start.rotation.T @ end.rotation)
     rotation = start.rotation @ pin.exp3(turn * fraction)
     return to_pose(pin.SE3(rotation, (1.0 - fraction) * start.translation + fraction * end.translation))
+
+
+def rotation_vector(from_turn: Array, to_turn: Array) -> Array:
+    """Return the rotation vector (3,), in the base's axes, from one rotation matrix (3, 3) to another."""
+    return np.asarray(pin.log3(to_turn @ from_turn.T))

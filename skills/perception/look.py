@@ -2,62 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
 from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
 
-from skills.perception import clutter, tags
+from skills.perception import clutter
 from skills.perception.aim import Aim
 from skills.perception.arms import Arms
-from skills.perception.blind import BlindCheck
 from skills.perception.camera import Camera
-from skills.perception.frames import CameraMount, JointHistory, RobotPoseHistory
+from skills.perception.eye import WORK_AFTER, Eye, Steps, View
+from skills.perception.frames import JointHistory, RobotPoseHistory
 from skills.perception.head import Head
-from skills.perception.jobs import ClutterJob, Shot, TagJob, TagsFound, find_clutter, find_tags
+from skills.perception.jobs import ClutterJob, Shot, find_clutter
 from skills.perception.merge import merge
 from skills.perception.rigid import Matrix
-from skills.perception.session import WHERE, Canceled, LookError, Session
+from skills.perception.session import Canceled, LookError, Session
 from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.compute import Compute
 from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import compose, invert, to_pose, transform
-from skills.ports.grasping import item_in_map
-from skills.ports.hardware import RgbdHeader, RobotDescription
-from skills.ports.image import decode
+from skills.ports.geometry import invert, to_pose, transform
+from skills.ports.hardware import RobotDescription
 from skills.ports.keys import STOP_STATE, Latest
 from skills.ports.message import RobotTime
 from skills.ports.site import Site
-from skills.ports.skill import ActionType, Command, Run, Slice, canceled, failed, succeeded
-from skills.ports.world import CLUTTER, SCENE, SIGHTINGS, WORLD, Box, Clutter, Sighting, Sightings
+from skills.ports.skill import ActionType, Run, canceled, failed, succeeded
+from skills.ports.world import CLUTTER, SCENE, SIGHTINGS, Box, Clutter, Sighting, Sightings
 
-POSE_AFTER: Final = 1.0
-"""Robot seconds for joints and the robot's pose to be heard."""
+WHERE: Final = "perception/look"
 SETTLE: Final = 0.05
 """Robot seconds between the head's rest and the picture: what still swings, settles."""
-WORK_AFTER: Final = 20.0
-"""Robot seconds for a worker to read a picture: its first start takes a while."""
-BLIND_AFTER: Final = 1.5
-"""Robot seconds for which a look waits for a picture that shows something, once one did not."""
 REST_AFTER: Final = 3.0
 """Robot seconds for the head to come to rest after a cancel."""
 
-Steps = Generator[LookFeedback | Slice, Command, None]
-
 
 @dataclass
-class _Looking:
+class _Looking(View):
     """One run."""
 
     goal: LookGoal
-    session: Session
     head: Head
-    camera: Camera
-    joints: JointHistory
-    robot: RobotPoseHistory
     sightings: list[Sighting] = field(default_factory=list)
     points: Matrix = field(default_factory=lambda: np.zeros((0, 3)))
     shown: list[Box] = field(default_factory=list)
@@ -67,11 +53,13 @@ class _Looking:
     def found(self) -> bool:
         return any(each.item == self.goal.item for each in self.sightings)
 
+    def refresh(self) -> None:
+        super().refresh()
+        self.head.refresh()
+
     def close(self) -> None:
-        self.camera.close()
+        super().close()
         self.head.close()
-        self.joints.close()
-        self.robot.close()
 
 
 class Look:
@@ -91,12 +79,11 @@ class Look:
         self, bus: Bus, clocks: Clocks, description: RobotDescription, site: Site, compute: Compute
     ) -> None:
         self._bus, self._clocks, self._site, self._compute = bus, clocks, site, compute
-        self._aim, self._arms, self._mount = Aim(description), Arms(description), CameraMount(description)
+        self._aim, self._arms = Aim(description), Arms(description)
+        self._eye = Eye(bus, description, site, compute)
         self._body_radius = description.footprint_radius
-        self._sizes = tuple((each.item, each.tag_size) for each in site.items)
         self._furniture = tuple(box.box() for each in site.furniture for box in each.boxes)
-        self._stop, self._blind = Latest(bus, STOP_STATE), BlindCheck()
-        self._scene, self._world = Latest(bus, SCENE, depth=4), Latest(bus, WORLD, depth=4)
+        self._stop, self._scene = Latest(bus, STOP_STATE), Latest(bus, SCENE, depth=4)
 
     @property
     def action(self) -> ActionType[LookGoal, LookFeedback, LookResult]:
@@ -123,15 +110,15 @@ class Look:
 
     def run(self, goal: LookGoal, goal_id: str) -> Run[LookFeedback, LookResult]:
         """Look, from one head position after the other."""
-        joints, robot = JointHistory(self._bus), RobotPoseHistory(self._bus)
-        head = Head(self._bus, self._aim.group, goal_id)
-
-        def refresh() -> None:
-            for inbox in (joints, robot, head):
-                inbox.refresh()
-
-        session = Session(self._clocks, self._stop, refresh)
-        looking = _Looking(goal, session, head, Camera(self._bus), joints, robot)
+        looking = _Looking(
+            session=Session(self._clocks, self._stop),
+            camera=Camera(self._bus),
+            joints=JointHistory(self._bus),
+            robot=RobotPoseHistory(self._bus),
+            goal=goal,
+            head=Head(self._bus, self._aim.group, goal_id),
+        )
+        looking.session.refresh = looking.refresh
         try:
             return (yield from self._look(looking))
         finally:
@@ -139,7 +126,7 @@ class Look:
 
     def _look(self, looking: _Looking) -> Run[LookFeedback, LookResult]:
         try:
-            yield from self._know_where(looking)
+            yield from self._eye.know_where(looking)
             for number in range(1 if looking.goal.at is not None else len(looking.goal.tilts)):
                 yield from self._one_view(looking, number)
                 if looking.found():
@@ -148,22 +135,8 @@ class Look:
             yield from _come_to_rest(looking)
             return canceled()
         except LookError as error:
-            return failed(error.failure)
+            return failed(error.failure.model_copy(update={"where": WHERE}))
         return succeeded(self._result(looking))
-
-    def _know_where(self, looking: _Looking) -> Steps:
-        """Wait for the joints and for a pose that is localised."""
-        yield from looking.session.breathe()
-        heard = yield from looking.session.until(lambda: looking.joints.newest is not None, POSE_AFTER)
-        if not heard:
-            raise LookError(FailureKind.HARDWARE_LOST, f"no joint states within {POSE_AFTER} s")
-
-        def localised() -> bool:
-            newest = looking.robot.newest
-            return newest is not None and newest.localised
-
-        if not (yield from looking.session.until(localised, POSE_AFTER)):
-            raise LookError(FailureKind.NOT_LOCALISED, "the robot's pose in the map is not known")
 
     def _one_view(self, looking: _Looking, number: int) -> Steps:
         """Point the head, take the pictures, publish what they show."""
@@ -177,11 +150,12 @@ class Look:
         missed: list[int] = []
         shot: Shot | None = None
         for taken in range(goal.pictures):
-            stamp, shot = yield from self._shot(looking, after)
+            stamp, shot = yield from self._eye.shot(looking, after)
             if taken + 1 == goal.pictures:
                 looking.camera.close()
             after = stamp.seconds + 1e-6
-            found = yield from self._read(looking, shot)
+            standing = self._eye.standing(looking.sightings)
+            found = yield from self._eye.read(looking, shot, standing)
             seen.extend(found.sightings)
             missed.extend(found.absent)
             session.pictures += 1
@@ -204,59 +178,6 @@ class Look:
         assert newest is not None
         return self._aim.at(transform(invert(to_pose(newest.base_in_map)), goal.at), positions)
 
-    def _shot(
-        self, looking: _Looking, after: float
-    ) -> Generator[LookFeedback | Slice, Command, tuple[RobotTime, Shot]]:
-        """Return the next picture that shows something, with its time.
-
-        Raises:
-            LookError: CAMERA_BLIND when all that come are dark or stand still.
-        """
-        session = looking.session
-        blind_since: float | None = None
-        while True:
-            header, payload = yield from looking.camera.picture(session, after)
-            shot = yield from self._placed(looking, header, payload)
-            camera_in_map = compose(to_pose(shot.base_in_map), shot.camera_in_base)
-            wrong = self._blind.wrong(decode(payload), camera_in_map)
-            if not wrong:
-                return header.stamp, shot
-            blind_since = session.now if blind_since is None else blind_since
-            waited = session.now - blind_since
-            if waited >= BLIND_AFTER:
-                raise LookError(FailureKind.CAMERA_BLIND, wrong, waited_s=waited)
-            after = header.stamp.seconds + 1e-6
-
-    def _placed(
-        self, looking: _Looking, header: RgbdHeader, payload: bytes
-    ) -> Generator[LookFeedback | Slice, Command, Shot]:
-        """Say where the picture was taken from; wait until joints and pose of that moment are heard."""
-
-        def shot() -> Shot | None:
-            positions = looking.joints.positions(header.stamp)
-            base = looking.robot.base_in_map(header.stamp)
-            if positions is None or base is None:
-                return None
-            return Shot(payload, self._mount.camera_in_base(positions), base)
-
-        if not (yield from looking.session.until(lambda: shot() is not None, POSE_AFTER)):
-            raise LookError(
-                FailureKind.NOT_LOCALISED,
-                "the robot's pose at the picture's time is not known",
-                stamp_s=header.stamp.seconds,
-            )
-        placed = shot()
-        assert placed is not None
-        return placed
-
-    def _read(self, looking: _Looking, shot: Shot) -> Generator[LookFeedback | Slice, Command, TagsFound]:
-        job = self._compute.submit(
-            find_tags, TagJob(shot, self._sizes, self._standing(looking)), cost=tags.COST
-        )
-        if not (yield from looking.session.until(job.done, WORK_AFTER)):
-            raise LookError(FailureKind.TIMED_OUT, "the picture was not read in time")
-        return job.result()
-
     def _measure(self, looking: _Looking, shot: Shot) -> Steps:
         """Measure the clutter of this view; all views of a look make one set of boxes."""
         job = self._compute.submit(
@@ -278,28 +199,10 @@ class Look:
         assert positions is not None
         return clutter.Known(
             furniture=self._furniture,
-            items=tuple(box for _, box in self._standing(looking)),
+            items=tuple(box for _, box in self._eye.standing(looking.sightings)),
             segments=self._arms.segments(dict(zip(positions.names, positions.positions, strict=True))),
             body_radius=self._body_radius,
         )
-
-    def _standing(self, looking: _Looking) -> tuple[tuple[int, Box], ...]:
-        """Return the boxes of the items that stand upright, as seen in this look or believed, by item."""
-        poses = {}
-        world = self._world.refresh()
-        if world is not None:
-            poses = {fact.item: fact.tag_in_map for fact in world.items if fact.held is None}
-        poses |= {each.item: each.tag_in_map for each in looking.sightings}
-        boxes = []
-        for number, tag_in_map in sorted(poses.items()):
-            item = self._site.item(number)
-            if item is None:
-                continue
-            try:
-                boxes.append((number, Box(size=item.size, pose=item_in_map(tag_in_map, item.size[0]))))
-            except ValueError:
-                continue
-        return tuple(boxes)
 
     def _believed(self) -> tuple[Box, ...]:
         scene = self._scene.refresh()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from skills.perception.jobs import warm_up
 from skills.perception.look import Look
 from skills.perception.snapshot import Snapshots
+from skills.perception.track import Track
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.compute import Compute
@@ -23,7 +24,7 @@ def nodes(
     *,
     charge: bool = False,
 ) -> tuple[Node, ...]:
-    """Return the look's server and the snapshots.
+    """Return the servers of look and track, and the snapshots.
 
     ``compute`` reads pictures; ``charge`` is the server's, for lockstep.
 
@@ -31,4 +32,9 @@ def nodes(
     """
     compute.submit(warm_up, 64, cost=0.0)
     look = Look(bus, clocks, description, site, compute)
-    return (ActionServer(bus, clocks, look, charge=charge), Snapshots(bus, clocks, compute))
+    track = Track(bus, clocks, description, site, compute)
+    return (
+        ActionServer(bus, clocks, look, charge=charge),
+        ActionServer(bus, clocks, track, charge=charge),
+        Snapshots(bus, clocks, compute),
+    )

@@ -1,4 +1,4 @@
-"""One run of the look: waits that hear cancel, pause and the hardware's stop."""
+"""One run of a skill that sees: waits that hear cancel, pause and the hardware's stop."""
 
 from __future__ import annotations
 
@@ -15,19 +15,17 @@ from skills.ports.skill import Command, Slice
 Steps: TypeAlias = Generator[LookFeedback | Slice, Command, bool]
 """A part of a run; returns whether what it waited for came true."""
 
-WHERE = "perception/look"
-
 
 class Canceled(Exception):  # noqa: N818 - no error: the wish of the client
     """The goal was cancelled."""
 
 
 class LookError(Exception):
-    """The goal failed."""
+    """The goal failed; the skill adds where."""
 
     def __init__(self, kind: FailureKind, message: str, **evidence: str | float | bool) -> None:
         super().__init__(message)
-        self.failure = Failure(kind=kind, message=message, where=WHERE, evidence=dict(evidence))
+        self.failure = Failure(kind=kind, message=message, evidence=dict(evidence))
 
 
 class Session:
@@ -36,17 +34,18 @@ class Session:
     Args:
         clocks: robot time.
         stop: the hardware's stop.
-        refresh: reads the run's inboxes; called at each resumption.
     """
 
-    def __init__(self, clocks: Clocks, stop: Latest[StopState], refresh: Callable[[], None]) -> None:
+    def __init__(self, clocks: Clocks, stop: Latest[StopState]) -> None:
         self.clocks = clocks
+        self.refresh: Callable[[], None] = _nothing
+        """Reads the run's inboxes; called at each resumption."""
         self.pictures = 0
         self.seen: tuple[int, ...] = ()
         self.paused = False
         self.on_pause: Callable[[], None] = _nothing
         """Called once when the client pauses the run."""
-        self._stop, self._refresh = stop, refresh
+        self._stop = stop
 
     @property
     def now(self) -> float:
@@ -61,7 +60,7 @@ class Session:
             LookError: when the hardware's stop is set.
         """
         command = yield LookFeedback(pictures=self.pictures, seen=self.seen)
-        self._refresh()
+        self.refresh()
         if command is Command.CANCEL:
             raise Canceled
         if command is Command.PAUSE:
@@ -95,4 +94,4 @@ class Session:
 
 
 def _nothing() -> None:
-    """Do nothing on a pause."""
+    """Do nothing."""

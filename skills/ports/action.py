@@ -76,6 +76,16 @@ class GoalStatus(Message):
     failure: Failure | None = None
 
 
+def task_of(goal_id: str) -> str:
+    """Return the task that a goal belongs to."""
+    return goal_id.partition("/")[0]
+
+
+def node_of(goal_id: str) -> str:
+    """Return the name of the node that sent a goal."""
+    return goal_id.partition("/")[2].rpartition("/")[0]
+
+
 def goal_service(action: str) -> Service[SendGoal, GoalStatus]:
     """Return the service that takes goals."""
     return Service(f"skill/{action}/goal", SendGoal, GoalStatus)

@@ -48,6 +48,11 @@ class FailureKind(StrEnum):
     GRASP_EMPTY = "GRASP_EMPTY"
     GRASP_LOST = "GRASP_LOST"
     GRIPPER_STUCK = "GRIPPER_STUCK"
+    ARMS_CROSSING = "ARMS_CROSSING"
+    FORCE_MISSING = "FORCE_MISSING"
+    TILTED = "TILTED"
+    OTHER_ARM_FAILED = "OTHER_ARM_FAILED"
+    INTERRUPTED = "INTERRUPTED"
 
 
 class Helper(StrEnum):
@@ -110,6 +115,15 @@ KINDS: Final = MappingProxyType(
         _K.GRASP_EMPTY: KindFacts("the gripper closed on nothing", True, Helper.LOOK),
         _K.GRASP_LOST: KindFacts("the hand was full and is empty", True, Helper.LOOK),
         _K.GRIPPER_STUCK: KindFacts("the gripper did not move as told", True, Helper.OPERATOR),
+        _K.ARMS_CROSSING: KindFacts(
+            "the arms came into each other's way and were stopped", True, Helper.AGAIN
+        ),
+        _K.FORCE_MISSING: KindFacts("two hands closed in and did not feel the thing", True, Helper.LOOK),
+        _K.TILTED: KindFacts("what is between two hands is not level", False, Helper.LET_GO),
+        _K.OTHER_ARM_FAILED: KindFacts("the other arm failed before both could act", True, Helper.AGAIN),
+        _K.INTERRUPTED: KindFacts(
+            "the executive ended in the middle; how far it came is not known", True, Helper.OPERATOR
+        ),
     }
 )
 """The facts of each kind; complete, which a test checks."""

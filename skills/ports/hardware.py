@@ -66,6 +66,8 @@ class EndEffector(Message):
     """x and y in the base (m) around which the hand works best at table height."""
     work_heading: float = 0.0
     """Heading in the base (rad) in which the hand points when it works best there."""
+    safe_point: Vector3 | None = None
+    """In the base (m): where the hand holds what it has picked, out of the other hand's way (002, 4.1.1)."""
 
 
 class CameraSensor(Message):
@@ -111,6 +113,24 @@ class Posture(Message):
     positions: tuple[float, ...]
 
 
+class ArmsCrossing(Message):
+    """From when on two arms are said to come into each other's way, and how they give way (document 002).
+
+    ``k``, ``gamma`` and ``mu`` are Algorithm 2's: metres, and metres a radian. How they were found:
+    docs/decisions/005-arms-crossing.md.
+    """
+
+    k: Positive
+    gamma: float
+    mu: float
+    clearance: Positive
+    """Metres between the arms' geometry below which there is a risk whatever Algorithm 2 says."""
+    phi: Positive = 0.25
+    """Seconds between two samples of an arm's record (Algorithm 3)."""
+    safe_posture: str = "home"
+    """The posture in which an arm is in its safe zone and in nobody's way."""
+
+
 class RobotDescription(Message):
     """All that a skill learns about a robot."""
 
@@ -129,6 +149,8 @@ class RobotDescription(Message):
     postures: tuple[Posture, ...]
     period: Positive
     """Seconds between two messages of the clock and of the joints' state."""
+    arms_crossing: ArmsCrossing | None = None
+    """For robots with two arms that can meet; without it nobody watches over them."""
 
     def group(self, name: str) -> JointGroup:
         """Return the group; KeyError names those that there are."""

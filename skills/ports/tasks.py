@@ -23,7 +23,12 @@ class TaskState(StrEnum):
     SUCCEEDED = "SUCCEEDED"
     FAILED = "FAILED"
     CANCELED = "CANCELED"
+    EXPIRED = "EXPIRED"
+    """Its latest start went by while it was queued."""
     REJECTED = "REJECTED"
+    """What was queued no longer fits the kinds of task or the site: seen after a restart only."""
+    INTERRUPTED = "INTERRUPTED"
+    """It was under way, and how far it came is not known: after a restart, or when it was abandoned."""
 
     @property
     def terminal(self) -> bool:
@@ -42,6 +47,17 @@ class Problem(Message):
     path: str
     expected: str
     found: str = ""
+    code: str = ""
+    """For programs, where there is something to be done about it: ``QUEUE_FULL``, ``NOT_KEPT``."""
+
+
+class Question(Message):
+    """What a task asks an operator; ``task/answer`` takes one of the choices."""
+
+    node: str
+    """The node of the tree that asks."""
+    text: str
+    choices: tuple[str, ...]
 
 
 class TaskAnswer(Message):
@@ -89,6 +105,23 @@ class TaskStatus(Message):
     """UTC seconds."""
     started: RobotTime | None = None
     ended: RobotTime | None = None
+    ended_at: float | None = None
+    """UTC seconds of its end."""
+    client_id: str = ""
+    priority: int = 0
+    """The higher one is taken first."""
+    not_before: float | None = None
+    """UTC seconds of its earliest start."""
+    expires: float | None = None
+    """UTC seconds of its latest start."""
+    begun: int = 0
+    """How often its tree has begun: more than once after a restart, or when another task took over."""
+    running: tuple[str, ...] = ()
+    """The leaves of its tree that run, by their names."""
+    time_left: float | None = None
+    """Robot seconds that it is expected to take yet, from past tasks of its kind; null without any."""
+    question: Question | None = None
+    """What it asks an operator just now."""
 
 
 class TaskList(Message):
@@ -98,9 +131,70 @@ class TaskList(Message):
 
 
 class NameTask(Message):
-    """Pause, resume or step the running task of this id."""
+    """Pause, resume or abandon the task of this id, or ask how it stands."""
 
     task: str
+
+
+class StepTask(Message):
+    """Have a paused task go on by one leaf, or by one tick of its tree."""
+
+    task: str
+    by: Literal["leaf", "tick"] = "leaf"
+
+
+class Reprioritise(Message):
+    """Give a queued task another priority."""
+
+    task: str
+    priority: Annotated[int, Field(ge=-100, le=100)]
+
+
+class AnswerQuestion(Message):
+    """Answer what a task asks, with one of its question's choices."""
+
+    task: str
+    answer: Annotated[str, Field(max_length=200)]
+
+
+class Breakpoint(Message):
+    """Have a task pause before or after a node of its tree, each time; or no longer."""
+
+    task: str
+    node: str
+    """The node's name, or its path where two have the same name."""
+    when: Literal["before", "after"] = "before"
+    on: bool = True
+
+
+class ForceNode(Message):
+    """Have a node of a test run end with a status instead of doing its work; null lets it work again."""
+
+    task: str
+    node: str
+    status: Literal["SUCCESS", "FAILURE"] | None
+
+
+class AskHistory(Message):
+    """Ask for tasks of the ledger, the newest first."""
+
+    states: tuple[TaskState, ...] = ()
+    """Only these; all unless given."""
+    since: float = 0.0
+    """UTC seconds: only what was accepted then or later."""
+    task: str = ""
+    """Only the task of this id."""
+    before: int = 0
+    """Only older ones than the place in the ledger that an answer's ``more`` told; 0: from the newest."""
+    limit: Annotated[int, Field(ge=1, le=500)] = 100
+
+
+class History(Message):
+    """Tasks of the ledger, the newest first."""
+
+    tasks: tuple[TaskStatus, ...]
+    more: int = 0
+    """Where the next question goes on (``before``); 0 when there are no more."""
 
 
 class AskPicture(Message):
@@ -166,6 +260,27 @@ class ExecutiveInfo(Message):
     queued: int = 0
 
 
+class Times(Message):
+    """A histogram of durations since the start of who counts them."""
+
+    bounds: tuple[float, ...]
+    """Seconds; the upper edge of each class but the last, which has none."""
+    counts: tuple[int, ...]
+    """How many fell into each class; one more than there are bounds."""
+    total: float
+    """Seconds, all of them together."""
+
+
+class ExecutivePulse(Message):
+    """Told once a second, for who watches over the executive."""
+
+    queued: int
+    running: str = ""
+    """The task that runs, or nothing."""
+    ticks: Times
+    """How long the ticks of trees took, in seconds of the host."""
+
+
 REQUEST: Final = "task/request"
 """Put or query a request's document here: {"task": "fetch", "item": 29}."""
 
@@ -178,14 +293,28 @@ def by_client(name: str, key: str) -> str:
 TASK_ANSWERS: Final = Topic("task/answers", TaskAnswer)
 """What was answered to each request, for clients that only put."""
 TASK_STATUS: Final = Topic("task/status", TaskStatus)
+"""Published at each change; queried, it answers with the task that changed last."""
 TASK_CANCEL: Final = Service("task/cancel", CancelTask, ControlAnswer)
 TASK_PAUSE: Final = Service("task/pause", NameTask, ControlAnswer)
 TASK_RESUME: Final = Service("task/resume", NameTask, ControlAnswer)
-TASK_STEP: Final = Service("task/step", NameTask, ControlAnswer)
-"""A paused task goes on until one more leaf has ended, and is paused again."""
+TASK_STEP: Final = Service("task/step", StepTask, ControlAnswer)
+"""A paused task goes on until one more leaf has ended, or by one tick, and is paused again."""
+TASK_ABANDON: Final = Service("task/abandon", NameTask, ControlAnswer)
+"""Give up a cancelled task whose hardware does not answer."""
+TASK_REPRIORITISE: Final = Service("task/reprioritise", Reprioritise, ControlAnswer)
+TASK_ANSWER: Final = Service("task/answer", AnswerQuestion, ControlAnswer)
+TASK_BREAKPOINT: Final = Service("task/breakpoint", Breakpoint, ControlAnswer)
+TASK_FORCE: Final = Service("task/force", ForceNode, ControlAnswer)
+TASK_HISTORY: Final = Service("task/history", AskHistory, History)
 TASK_PICTURE: Final = "task/picture"
 """Asked with an AskPicture; answered with a JPEG, or with nothing when there is none."""
 TASK_LIST: Final = Service("task/list", Nothing, TaskList)
 TASK_INFO: Final = Service("task/info", Nothing, ExecutiveInfo)
+TASK_PULSE: Final = Topic("task/pulse", ExecutivePulse)
 TREE: Final = Topic("tree/snapshot", TreeSnapshot)
 TREE_NOW: Final = Service("tree/now", Nothing, TreeSnapshot)
+
+
+def task_status(task: str) -> Topic[TaskStatus]:
+    """Return the topic of one task's status; queried, it answers with the status of now, or with nothing."""
+    return Topic(f"task/{task}/status", TaskStatus)

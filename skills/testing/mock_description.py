@@ -33,6 +33,7 @@ def mock_description() -> RobotDescription:
             touch_links=(f"gripper_{side}_link",),
             gripper=Gripper(joints=(f"gripper_{side}_joint",), max_width=0.09, speed=0.05, force=16.0),
             work_point=(0.65, 0.15 if side == "left" else -0.15),
+            safe_point=(0.4, 0.5 if side == "left" else -0.5, 1.0),
         )
         for side in SIDES
     )

@@ -12,6 +12,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, Protocol, TypeVar
 
+from skills.ports.actions.approach import (
+    ApproachFeedback,
+    ApproachGoal,
+    ApproachPhase,
+    ApproachResult,
+    approach,
+)
 from skills.ports.actions.arm import (
     ArmState,
     ArmStatus,
@@ -40,17 +47,30 @@ from skills.ports.actions.base import (
     RotateGoal,
     RotateResult,
 )
+from skills.ports.actions.bimanual import (
+    COORDINATE,
+    CROSSING,
+    TWO_HANDS,
+    ZONES,
+    CoordinateFeedback,
+    Crossing,
+    TwoHands,
+    TwoHandsFeedback,
+    TwoHandsGoal,
+    TwoHandsResult,
+)
 from skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
-from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
+from skills.ports.actions.perception import LOOK, TRACK, LookFeedback, LookGoal, LookResult
 from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
+from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import IDENTITY, FloorPose, Pose, wrap
 from skills.ports.keys import DESCRIPTION
 from skills.ports.message import Message, RobotTime, Vector3
 from skills.ports.node import Node
 from skills.ports.site import Site
-from skills.ports.skill import ActionType, Outcome, succeeded
+from skills.ports.skill import ActionType, Outcome, failed, succeeded
 from skills.ports.world import (
     ROBOT_POSE,
     SCENE,
@@ -70,6 +90,7 @@ from skills.ports.world import (
 from skills.server import ActionServer
 from skills.testing.mock_description import mock_description
 from skills.testing.mock_skill import Fault, MockSkill
+from skills.testing.mock_zones import mock_zones
 
 G = TypeVar("G", bound=Message)
 F = TypeVar("F", bound=Message)
@@ -152,6 +173,11 @@ class MockRobot:
         """What each hand holds in truth."""
         self.world = WorldState(stamp=RobotTime(boot="mock", seconds=0.0), version=0)
         self.bus = bus
+        self.zones = mock_zones(self.world.stamp)
+        """What both hands reach; told with all other beliefs."""
+        self.knows_zones = True
+        """Whether the zones are told at all."""
+        self._before: dict[Side, int] = {}
         self.out_of_reach = 0
         """How many of a survey's first base poses are out of reach."""
         self.bus, self._clocks, self._site, self._items = bus, clocks, site, dict(items)
@@ -164,6 +190,8 @@ class MockRobot:
         """Faults by the leaf that sent the goal, at each of its attempts or at one (1 is the first)."""
         self.calls: list[tuple[str, Message]] = []
         """Each goal that was run, with its action's name, in order."""
+        self.watch: Callable[[str, str, str, Message], None] = lambda *_: None
+        """Told "began" and "ended" of each goal, with action, id and goal."""
         self._ends, self._servers = ends, dict[str, _Served]()
         self._clutter: tuple[SceneObject, ...] = ()
         self._told = False
@@ -173,6 +201,10 @@ class MockRobot:
         self._serve(ROTATE, RotateFeedback(remaining=0.0), self._rotate)
         self._serve(LOCALISE, LocaliseFeedback(progress=0.0), self._localise)
         self._serve(EDIT, EditFeedback(), self._edit)
+        self._serve(COORDINATE, CoordinateFeedback(episode=0), succeeded, endless=True)
+        self._serve(TRACK, LookFeedback(pictures=0, seen=()), succeeded, endless=True)
+        hands = TwoHandsFeedback(left_force=0.0, right_force=0.0, progress=0.0)
+        self._serve(TWO_HANDS, hands, self._two_hands)
         for side in SIDES:
             self._serve_side(side)
 
@@ -220,6 +252,15 @@ class MockRobot:
             group = f"arm_{side}"
             status = ArmStatus(stamp=stamp, group=group, state=ArmState.ARM_IDLE, extent=self._extent[side])
             arm_status(group).publish(self.bus, status)
+        if self.knows_zones:
+            ZONES.publish(self.bus, self.zones.model_copy(update={"stamp": stamp}))
+
+    def cross(self, *, risk: bool) -> None:
+        """Have the reflex tell that the arms come into each other's way, or that they no longer do."""
+        stamp = self._clocks.robot() or self.world.stamp
+        distance = 0.1 if risk else 0.4
+        message = Crossing(stamp=stamp, risk=risk, distance=distance, threshold=0.2, clearance=0.5 * distance)
+        CROSSING.publish(self.bus, message)
 
     def believe(self, **changes: object) -> None:
         """Change the keeper's facts and tell."""
@@ -227,15 +268,18 @@ class MockRobot:
         self.world = WorldState.model_validate(document)
         self.tell()
 
-    def _serve(self, action: ActionType[G, F, R], idle: F, effect: object) -> None:
+    def _serve(self, action: ActionType[G, F, R], idle: F, effect: object, *, endless: bool = False) -> None:
         def recorded(goal: G) -> Outcome[R]:
             outcome: Outcome[R] = effect(goal)  # type: ignore[operator]
             self.tell()
             return outcome
 
         faults = self._faults.setdefault(action.name, {})
-        skill = MockSkill(action, self._clocks, idle, recorded, self._duration, faults, self._fault_of)
+        fault_of = self._hangs if endless else self._fault_of
+        skill = MockSkill(action, self._clocks, idle, recorded, self._duration, faults, fault_of)
         skill.calls = _Recorded(self.calls, action.name)
+        skill.began = lambda goal_id, goal: self.watch("began", action.name, goal_id, goal)
+        skill.ended = lambda goal_id, goal: self.watch("ended", action.name, goal_id, goal)
         mortal = None if self._ends is None else _Mortal(self._ends())
 
         def serve(at: Bus) -> Node:
@@ -247,6 +291,9 @@ class MockRobot:
         _, _, rest = goal_id.partition("/")
         leaf, _, attempt = rest.rpartition("/")
         return self.leaf_faults.get((leaf, int(attempt))) or self.leaf_faults.get(leaf)
+
+    def _hangs(self, goal_id: str) -> Fault:
+        return self._fault_of(goal_id) or Fault(hangs=True)
 
     def lose(self, action: str) -> None:
         """Have the process of a skill die: its name goes, and its goal with it."""
@@ -302,6 +349,11 @@ class MockRobot:
             MoveFeedback(phase=MovePhase.MOVING, progress=0.0),
             lambda goal: self._move(side, goal),
         )
+        self._serve(
+            approach(f"arm_{side}"),
+            ApproachFeedback(phase=ApproachPhase.FIELD, distance=0.0),
+            lambda goal: self._approach(side, goal),
+        )
         self._serve(survey(f"arm_{side}"), SurveyFeedback(looked_at=0, found=0), self._survey)
         self._serve(grip(side), GripFeedback(width=0.0, force=0.0), lambda goal: self._grip(side, goal))
 
@@ -321,7 +373,9 @@ class MockRobot:
                 position_sigma=0.002,
             )
             for item, tag in seen.items()
-            if item not in self.hands.values()
+            # One that a hand has closed on stands there and is seen until it is lifted, which is after it is
+            # believed to be held.
+            if item not in {hand.item for hand in self.world.held}
         )
         known = {fact.item: fact for fact in self.world.items}
         for sighting in sightings:
@@ -352,7 +406,22 @@ class MockRobot:
 
     def _move(self, side: Side, goal: MoveGoal) -> Outcome[MoveResult]:
         self._extent[side] = TUCKED if goal.posture in {"home", "carry"} else STRETCHED
+        if goal.follows_item is not None or goal.touch_item is not None:
+            self._before[side] = goal.follows_item or goal.touch_item or 0
         return succeeded(MoveResult(positions=(0.0,), error=0.0, planning_steps=1, duration=0.0))
+
+    def _approach(self, side: Side, goal: ApproachGoal) -> Outcome[ApproachResult]:
+        if self.world.item(goal.item) is None:
+            message = f"item {goal.item} is not believed to be anywhere"
+            where = approach(f"arm_{side}").name
+            return failed(Failure(kind=FailureKind.ITEM_GONE, message=message, where=where))
+        self._extent[side], self._before[side] = STRETCHED, goal.item
+        return succeeded(ApproachResult(grasp=0, positions=(0.0,), error=0.0, duration=0.0))
+
+    def _two_hands(self, goal: TwoHandsGoal) -> Outcome[TwoHandsResult]:
+        force = 0.0 if goal.do is TwoHands.RELEASE else goal.force or 40.0
+        self._extent = dict.fromkeys(SIDES, STRETCHED)
+        return succeeded(TwoHandsResult(left_force=force, right_force=force, item_in_map=goal.to))
 
     def _survey(self, goal: SurveyGoal) -> Outcome[SurveyResult]:
         good = range(self.out_of_reach, len(goal.bases))
@@ -360,7 +429,7 @@ class MockRobot:
 
     def _grip(self, side: Side, goal: GripGoal) -> Outcome[GripResult]:
         if goal.grip is Grip.GRASP:
-            self.hands[side] = next(iter(self._items), None)
+            self.hands[side] = self._before.get(side, next(iter(self._items), None))
         elif goal.grip is Grip.OPEN:
             self.hands[side] = None
         full = self.hands[side] is not None

@@ -8,6 +8,7 @@ from typing import Generic
 
 from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.failure import Failure
+from skills.ports.message import Message
 from skills.ports.skill import ActionType, Command, F, G, Outcome, R, Run, canceled, failed
 
 
@@ -27,6 +28,10 @@ class Fault:
 
 def _none(_: str) -> Fault | None:
     return None
+
+
+def _nobody(_: str, __: Message) -> None:
+    pass
 
 
 @dataclass(eq=False)
@@ -52,6 +57,10 @@ class MockSkill(Generic[G, F, R]):
     fault_of: Callable[[str], Fault | None] = _none
     period: float = 0.01
     calls: list[G] = field(default_factory=list)
+    began: Callable[[str, G], None] = _nobody
+    """Told of each goal that begins, with its id."""
+    ended: Callable[[str, G], None] = _nobody
+    """Told when it is at rest, however that came."""
 
     def check(self, goal: G) -> Failure | None:
         """Refuse where a fault says so; a refused call counts."""
@@ -64,6 +73,13 @@ class MockSkill(Generic[G, F, R]):
     def run(self, goal: G, goal_id: str) -> Run[F, R]:
         """Wait the duration, in which pauses don't count, then answer."""
         self.calls.append(goal)
+        self.began(goal_id, goal)
+        try:
+            return (yield from self._work(goal, goal_id))
+        finally:
+            self.ended(goal_id, goal)
+
+    def _work(self, goal: G, goal_id: str) -> Run[F, R]:
         fault = self.faults.get(len(self.calls)) or self.fault_of(goal_id) or Fault()
         until = robot_seconds(self.clocks) + self.duration + fault.late
         paused_at: float | None = None

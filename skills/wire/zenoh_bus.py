@@ -167,6 +167,7 @@ class ZenohBus:
         endpoint: the router's, such as ``tcp/127.0.0.1:7447``.
         prefix: ``<site>/<robot>``, put before every key.
         patience: seconds in which the router must answer.
+        waker: told when something has arrived; one of its own unless given.
         credentials: for a router that speaks TLS.
         silent_after: host seconds without a beat after which a process is said not to go on.
 
@@ -180,10 +181,11 @@ class ZenohBus:
         prefix: str,
         *,
         patience: float = 2.0,
+        waker: Waker | None = None,
         credentials: Credentials | None = None,
         silent_after: float = SILENT_AFTER,
     ) -> None:
-        self.waker = Waker()
+        self.waker = waker or Waker()
         self._prefix = prefix
         self._session = open_session(client_config(endpoint, patience, credentials), endpoint)
         self._publishers: dict[str, zenoh.Publisher] = {}

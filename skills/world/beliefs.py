@@ -21,7 +21,7 @@ from skills.ports.world import (
     Sighting,
     WorldState,
 )
-from skills.world import clutter
+from skills.world import clutter, recorder
 from skills.world.journal import Remembered
 
 MOVED: Final = 0.02
@@ -32,6 +32,9 @@ AGED: Final = 10.0
 """Robot seconds after which any newer sighting is preferred."""
 OUT_OF_SLOT: Final = 0.15
 """Metres from its slot from which on a placed item lies there no more."""
+VERSIONS_A_START: Final = 1_000_000_000
+"""Versions that one start of the keeper may use up. A version that came again after a new start would let a
+changed scene pass for the one that a plan was checked against."""
 PUT_DOWN_SIGMA: Final = 0.01
 """Metres: how well the place of an item that was put down is known."""
 
@@ -49,14 +52,15 @@ class Beliefs:
 
     def __init__(self, site: Site, remembered: Remembered | None = None) -> None:
         self.site = site
-        self.version = 1
         kept = remembered or Remembered()
+        self.version = 1 + kept.openings * VERSIONS_A_START
         self._items: dict[int, ItemFact] = {fact.item: fact for fact in kept.items}
         self._held: dict[Side, HeldItem] = {held.side: held for held in kept.held}
         self._placed: dict[int, Placed] = {placed.item: placed for placed in kept.placed}
-        self._removed: set[int] = set()
-        self._clutter: tuple[tuple[str, Box], ...] = ()
+        self._removed: set[int] = set(kept.removed)
+        self._clutter: tuple[tuple[str, Box], ...] = kept.clutter
         self._clutter_named = 0
+        self._boot = kept.boot
         self._furniture = tuple(
             SceneObject(name=f"{each.name}_{i}", kind="furniture", box=box.box())
             for each in site.furniture
@@ -94,7 +98,7 @@ class Beliefs:
         item = self.site.item(sighting.item)
         if item is None or self.hand_of(sighting.item) is not None or not self._better(sighting):
             return False
-        self._items[sighting.item] = ItemFact(
+        fact = ItemFact(
             item=sighting.item,
             size=item.size,
             tag_in_map=sighting.tag_in_map,
@@ -102,6 +106,7 @@ class Beliefs:
             quality=sighting.quality,
             position_sigma=sighting.position_sigma,
         )
+        self._items = recorder.update(self._items, {sighting.item: fact})
         box = item_box(sighting.tag_in_map, item.size)
         self._removed.discard(sighting.item)
         self._clutter = clutter.without_item(self._clutter, box)
@@ -132,19 +137,36 @@ class Beliefs:
 
     def look(self, seen: Clutter) -> bool:
         """Take in the clutter of a look; say whether it changed anything."""
-        measured = []
-        standing = self._standing()
+        measured: list[tuple[str, Box]] = []
+        standing = self._standing().values()
         for box in seen.boxes:
             if any(clutter.contains(item, box.pose.position, clutter.ITEM_MARGIN) for item in standing):
                 continue
-            self._clutter_named += 1
-            measured.append((f"clutter_{self._clutter_named}", box))
+            measured.append((self._new_name({name for name, _ in (*self._clutter, *measured)}), box))
         after = clutter.after_look(self._clutter, seen.view, measured)
         if after == self._clutter:
             return False
         self._clutter = after
         self.version += 1
         return True
+
+    def _new_name(self, taken: set[str]) -> str:
+        """Return a name for a box of clutter; those that a journal gave back are taken."""
+        while True:
+            self._clutter_named += 1
+            name = f"clutter_{self._clutter_named}"
+            if name not in taken:
+                return name
+
+    def wake(self, boot: str) -> None:
+        """Take in which boot of the hardware this is: what stood about before another one is not believed."""
+        if boot == self._boot:
+            return
+        firm = {held.item for held in self._held.values()} | set(self._placed)
+        self._items = {number: fact for number, fact in self._items.items() if number in firm}
+        self._removed.clear()
+        self._clutter, self._boot = (), boot
+        self.version += 1
 
     def add(self, number: int) -> None:
         """Make the item an obstacle where it was last seen."""
@@ -204,28 +226,31 @@ class Beliefs:
     def scene(self, now: RobotTime) -> PlanningScene:
         """Return what arms must not hit."""
         things = [SceneObject(name=name, kind="clutter", box=box) for name, box in self._clutter]
-        for number in sorted(self._items):
-            fact, side = self._items[number], self.hand_of(number)
-            if side is None and number in self._removed:
-                continue
-            box = (
-                item_box(fact.tag_in_map, fact.size)
-                if side is None
-                else Box(size=fact.size, pose=self._held[side].item_in_tool)
-            )
-            things.append(
-                SceneObject(name=f"item_{number}", kind="item", box=box, item=number, attached_to=side)
-            )
+        for number, box in self._standing().items():
+            if number not in self._removed:
+                things.append(SceneObject(name=f"item_{number}", kind="item", box=box, item=number))
+        for side, held in sorted(self._held.items()):
+            box = Box(size=self._size(held.item), pose=held.item_in_tool)
+            name = f"item_{held.item}"
+            things.append(SceneObject(name=name, kind="item", box=box, item=held.item, attached_to=side))
         return PlanningScene(stamp=now, version=self.version, objects=(*self._furniture, *things))
 
+    @property
+    def firm(self) -> tuple[tuple[HeldItem, ...], tuple[Placed, ...]]:
+        """What no sensor can restore: what is in which hand, and what lies in which slot."""
+        return tuple(self._held[side] for side in sorted(self._held)), tuple(self._placed.values())
+
     def remembered(self, written_at: float) -> Remembered:
-        """Return what a journal must keep; ``written_at`` is UTC seconds."""
-        numbers = {held.item for held in self._held.values()} | set(self._placed)
+        """Return what a journal keeps; ``written_at`` is UTC seconds."""
+        held, placed = self.firm
         return Remembered(
             written_at=written_at,
-            held=tuple(self._held[side] for side in sorted(self._held)),
-            placed=tuple(self._placed.values()),
-            items=tuple(self._items[number] for number in sorted(numbers) if number in self._items),
+            held=held,
+            placed=placed,
+            items=tuple(self._items[number] for number in sorted(self._items)),
+            removed=tuple(sorted(self._removed)),
+            clutter=self._clutter,
+            boot=self._boot,
         )
 
     def _better(self, sighting: Sighting) -> bool:
@@ -247,13 +272,11 @@ class Beliefs:
         slot = depot.slots[placed.slot].position
         return math.dist(slot[:2], centre[:2]) > OUT_OF_SLOT or abs(centre[2] - slot[2]) > 2 * OUT_OF_SLOT
 
-    def _standing(self) -> tuple[Box, ...]:
-        """Return the boxes of the items that stand somewhere, by item."""
-        return tuple(
-            item_box(self._items[number].tag_in_map, self._items[number].size)
-            for number in sorted(self._items)
-            if self.hand_of(number) is None
-        )
+    def _standing(self) -> dict[int, Box]:
+        """Return the boxes of the items that stand somewhere, by item (the object recorder, 002, Alg. 1)."""
+        held = {each.item for each in self._held.values()}
+        facts = recorder.scene(self._items, held)
+        return {number: item_box(fact.tag_in_map, fact.size) for number, fact in facts.items()}
 
     def _size(self, number: int) -> Vector3:
         item = self.site.item(number)

@@ -1,8 +1,12 @@
-"""What no sensor can restore, on disk: which item is in which hand, and what lies in which slot.
+"""What is believed, on disk: what no sensor can restore, and what the camera saw.
 
-One JSON line a change, each a whole picture of it, synced before anybody hears of the change. The last line
-that can be read counts, so a line torn by a crash loses nothing but itself; opening the journal rewrites it
-to that one line, through a file beside it that takes its place.
+Which item is in which hand and what lies in which slot nobody can see again. Where the other items stand
+could be seen again, but not while a hand is around one: a keeper that has forgotten it lets the arm through.
+
+One JSON line a change, each a whole picture of it. A change of hands or slots is synced before anybody hears
+of it; a sighting is only written, which outlives the process and not the machine. The last line that can be
+read counts, so a line torn by a crash loses nothing but itself; opening the journal rewrites it to that one
+line, through a file beside it that takes its place.
 """
 
 from __future__ import annotations
@@ -14,20 +18,27 @@ from typing import Final
 from pydantic import ValidationError
 
 from skills.ports.message import Message
-from skills.ports.world import HeldItem, ItemFact, Placed
+from skills.ports.world import Box, HeldItem, ItemFact, Placed
 
 COMPACT_AFTER: Final = 1000
 """Lines after which the file is rewritten."""
 
 
 class Remembered(Message):
-    """All that the journal keeps; ``items`` are the facts of what is held or placed."""
+    """All that the journal keeps."""
 
     written_at: float = 0.0
     """UTC seconds."""
     held: tuple[HeldItem, ...] = ()
     placed: tuple[Placed, ...] = ()
     items: tuple[ItemFact, ...] = ()
+    removed: tuple[int, ...] = ()
+    """Items that are no obstacles."""
+    clutter: tuple[tuple[str, Box], ...] = ()
+    boot: str = ""
+    """Of the hardware: what stood about before another boot is not believed."""
+    openings: int = 0
+    """How often the journal has been opened: versions of the facts rise over a new start, too."""
 
 
 class Journal:
@@ -42,20 +53,22 @@ class Journal:
 
     def __init__(self, path: Path) -> None:
         self._path = path
-        self.remembered = _last(path)
+        last = _last(path)
+        self.remembered = last.model_copy(update={"openings": last.openings + 1})
         self._lines = 0
         self._compact()
 
-    def write(self, remembered: Remembered) -> None:
-        """Keep this; it is on the disk when the call returns."""
-        self.remembered = remembered
+    def write(self, remembered: Remembered, *, synced: bool = True) -> None:
+        """Keep this; if ``synced``, it is on the disk when the call returns."""
+        self.remembered = remembered.model_copy(update={"openings": self.remembered.openings})
         if self._lines >= COMPACT_AFTER:
             self._compact()
             return
         with self._path.open("a", encoding="utf-8") as file:
-            file.write(remembered.model_dump_json() + "\n")
+            file.write(self.remembered.model_dump_json() + "\n")
             file.flush()
-            os.fsync(file.fileno())
+            if synced:
+                os.fsync(file.fileno())
         self._lines += 1
 
     def _compact(self) -> None:

@@ -18,11 +18,13 @@ from skills.world.journal import Journal
 log = logging.getLogger(__name__)
 
 REPEAT: Final = 1.0
-"""Robot seconds between two publications when nothing changes: for those who came late."""
+"""Robot seconds between two publications when nothing changes."""
 
 
 class Keeper:
     """A ``Node``: merges what perception tells, and publishes on each change and every second.
+
+    It also publishes when somebody comes: an executive that is started again waits for the world.
 
     A hand that tells EMPTY has lost what it is believed to hold, if it was attached before: then nobody knows
     where that is.
@@ -43,7 +45,7 @@ class Keeper:
         self._clutter = Latest(bus, CLUTTER)
         self._hands = {side: Latest(bus, hand_status(side)) for side in SIDES}
         self._attached: dict[Side, RobotTime] = {}
-        self._published = 0
+        self._published, self._there = 0, frozenset[str]()
         self._published_at: RobotTime | None = None
 
     @property
@@ -53,23 +55,27 @@ class Keeper:
 
     def step(self) -> bool:
         """Take in what was seen and what the hands tell; publish what changed."""
-        seen, looks = self._sightings.take(), self._clutter.take()
-        if seen or looks:
-            before = self.beliefs.remembered(0.0)
-            for message in seen:
-                for sighting in message.sightings:
-                    self.beliefs.see(sighting)
-                for number in message.absent:
-                    self.beliefs.miss(number, message.stamp)
-            for look in looks:
-                self.beliefs.look(look)
-            if self.beliefs.remembered(0.0) != before:
-                self.keep()
+        now = self._clocks.robot()
+        if now is not None:
+            self.beliefs.wake(now.boot)
+        self._see()
         for side, hand in self._hands.items():
             for status in hand.take():
                 self._watch(side, status)
         self.publish()
         return False
+
+    def _see(self) -> None:
+        version, firm = self.beliefs.version, self.beliefs.firm
+        for message in self._sightings.take():
+            for sighting in message.sightings:
+                self.beliefs.see(sighting)
+            for number in message.absent:
+                self.beliefs.miss(number, message.stamp)
+        for look in self._clutter.take():
+            self.beliefs.look(look)
+        if self.beliefs.version != version:
+            self.keep(synced=self.beliefs.firm != firm)
 
     def attached(self, side: Side, now: RobotTime) -> None:
         """Note when the hand took what it holds: only later news of it count."""
@@ -85,15 +91,16 @@ class Keeper:
         self.beliefs.detach(held.item, None, None, status.stamp)
         self.keep()
 
-    def keep(self) -> None:
-        """Write what must be kept to the journal, before anybody hears of it."""
+    def keep(self, *, synced: bool = True) -> None:
+        """Write what is believed to the journal, before anybody hears of it."""
         if self._journal is not None:
-            self._journal.write(self.beliefs.remembered(self._clocks.utc()))
+            self._journal.write(self.beliefs.remembered(self._clocks.utc()), synced=synced)
 
     def publish(self) -> None:
-        """Publish, if something changed or a second has passed."""
-        now = self._clocks.robot()
-        if now is None or (self.beliefs.version == self._published and not self._due(now)):
+        """Publish, if something changed, a second has passed, or somebody has come."""
+        now, there = self._clocks.robot(), self._bus.alive()
+        came, self._there = not there <= self._there, there
+        if now is None or not (self.beliefs.version != self._published or came or self._due(now)):
             return
         WORLD.publish(self._bus, self.beliefs.state(now))
         SCENE.publish(self._bus, self.beliefs.scene(now))

@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -14,15 +15,20 @@ from pathlib import Path
 import yaml
 
 from executive.options import BusOptions, RunOptions
+from executive.parts import Role
 from executive.processes import Supervisor
-from executive.settings import Role, WorkerSettings
-from executive.systems import ProcessSystem
+from executive.settings import WorkerSettings
+from executive.systems import ProcessSystem, wait_for
 from sim.scenario import Scenario
+from skills.ports.keys import Nothing
+from skills.ports.tasks import REQUEST, TASK_LIST, TaskAnswer, TaskList
 from tests.fakes.ports import free_endpoint
 
 ROOT = Path(__file__).parents[2]
 COMMAND = [sys.executable, "-c", "from executive.cli.main import run; run()"]
-ENVIRONMENT = os.environ | {"PYTHONPATH": str(ROOT)}
+_STATE = tempfile.TemporaryDirectory(prefix="tandem-state-")
+ENVIRONMENT = os.environ | {"PYTHONPATH": str(ROOT), "XDG_STATE_HOME": _STATE.name}
+"""Of commands under test: what they keep goes with the tests."""
 
 
 def own_bus() -> BusOptions:
@@ -108,3 +114,17 @@ def play(role: Role, options: RunOptions, folder: Path) -> tuple[int, str]:
         except subprocess.TimeoutExpired:
             code = 0
         return code, child.last_words()
+
+
+def query(system: ProcessSystem, payload: bytes) -> TaskAnswer:
+    """Ask for a task; return the answer."""
+    answer = wait_for(system, system.bus.query(REQUEST, payload, timeout=5.0), 5.0)
+    assert answer is not None
+    return TaskAnswer.model_validate_json(answer)
+
+
+def tasks(system: ProcessSystem) -> TaskList:
+    """Return all tasks that the executive remembers."""
+    answer = wait_for(system, TASK_LIST.query(system.bus, Nothing()), 5.0)
+    assert answer is not None
+    return TaskList.model_validate_json(answer)

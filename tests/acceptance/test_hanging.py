@@ -10,7 +10,7 @@ import pytest
 
 from benchmarks.hanging import Moving, stands
 from executive.options import RunOptions
-from executive.settings import Role
+from executive.parts import Role
 from executive.systems import ProcessSystem
 from skills.ports.action import GoalState
 from tests.acceptance.live import go_on, own_bus

@@ -1,10 +1,9 @@
-"""Robot and executive on two hosts with a router between, in network namespaces; a link is cut in mid-task.
+"""Robot and executive on two hosts with a router between, in network namespaces.
 
-Run it as root: ``python -m tests.acceptance.two_hosts [SECONDS_CUT]``. It makes three namespaces with addresses
-of their own, fetches item 29 over mutual TLS, cuts the robot's link while the task runs, heals it, and ends with
-0 when the item arrives all the same. Without root or ``ip`` it says so and ends with 77.
+Run it as root: ``python -m tests.acceptance.two_hosts [SECONDS_CUT]``. It makes three namespaces with
+addresses of their own, fetches item 29 over mutual TLS, cuts the robot's link while the task runs, heals it,
+and ends with 0 when the task succeeds all the same. Without root or ``ip`` it says so and ends with 77.
 """
-# ruff: noqa: S607, T201 - a command that prints; ``ip`` stands where the system has it
 
 from __future__ import annotations
 
@@ -23,7 +22,12 @@ from tests.acceptance.live import COMMAND, ENVIRONMENT, ROOT
 
 SKIPPED = 77
 PORT = 7447
-SKILLS = "keeper,perception,base,arm_left,arm_right"
+SKILLS = "keeper,perception,base,arm_left,arm_right,bimanual"
+
+
+def say(text: str) -> None:
+    sys.stdout.write(f"{text}\n")
+    sys.stdout.flush()
 
 
 def run(*words: str) -> None:
@@ -54,14 +58,14 @@ def namespaces(mark: str) -> Iterator[dict[str, str]]:
         yield names
     finally:
         for name in names.values():
-            subprocess.run(["ip", "netns", "del", name], check=False)
+            subprocess.run(("ip", "netns", "del", name), check=False)  # noqa: S607 - wherever ip is
 
 
 @contextmanager
 def up(namespace: str, log: Path, *words: str) -> Iterator[None]:
     """Have ``tandem up`` run in a namespace; wait until it says that it is ready."""
     with log.open("wb") as stream:
-        argv = inside(namespace, *COMMAND, "--log", f"{log}.all", "up", *words)
+        argv = inside(namespace, *COMMAND, "--log", f"{log}.all", "up", "--data", f"{log}.data", *words)
         process = subprocess.Popen(argv, cwd=ROOT, env=ENVIRONMENT, stdout=stream, stderr=stream)
     try:
         deadline = time.monotonic() + 120.0
@@ -77,7 +81,7 @@ def up(namespace: str, log: Path, *words: str) -> Iterator[None]:
 
 def main(cut: float) -> int:
     if os.geteuid() != 0 or shutil.which("ip") is None:
-        print("skipped: network namespaces need root and the command ip")
+        say("skipped: network namespaces need root and the command ip")
         return SKIPPED
     with ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="tandem-hosts-")))
@@ -97,23 +101,23 @@ def main(cut: float) -> int:
         robot = ("--only", f"hardware,{SKILLS}", "--connect", by_robot, *with_keys)
         start(up(at["robot"], folder / "robot.log", *robot))
         start(up(at["desk"], folder / "desk.log", "--only", "executive", "--connect", by_desk, *with_keys))
-        print("three hosts are up")
+        say("three hosts are up")
         asked = ("request", "fetch", "--item", "29", "--wait", "--connect", by_desk)
         argv = inside(at["desk"], *COMMAND, *asked, "--keys", str(keys), "--as", "rita")
         began = time.monotonic()
         task = subprocess.Popen(argv, cwd=ROOT, env=ENVIRONMENT)
         time.sleep(12.0)
         run("ip", "-n", at["router"], "link", "set", "to-robot", "down")
-        print(f"{time.monotonic() - began:.1f} s: the robot's link is cut")
+        say(f"{time.monotonic() - began:.1f} s: the robot's link is cut")
         time.sleep(cut)
         run("ip", "-n", at["router"], "link", "set", "to-robot", "up")
-        print(f"{time.monotonic() - began:.1f} s: the link is there again")
+        say(f"{time.monotonic() - began:.1f} s: the link is there again")
         try:
             code = task.wait(600.0)
         except subprocess.TimeoutExpired:
             task.kill()
             code = 1
-        print(f"{time.monotonic() - began:.1f} s: the task has ended with {code}")
+        say(f"{time.monotonic() - began:.1f} s: the task has ended with {code}")
     return code
 
 

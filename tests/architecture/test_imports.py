@@ -26,6 +26,17 @@ CASES = {
         "TASK_STATUS",
         (*HEAVY, "zenoh", "py_trees"),
     ),
+    "a process loads nothing that keeps records": (
+        "executive.worker",
+        "main",
+        ("prometheus_client", "opentelemetry", *HEAVY[:-1]),
+    ),
+    "the client loads no tree and nothing heavy": (
+        "executive.client.sync",
+        "Client",
+        (*HEAVY[:-1], "py_trees"),
+    ),
+    "the client of asyncio does neither": ("executive.client.aio", "AsyncClient", (*HEAVY[:-1], "py_trees")),
     "the base loads no camera and no arm": (
         "skills.base.process",
         "build",

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from benchmarks import arm_planning, reaction, stillness, ticks
+from benchmarks import arm_planning, ledger, reaction, stillness, ticks
 from benchmarks.rows import Row
 from skills.ports.action import GoalState, GoalStatus
 from skills.ports.geometry import FloorPose
@@ -31,6 +31,13 @@ def test_ticks() -> None:
 
 def test_arm_planning() -> None:
     assert "planning home, CPU p95" in told(arm_planning.rows(quick=True))
+
+
+@pytest.mark.processes
+def test_ledger() -> None:
+    rows = told(list(ledger.rows(quick=True)))
+    assert rows["from the restart until the task is told to run"].aim == 300.0
+    assert rows["from put to acknowledgement, p99"].aim is not None
 
 
 @pytest.mark.processes

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+from skills.goal_journal import KEPT, GoalJournal
 from skills.ports.action import (
     AskResult,
     GoalCommand,
@@ -93,3 +96,36 @@ def test_a_server_that_starts_again_does_not_know_the_goals_of_before() -> None:
     desk.server.close()
     desk.start()
     assert desk.ask("t/a/1").state is GoalState.UNKNOWN
+
+
+def test_a_goal_that_was_journalled_before_a_restart_is_not_started_again(tmp_path: Path) -> None:
+    desk, path = Desk(), tmp_path / "clumsy.goals"
+    desk.server.keep(GoalJournal(path))
+    desk.send("t/a/1")
+    desk.server.close()
+    with path.open("a") as torn:
+        torn.write("t/a/2")  # without its end of line: it was being written when the process died
+    desk.start()
+    desk.server.keep(GoalJournal(path))
+    again = goal_service("test/clumsy").query(desk.bus, SendGoal(goal_id="t/a/1", client="", goal={}))
+    desk.server.step()
+    status = GoalStatus.model_validate_json(again.poll() or b"")
+    assert (status.state, status.failure and status.failure.kind) == (
+        GoalState.FAILED,
+        FailureKind.SKILL_LOST,
+    )
+    assert not desk.server.busy
+    desk.send("t/a/2")
+    assert desk.server.busy
+
+
+def test_a_goal_journal_that_grows_is_rewritten_with_the_newest_ids(tmp_path: Path) -> None:
+    path = tmp_path / "many.goals"
+    journal = GoalJournal(path)
+    for number in range(KEPT + 10):
+        journal.accept(f"t/a/{number}")
+    journal.close()
+    found = GoalJournal(path).before
+    assert len(found) == KEPT + 10
+    assert len(path.read_text().splitlines()) == KEPT
+    assert f"t/a/{KEPT + 9}" in path.read_text()

@@ -7,7 +7,7 @@ import time
 
 from executive.doors import Doors
 from executive.service import Executive
-from executive.task_queue import start_id
+from executive.task_book import start_id
 from skills.ports.geometry import Pose, from_axes
 from skills.ports.hardware import Clock
 from skills.ports.keys import CLOCK

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, TypeVar
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Sequence
 from pydantic import Field
 
-from executive.service import Executive
+from executive.ledger.memory import MemoryLedger
+from executive.ledger.port import Ledger
+from executive.service import Executive, Policy
 from skills.ports.action import (
     GoalCommand,
     GoalState,
@@ -48,6 +51,8 @@ from skills.wire.memory import MemoryHub
 from trees.client import GoalHandle
 from trees.context import TreeContext
 from trees.task import TaskType
+
+M = TypeVar("M", bound=Message)
 
 
 class WaitRequest(Message):
@@ -95,7 +100,9 @@ class Nudge(Behaviour):
 
     def initialise(self) -> None:
         client = self.context.clients.of(NUDGE)
-        self.handle = client.start(Empty(), f"{self.context.task}/{self.name}/1")
+        self.handle = client.start(
+            Empty(), f"{self.context.task}/{self.name}/{self.context.next_attempt(self.name)}"
+        )
 
     def update(self) -> Status:
         assert self.handle is not None
@@ -136,12 +143,31 @@ class Surroundings:
 
     hub: MemoryHub = field(default_factory=MemoryHub)
     clocks: SteppedClocks = field(default_factory=SteppedClocks)
+    ledger: Callable[[], Ledger] = MemoryLedger
+    policy: Policy = field(default_factory=Policy)
+    kinds: dict[str, TaskType[Message]] = field(default_factory=lambda: {"wait": WAIT})
 
     def __post_init__(self) -> None:
         self.bus = self.hub.endpoint()
         self.statuses: Inbox = self.bus.subscribe(TASK_STATUS.key)
         self.trees: Inbox = self.bus.subscribe(TREE.key)
-        self.executive = Executive(self.hub.endpoint(), self.clocks, load("lab"), {"wait": WAIT})
+        self.begin()
+
+    def begin(self) -> None:
+        """Start the executive (once more)."""
+        self.kept = self.ledger()
+        self.end = self.hub.endpoint()
+        self.executive = Executive(
+            self.end, self.clocks, load("lab"), self.kinds, ledger=self.kept, policy=self.policy
+        )
+
+    def crash(self) -> None:
+        """Have the executive die as by kill -9: what it has not committed is gone, and so is its name."""
+        self.end.close()
+        self.kept.close()
+        for desk in (*self.hub.desks,):
+            if desk.expression.startswith("task/") or desk.expression.startswith("tree/"):
+                desk.close()
 
     def step(self, times: int = 1, seconds: float = 0.01) -> None:
         for _ in range(times):
@@ -164,7 +190,10 @@ class Surroundings:
         return ControlAnswer.model_validate_json(answer)
 
     def verb(self, service: Service[NameTask, ControlAnswer], task: str) -> ControlAnswer:
-        pending = service.query(self.bus, NameTask(task=task))
+        return self.say(service, NameTask(task=task))
+
+    def say(self, service: Service[M, ControlAnswer], message: M) -> ControlAnswer:
+        pending = service.query(self.bus, message)
         self.step()
         answer = pending.poll()
         assert answer is not None

@@ -1,51 +1,63 @@
-"""Whatever is sent, it is either taken or refused with a reason, and the answer can be sent."""
+"""Whatever is sent, it is either taken or refused with a reason; ``tandem campaign fuzz`` sends 100,000."""
 
 from __future__ import annotations
 
 import json
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from jsonschema import Draft202012Validator
 
-from executive.requests import Asked, Refused, read_request
-from skills.ports.tasks import TaskAnswer
-from skills.site import load
+from executive.campaigns.from_schema import from_schema
+from executive.campaigns.fuzz import Target, fuzz
+from executive.campaigns.fuzz_inputs import TASK_HERE, Input
+from executive.schemas import separate_schemas
 from trees.registry import discover
 
-SITE, KINDS = load("lab"), discover()
-JSON = st.recursive(
-    st.none() | st.booleans() | st.integers() | st.floats() | st.text(),
-    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(), inner, max_size=3),
-    max_leaves=8,
-)
-FIELDS = st.sampled_from(["task", "item", "to", "arm", "id", "extra"])
-NEAR = st.dictionaries(FIELDS, JSON | st.sampled_from(["fetch", 29, "depot", "left"]))
+SCHEMAS = separate_schemas(discover())
 
 
-def answered(payload: bytes) -> None:
-    result = read_request(payload, KINDS, SITE)
-    if isinstance(result, Refused):
-        assert result.problems
-        problems = result.problems
-        TaskAnswer(accepted=False, problems=problems, client_id=result.client_id).model_dump_json()
-    else:
-        assert isinstance(result, Asked)
-        json.dumps(result.document, allow_nan=False).encode()
+def test_two_thousand_inputs() -> None:
+    counts = fuzz(2000, 1)
+    assert counts.broken == ""
+    assert counts.inputs == 2000
+    assert min(counts.accepted, counts.refused, counts.verbs_refused, counts.answered) > 100
+    assert counts.verbs_taken > 5
 
 
-@given(st.binary(max_size=200))
-@settings(max_examples=500, deadline=None)
-def test_any_bytes(payload: bytes) -> None:
-    answered(payload)
+def test_the_same_seed_sends_the_same() -> None:
+    assert fuzz(100, 7) == fuzz(100, 7)
 
 
-@given(NEAR)
-@settings(max_examples=1000, deadline=None)
-def test_documents_that_are_almost_requests(document: dict[str, object]) -> None:
-    answered(json.dumps(document).encode())
+class Careless(Target):
+    """Falls over when somebody asks to pause."""
+
+    def feed(self, each: Input) -> None:
+        if each.key == "task/pause":
+            raise KeyError("task")
+        super().feed(each)
 
 
-@given(st.text(alphabet='{}[]",:\\u0d8 1e9-NaN', max_size=60))
-@settings(max_examples=500, deadline=None)
-def test_text_that_is_almost_json(text: str) -> None:
-    answered(text.encode())
+def test_an_input_that_breaks_something_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("executive.campaigns.fuzz.Target", Careless)
+    broken = fuzz(200, 1).broken
+    assert broken.startswith("task/pause b'")
+    assert broken.endswith("KeyError: 'task'")
+
+
+def test_a_task_that_runs_can_be_meant() -> None:
+    target = Target()
+    target.feed(Input("task/request", b'{"task": "fetch", "item": 29}'))
+    target.feed(Input("task/cancel", json.dumps({"task": TASK_HERE}).encode()))
+    assert target.counts == {"accepted": 1, "verbs_taken": 1}
+
+
+@given(st.data())
+@settings(max_examples=150, deadline=None)
+def test_values_drawn_from_a_schema_fit_it(data: st.DataObject) -> None:
+    name = data.draw(st.sampled_from(sorted(SCHEMAS)))
+    definitions = SCHEMAS[name]["$defs"]
+    assert isinstance(definitions, dict)
+    value = data.draw(from_schema({"$ref": SCHEMAS[name]["$ref"]}, definitions))
+    Draft202012Validator(SCHEMAS[name]).validate(value)

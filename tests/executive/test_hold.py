@@ -48,10 +48,10 @@ def test_a_paused_task_is_not_ticked_and_its_skills_rest(here: Surroundings, ski
     here.step()
     assert last(here).state is TaskState.PAUSED
     assert skill.commands_seen == [Command.PAUSE]
-    ticks = here.executive._running.ticks
+    ticks = here.executive.running.ticks
     here.world(1)
     here.step(100)
-    assert here.executive._running.ticks == ticks
+    assert here.executive.running.ticks == ticks
 
 
 def test_a_resumed_task_goes_on_to_its_end(here: Surroundings, skill: Skill) -> None:
@@ -149,7 +149,7 @@ def test_the_tree_is_told_how_long_it_stood(here: Surroundings, skill: Skill) ->
     skill.step()
     here.step(10, seconds=1.0)
     here.verb(TASK_RESUME, task)
-    assert here.executive._running.context.paused_for == pytest.approx(10.0, abs=0.1)
+    assert here.executive.running.context.paused_for == pytest.approx(10.0, abs=0.1)
 
 
 def test_after_a_cancel_the_wind_down_is_done(here: Surroundings, skill: Skill) -> None:

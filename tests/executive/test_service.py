@@ -10,7 +10,7 @@ import pytest
 from surroundings import NUDGE, Skill, Surroundings
 
 from executive.run import REST_WITHIN, TICK_PERIOD
-from executive.task_queue import KEPT, MAX_WAITING, start_id
+from executive.task_book import KEPT, MAX_WAITING, start_id
 from skills.ports.action import GoalState
 from skills.ports.failure import FailureKind
 from skills.ports.hardware import StopState
@@ -85,7 +85,7 @@ def test_the_tree_is_published_when_something_in_it_changes_and_only_then(here: 
 
 def test_it_ticks_when_something_has_happened_or_a_timer_is_due(here: Surroundings) -> None:
     here.ask(WAIT)
-    run = here.executive._running
+    run = here.executive.running
     assert run.ticks == 1
     here.step(10, seconds=TICK_PERIOD / 100)
     assert run.ticks == 1
@@ -108,9 +108,9 @@ def test_a_failure_is_told_with_its_kind(here: Surroundings) -> None:
 def test_progress_is_told_never_falls_and_ends_at_one(here: Surroundings) -> None:
     here.ask(WAIT)
     assert here.told()[-1].progress.phase == "waiting"
-    here.executive._running.context._progress = Progress(phase="back", fraction=0.1)
+    here.executive.running.context._progress = Progress(phase="back", fraction=0.1)
     here.step()
-    assert here.executive._running.progress.fraction == 0.5
+    assert here.executive.running.progress.fraction == 0.5
     here.world(1)
     here.step()
     assert here.told()[-1].progress.fraction == 1.0

@@ -25,10 +25,10 @@ def here() -> Surroundings:
 def test_the_tree_waits_for_silent_hardware_and_says_so(here: Surroundings) -> None:
     here.step(30, seconds=0.05)
     assert here.told()[-1].progress.phase == WAITS
-    ticks = here.executive._running.ticks
+    ticks = here.executive.running.ticks
     here.world(1)
     here.step(30, seconds=0.05)
-    assert here.executive._running.ticks == ticks
+    assert here.executive.running.ticks == ticks
 
 
 def test_it_goes_on_when_the_hardware_is_back(here: Surroundings) -> None:

@@ -8,10 +8,10 @@ from typing import TypeVar
 
 import numpy as np
 
-from skills.arm.bodies import load_hulls
 from skills.arm.problem import Moment
 from skills.arm.process import nodes
 from skills.arm.trajectory import Trajectory
+from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
 from skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
 from skills.ports.actions.arm import ArmState, MoveGoal, MoveResult, arm_status, move

@@ -40,9 +40,9 @@ def test_the_demo_has_what_is_promised() -> None:
         ("{name: x, start: {x: a, y: 0, yaw: 0}}", "start.x", "valid number"),
         ("{name: x, start: {x: .nan, y: 0, yaw: 0}}", "start.x", "finite"),
         (
-            "{name: x, start: {x: 0, y: 0, yaw: 0}, items: [{tag: 29, support: table, x: 0, y: 0, mass: 2}]}",
+            "{name: x, start: {x: 0, y: 0, yaw: 0}, items: [{tag: 29, support: table, x: 0, y: 0, mass: 7}]}",
             "items.0.mass",
-            "less than or equal to 0.2",
+            "less than or equal to 5",
         ),
     ],
 )

@@ -203,6 +203,19 @@ def test_wait_for_takes_at_least_its_time(bench: TreeBench) -> None:
     assert len(play(bench, tree)) == 11
 
 
+@pytest.mark.parametrize(("for_a_process", "last"), [(False, F), (True, R)])
+def test_who_waits_for_a_process_is_not_hurried_by_a_robot_faster_than_real_time(
+    bench: TreeBench, monkeypatch: pytest.MonkeyPatch, last: Status, *, for_a_process: bool
+) -> None:
+    monkeypatch.setattr(bench.clocks, "monotonic", lambda: bench.clocks.seconds / 10)
+    never = Failure(kind=K.SKILL_LOST, message="not yet")
+    tree = WaitFor(
+        "wait", bench.context, lambda: False, lambda: never, patience=5.0, for_a_process=for_a_process
+    )
+    assert play(bench, tree, most=60)[-1] is last
+    assert play(bench, tree, most=600)[-1] is F
+
+
 def test_timers_stand_while_the_task_is_paused(bench: TreeBench) -> None:
     tree = Pause("pause", bench.context, 1.0)
     play(bench, tree, most=5)

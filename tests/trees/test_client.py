@@ -148,6 +148,22 @@ def test_a_cancelled_goal_that_does_not_end_is_overdue_by_the_robots_clock(rig: 
     assert rig.handle.overdue(5.0, 10.0)
 
 
+def test_a_cancelled_goal_whose_server_is_gone_is_lost_and_not_overdue(
+    rig: Rig, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rig.publish(GoalState.RUNNING, 1)
+    rig.wait(0.1)
+    rig.handle.cancel()
+    monkeypatch.setattr(rig.client, "awake", lambda: False)
+    monkeypatch.setattr(rig.clocks, "monotonic", lambda: rig.clocks.seconds / 10)  # faster than real time
+    rig.wait(20.0)
+    assert not rig.handle.ended
+    assert not rig.handle.overdue(5.0, 10.0)
+    rig.wait(20.0)
+    assert rig.handle.failure is not None
+    assert rig.handle.failure.kind is FailureKind.SKILL_LOST
+
+
 def test_a_goal_that_took_too_long_and_ignores_its_cancel_is_overdue(rig: Rig) -> None:
     rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
     rig.wait(ROTATE.timeout + 5.2, lambda: rig.answer(rig.questions, rig.say(GoalState.RUNNING, 1)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from executive.exploring import Coverage, explore
+from executive.hand_worlds import HAND_WORLDS
 from executive.worlds import fetch_corners, fetch_worlds
 
 DEPTH = 3
@@ -21,3 +22,9 @@ def test_every_node_has_been_in_every_status_it_can_have(coverage: Coverage) -> 
 
 def test_no_invariant_is_broken(coverage: Coverage) -> None:
     assert coverage.broken == []
+
+
+@pytest.mark.parametrize("task", HAND_WORLDS)
+def test_the_tasks_of_two_arms_as_well(task: str) -> None:
+    seen = explore(*HAND_WORLDS[task](), depth=1, tell=lambda _: None)
+    assert (seen.missing(), seen.broken) == ({}, [])

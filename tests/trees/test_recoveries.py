@@ -40,6 +40,8 @@ ROWS = (
     Row(K.DESTINATION_UNKNOWN, "detach", "", K.DESTINATION_UNKNOWN),
     Row(K.DESTINATION_FULL, "detach", "", K.DESTINATION_FULL),
     Row(K.HAND_FULL, "attach", "", K.HAND_FULL),
+    Row(K.TILTED, "attach", "", K.TILTED),
+    Row(K.OTHER_ARM_FAILED, "attach", "", K.OTHER_ARM_FAILED),
     *(
         Row(kind, "drive to item", WAIT, kind)
         for kind in (K.BUSY, K.NOT_READY, K.TIMED_OUT, K.SKILL_LOST, K.SKILL_CRASHED, K.HARDWARE_LOST)
@@ -48,6 +50,7 @@ ROWS = (
     Row(K.CAMERA_BLIND, "look closely at item", WAIT, K.CAMERA_BLIND),
     Row(K.LASER_SILENT, "drive to item", WAIT, K.LASER_SILENT),
     Row(K.BASE_HELD, "drive to item", WAIT, K.BASE_HELD),
+    Row(K.ARMS_CROSSING, "pre-grasp", WAIT, K.ARMS_CROSSING),
     Row(K.SKILL_LOST, "drive to slot", "place: wait until it is back", K.SKILL_LOST),
     Row(K.SKILL_LOST, "detach", "leave: wait until it is back", K.SKILL_LOST),
     Row(K.SKILL_LOST, "home: drive", "home: wait until it is back", K.SKILL_LOST),
@@ -67,6 +70,7 @@ ROWS = (
             (K.ARM_STOPPED, "grasp"),
             (K.ARM_OFF_GOAL, "grasp"),
             (K.GRASP_EMPTY, "close"),
+            (K.FORCE_MISSING, "close"),
         )
     ),
     Row(K.GRIPPER_STUCK, "open", GRASP, K.GRIPPER_STUCK),
@@ -92,8 +96,8 @@ def run(key: str | tuple[str, int], kind: FailureKind, world: str = "in view") -
 
 
 def test_every_kind_has_a_row() -> None:
-    """ITEM_NOT_FOUND comes from a whole search, which is a world of its own."""
-    assert {row.kind for row in ROWS} == set(FailureKind) - {K.ITEM_NOT_FOUND}
+    """ITEM_NOT_FOUND comes from a whole search, which is a world of its own; INTERRUPTED from no tree."""
+    assert {row.kind for row in ROWS} == set(FailureKind) - {K.ITEM_NOT_FOUND, K.INTERRUPTED}
 
 
 @pytest.mark.parametrize("row", [row for row in ROWS if row.recovery], ids=str)

@@ -83,7 +83,7 @@ class Act(Behaviour, Generic[G, F, R]):
     def initialise(self) -> None:
         """Begin a new attempt."""
         self._handle, self.failure, self._ended_at = None, None, None
-        self._attempt += 1
+        self._attempt = self._context.next_attempt(self.name)
         self.feedback_message = ""
 
     def update(self) -> Status:
@@ -145,6 +145,10 @@ class Act(Behaviour, Generic[G, F, R]):
         self._context.failed(self.failure)
         self.feedback_message = f"{failure.kind}: {failure.message}"
         return Status.FAILURE
+
+
+class Lasting(Act[G, F, R]):
+    """An ``Act`` whose skill goes on until it is stopped: it never is SUCCESS."""
 
 
 def _words(handle: GoalHandle[G, F, R]) -> str:

@@ -23,7 +23,7 @@ from trees.subtrees.rungs import a_moment, wait_back
 WITHIN: Final = 120.0
 """Robot seconds after which localising is not tried again."""
 PATIENCE: Final = 10.0
-"""Robot seconds to wait for skills that have not been heard yet."""
+"""Seconds, of the robot and of the host, to wait for skills that have not been heard yet."""
 LOCALISES: Final = 2
 """How often it is tried again to find out where the robot is, before anything moves."""
 
@@ -50,11 +50,13 @@ def request(context: TreeContext, board: FetchBoard) -> Behaviour:
     return Sequence(
         "take up request",
         memory=True,
-        children=[_ready(context), _bind_arm(context, board), bind_slot("bind slot", context, board), where],
+        children=[ready(context), _bind_arm(context, board), bind_slot("bind slot", context, board), where],
     )
 
 
-def _ready(context: TreeContext) -> WaitFor:
+def ready(context: TreeContext) -> WaitFor:
+    """Return the leaf that waits until all has been heard that a task needs, and no stop is set."""
+
     def otherwise() -> Failure:
         if context.knowledge.stopped.stopped:
             stop = context.knowledge.stopped
@@ -62,10 +64,10 @@ def _ready(context: TreeContext) -> WaitFor:
         missing = ", ".join(context.knowledge.missing())
         return Failure(kind=FailureKind.NOT_READY, message=f"not heard yet: {missing}")
 
-    def ready() -> bool:
+    def heard() -> bool:
         return not context.knowledge.missing() and not context.knowledge.stopped.stopped
 
-    return WaitFor("robot is ready", context, ready, otherwise, patience=PATIENCE)
+    return WaitFor("robot is ready", context, heard, otherwise, patience=PATIENCE, for_a_process=True)
 
 
 def _bind_arm(context: TreeContext, board: FetchBoard) -> Decide:

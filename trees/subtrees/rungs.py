@@ -21,7 +21,7 @@ from trees.leaves.localise import localise
 
 WAITS: Final = 4
 BACK_WITHIN: Final = 30.0
-"""Robot seconds in which a skill that is gone must be back."""
+"""Seconds, of the robot and of the host, in which a skill that is gone must be back."""
 A_MOMENT: Final = 1.0
 """Robot seconds that are waited in any case: what passes by itself takes a while."""
 LOCALISES: Final = 2
@@ -49,6 +49,7 @@ def wait_back(where: str, context: TreeContext, times: int = WAITS) -> Rung:
         otherwise,
         patience=BACK_WITHIN,
         at_least=A_MOMENT,
+        for_a_process=True,
     )
     return Rung(f"{where}: wait until it is back", waiting_helps, times, repair)
 

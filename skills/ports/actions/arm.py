@@ -68,6 +68,10 @@ class MoveGoal(Message):
     """Metres between the pads of an empty hand that are planned with; as they are unless given."""
     speed: Annotated[float, Field(gt=0.0, le=1.0)] = 1.0
     """Share of the joints' limits."""
+    follows_item: Annotated[int, Field(ge=0)] | None = None
+    """The item that the goal was made for: when it turns out to be elsewhere, the move stops and fails."""
+    follow_tolerance: Annotated[float, Field(gt=0.0)] = 0.03
+    """Metres by which that item may be found to have moved since the plan was made."""
 
     @model_validator(mode="after")
     def _one_target(self) -> MoveGoal:

@@ -28,6 +28,8 @@ class Crossing(Message):
     """K: metres, after the hands' orientations."""
     clearance: float
     """Metres between the arms' geometry, with what they hold; negative when they overlap."""
+    near: bool = False
+    """Whether the clearance is below its bound, now or on the way to rest; ``risk`` is true then."""
 
 
 class Order(StrEnum):
@@ -35,7 +37,11 @@ class Order(StrEnum):
 
     GO = "GO"
     HOLD = "HOLD"
+    """Come to rest, stand, and go on with GO."""
     BACK = "BACK"
+    """Go back along the record to a sample of it and stand there; who has no record holds."""
+    STOP = "STOP"
+    """Come to rest and give up: the goal fails as ARMS_CROSSING."""
 
 
 class ArmOrder(Message):

@@ -1,4 +1,4 @@
-"""Look: tags and clutter out of the head camera."""
+"""Look and track: tags and clutter out of the head camera."""
 
 from __future__ import annotations
 
@@ -43,6 +43,22 @@ class LookResult(Message):
     """Boxes of clutter measured."""
 
 
+class TrackGoal(Message):
+    """Tell the tags of ``items`` (all of them unless given) from each picture, until cancelled.
+
+    The camera stays as it stands. What an arm hides is not told to be gone (002, Algorithm 1).
+    """
+
+    items: tuple[Annotated[int, Field(ge=0)], ...] = ()
+
+
+class TrackResult(Message):
+    """How many pictures were read (for when it ends without a cancel; it does not today)."""
+
+    pictures: int
+
+
 PICTURE: Final = "skill/perception/picture"
 """Asked with nothing; answered with the head camera's next picture as JPEG, or empty when none comes."""
 LOOK: Final = ActionType("perception/look", LookGoal, LookFeedback, LookResult, timeout=30.0)
+TRACK: Final = ActionType("perception/track", TrackGoal, LookFeedback, TrackResult, timeout=600.0)

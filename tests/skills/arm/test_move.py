@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from skills.arm.bodies import load_hulls
 from skills.arm.move import Move
 from skills.arm.plan_move import MovePlanner
 from skills.arm.planning.settings import PlannerName, PlannerSettings
 from skills.arm.problem import LIMIT_MARGIN, Arm, Plan
 from skills.arm.status import ArmStatusBoard
+from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
 from skills.ports.action import GoalCommand, GoalState, GoalStatus, command_service
 from skills.ports.actions.arm import ArmState, Candidate, MoveFeedback, MoveGoal, MovePhase
@@ -130,6 +130,16 @@ def test_a_pause_stops_and_a_resume_gets_there(rig: ArmRig) -> None:
     stood = dict(rig.hardware.positions)
     rig.rounds(50)
     assert rig.hardware.positions == stood
+    command(rig, Command.RESUME)
+    assert np.allclose(rig.result(rig.until(GoalState.SUCCEEDED)).positions, SIDE)
+
+
+@pytest.mark.parametrize("rounds", [0, 1, 3])
+def test_one_who_is_resumed_before_it_stands_gets_there_too(rig: ArmRig, rounds: int) -> None:
+    rig.send(MoveGoal(joints=SIDE))
+    rig.rounds(30)
+    command(rig, Command.PAUSE)
+    rig.rounds(rounds)
     command(rig, Command.RESUME)
     assert np.allclose(rig.result(rig.until(GoalState.SUCCEEDED)).positions, SIDE)
 

@@ -7,7 +7,6 @@ import itertools
 import numpy as np
 import pytest
 
-from skills.arm.bodies import load_hulls
 from skills.arm.plan_move import MovePlanner
 from skills.arm.planning.motions import Motions, Space, halving, weigh
 from skills.arm.planning.ompl_planner import search
@@ -17,6 +16,7 @@ from skills.arm.planning.straight import Broken, Hand, follow
 from skills.arm.problem import Arm, Plan
 from skills.kinematics.bodies import BoxShape, Obstacle
 from skills.kinematics.collision import CollisionChecker
+from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
 from skills.kinematics.transforms import Array
 from skills.ports.actions.arm import MoveGoal

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from skills.arm.bodies import load_hulls
+from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
 from skills.ports.action import GoalState, GoalStatus
 from skills.ports.actions.arm import Candidate, MoveGoal, MoveResult

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from skills.arm.bodies import load_hulls
 from skills.arm.planning.settings import PlannerSettings
 from skills.arm.problem import Arm
 from skills.arm.survey import Survey
+from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
 from skills.ports.actions.arm import Candidate, SurveyGoal, SurveyResult
 from skills.ports.geometry import FloorPose, Pose, from_rpy

@@ -1,8 +1,10 @@
-"""The process's nodes: the look is served on the bus, and a worker can be handed its jobs."""
+"""The process's nodes: look and track are served on the bus, and a worker can be handed its jobs."""
 
 import pickle
 
 import numpy as np
+import pytest
+from pydantic import JsonValue
 
 from skills import site
 from skills.perception.clutter import Known
@@ -16,12 +18,15 @@ from tests.skills.perception.pictures import Face, picture, tag_at
 from tests.skills.perception.stage import DESCRIPTION, Stage
 
 
-def test_the_look_is_served() -> None:
+@pytest.mark.parametrize(
+    ("action", "goal"), [("perception/look", {"tilts": [-0.4]}), ("perception/track", {"items": [29]})]
+)
+def test_look_and_track_are_served(action: str, goal: dict[str, JsonValue]) -> None:
     stage = Stage(lambda _pose, _now: picture((), np.random.default_rng(1)))
-    (server, _) = nodes(stage.bus, stage.clocks, DESCRIPTION, site.load("lab"), InlineCompute(stage.clocks))
-    sent = SendGoal(goal_id="t/look/1", client="", goal={"tilts": [-0.4]})
-    pending = goal_service("perception/look").query(stage.bus, sent)
-    server.step()
+    made = nodes(stage.bus, stage.clocks, DESCRIPTION, site.load("lab"), InlineCompute(stage.clocks))
+    pending = goal_service(action).query(stage.bus, SendGoal(goal_id="t/see/1", client="", goal=goal))
+    for node in made:
+        node.step()
     payload = pending.poll()
     assert payload is not None
     assert GoalStatus.model_validate_json(payload).state is GoalState.RUNNING

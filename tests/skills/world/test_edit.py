@@ -25,9 +25,9 @@ K, E = FailureKind, SceneEdit
 class Desk:
     """The world's process in memory, and a client of it."""
 
-    def __init__(self, journal: Path | None = None) -> None:
+    def __init__(self, journal: Path | None = None, boot: str = "b") -> None:
         self.bus = MemoryBus()
-        self.clocks = SteppedClocks("b")
+        self.clocks = SteppedClocks(boot)
         self.clocks.advance(5.0)
         self.world = Latest(self.bus, WORLD)
         self.scene = Latest(self.bus, SCENE)
@@ -175,4 +175,30 @@ def test_latecomers_hear_the_facts_within_a_second() -> None:
     desk.world.take()
     for _ in range(101):
         desk.step()
+    assert len(desk.world.take()) == 1
+
+
+@pytest.mark.parametrize(("boot", "known"), [("b", [29]), ("c", [])])
+def test_what_the_camera_saw_outlives_the_keeper_but_not_the_hardwares_boot(
+    tmp_path: Path, boot: str, known: list[int]
+) -> None:
+    Desk(tmp_path / "journal").see(29)
+    again = Desk(tmp_path / "journal", boot)
+    again.step()
+    world, scene = again.world.refresh(), again.scene.refresh()
+    assert world is not None
+    assert scene is not None
+    assert [fact.item for fact in world.items] == known
+    assert [each.item for each in scene.objects if each.kind == "item"] == known
+
+
+def test_who_comes_late_is_told_at_once() -> None:
+    desk = Desk()
+    desk.step()
+    desk.step()
+    desk.world.take()
+    desk.step()
+    assert not desk.world.take(), "nothing has changed"
+    desk.bus.announce("executive")
+    desk.step()
     assert len(desk.world.take()) == 1

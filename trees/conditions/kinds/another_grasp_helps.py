@@ -16,6 +16,7 @@ KINDS: Final = frozenset(
         FailureKind.GRASP_EMPTY,
         FailureKind.GRASP_LOST,
         FailureKind.GRIPPER_STUCK,
+        FailureKind.FORCE_MISSING,
     )
 )
 

@@ -18,6 +18,7 @@ KINDS: Final = frozenset(
         FailureKind.CAMERA_BLIND,
         FailureKind.LASER_SILENT,
         FailureKind.BASE_HELD,
+        FailureKind.ARMS_CROSSING,
     )
 )
 

@@ -1,0 +1,232 @@
+"""Every point where the executive persists, sends or receives, by a name; the process may be killed at one.
+
+Wrapped around its bus and its ledger, and nowhere in the executive itself.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from executive.ledger.port import Entry, Ledger, SentGoal, Transition
+from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
+from skills.ports.tasks import AskHistory, History, TaskStatus
+
+_TASK = re.compile(r"[a-z_]+-[a-z0-9]+-\d{4,}")
+
+
+@dataclass(eq=False)
+class CrashPoints:
+    """Counts the points that are passed, and kills the process at the first time of one.
+
+    Args:
+        at: the point's name; empty: nowhere.
+        log: file to which each point is written when it is first passed.
+    """
+
+    at: str = ""
+    log: Path | None = None
+    passed: dict[str, None] = field(default_factory=dict)
+
+    def passing(self, point: str) -> None:
+        """Pass a point."""
+        named = _TASK.sub("<task>", point)
+        if named not in self.passed:
+            self.passed[named] = None
+            if self.log is not None:
+                with self.log.open("a", encoding="utf-8") as file:
+                    file.write(f"{named}\n")
+        if named == self.at:
+            os.kill(os.getpid(), signal.SIGKILL)
+
+
+@dataclass(frozen=True)
+class _Request:
+    """One query; to answer it is a point."""
+
+    inner: Request
+    points: CrashPoints
+
+    @property
+    def key(self) -> str:
+        return self.inner.key
+
+    @property
+    def payload(self) -> bytes:
+        return self.inner.payload
+
+    def reply(self, payload: bytes) -> None:
+        self.points.passing(f"before answer {self.key}")
+        self.inner.reply(payload)
+        self.points.passing(f"after answer {self.key}")
+
+
+@dataclass(frozen=True)
+class _Desk:
+    inner: Desk
+    points: CrashPoints
+
+    def drain(self) -> list[Request]:
+        taken: list[Request] = [_Request(each, self.points) for each in self.inner.drain()]
+        for each in taken:
+            self.points.passing(f"asked {each.key}")
+        return taken
+
+    def close(self) -> None:
+        self.inner.close()
+
+
+@dataclass(frozen=True)
+class _Inbox:
+    inner: Inbox
+    points: CrashPoints
+
+    def drain(self) -> list[Sample]:
+        taken = self.inner.drain()
+        for each in taken:
+            self.points.passing(f"heard {each.key}")
+        return taken
+
+    def close(self) -> None:
+        self.inner.close()
+
+
+@dataclass(frozen=True)
+class CrashBus:
+    """A bus that passes a point at each message."""
+
+    inner: Bus
+    points: CrashPoints
+
+    def publish(self, key: str, payload: bytes) -> None:
+        """Send."""
+        self.points.passing(f"before put {key}")
+        self.inner.publish(key, payload)
+        self.points.passing(f"after put {key}")
+
+    def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
+        """Receive."""
+        return _Inbox(self.inner.subscribe(key, depth=depth), self.points)
+
+    def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
+        """Ask."""
+        self.points.passing(f"before query {key}")
+        pending = self.inner.query(key, payload, timeout=timeout)
+        self.points.passing(f"after query {key}")
+        return pending
+
+    def serve(self, key: str) -> Desk:
+        """Answer."""
+        return _Desk(self.inner.serve(key), self.points)
+
+    def listened(self, key: str) -> bool:
+        """As the bus."""
+        return self.inner.listened(key)
+
+    def announce(self, name: str) -> None:
+        """As the bus."""
+        self.inner.announce(name)
+
+    def alive(self) -> frozenset[str]:
+        """As the bus."""
+        return self.inner.alive()
+
+    def awake(self) -> frozenset[str]:
+        """As the bus."""
+        return self.inner.awake()
+
+
+@dataclass(eq=False)
+class CrashLedger:
+    """A ledger that passes a point before and after each commit, named after what is committed."""
+
+    inner: Ledger
+    points: CrashPoints
+    _written: dict[str, None] = field(default_factory=dict)
+
+    @property
+    def lasting(self) -> bool:
+        """As the ledger."""
+        return self.inner.lasting
+
+    def enter(self, entry: Entry) -> None:
+        """As the ledger."""
+        self._written["request"] = None
+        self.inner.enter(entry)
+
+    def change(self, status: TaskStatus, at: float) -> None:
+        """As the ledger."""
+        self._written[str(status.state)] = None
+        self.inner.change(status, at)
+
+    def goal(self, sent: SentGoal) -> None:
+        """As the ledger."""
+        self._written[f"goal of {sent.action}"] = None
+        self.inner.goal(sent)
+
+    def goal_ended(self, goal_id: str, how: str) -> None:
+        """As the ledger."""
+        self.inner.goal_ended(goal_id, how)
+
+    def learn(self, kind: str, remaining: Mapping[str, float]) -> None:
+        """As the ledger."""
+        self.inner.learn(kind, remaining)
+
+    def commit(self) -> None:
+        """As the ledger."""
+        if not self._written:
+            self.inner.commit()
+            return
+        what = " and ".join(self._written)
+        self.points.passing(f"before keeping {what}")
+        self.inner.commit()
+        self._written.clear()
+        self.points.passing(f"after keeping {what}")
+
+    def open_entries(self) -> tuple[Entry, ...]:
+        """As the ledger."""
+        return self.inner.open_entries()
+
+    def entry(self, task: str) -> Entry | None:
+        """As the ledger."""
+        return self.inner.entry(task)
+
+    def of_client(self, client_id: str) -> Entry | None:
+        """As the ledger."""
+        return self.inner.of_client(client_id)
+
+    def history(self, asked: AskHistory) -> History:
+        """As the ledger."""
+        return self.inner.history(asked)
+
+    def transitions(self, task: str) -> tuple[Transition, ...]:
+        """As the ledger."""
+        return self.inner.transitions(task)
+
+    def attempts(self, task: str) -> Mapping[str, int]:
+        """As the ledger."""
+        return self.inner.attempts(task)
+
+    def open_goals(self) -> tuple[SentGoal, ...]:
+        """As the ledger."""
+        return self.inner.open_goals()
+
+    def past(self, kind: str) -> Mapping[str, tuple[float, ...]]:
+        """As the ledger."""
+        return self.inner.past(kind)
+
+    def last_number(self) -> int:
+        """As the ledger."""
+        return self.inner.last_number()
+
+    def prune(self, *, older_than: float, keep: int) -> int:
+        """As the ledger."""
+        return self.inner.prune(older_than=older_than, keep=keep)
+
+    def close(self) -> None:
+        """As the ledger."""
+        self.inner.close()

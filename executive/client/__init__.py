@@ -1,0 +1,1 @@
+"""A typed client of the executive: ``executive.client.sync.Client``, ``executive.client.aio.AsyncClient``."""

@@ -1,0 +1,96 @@
+"""What a client says and hears, without waiting for it: both clients drive the same conversations.
+
+A ``Talk`` is a generator: it yields how many seconds it may be left alone (a message may end the wait
+sooner), and returns its result. ``Client`` waits in its own thread, ``AsyncClient`` lets the loop go on.
+
+An answer may be lost (a link goes; zenoh tells nothing just after a peer has come). So a talk asks again,
+the same document under the same id, until its patience ends; the executive answers a repeated request with
+the first one's task.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from dataclasses import dataclass
+from typing import Final, TypeVar
+
+from pydantic import ValidationError
+
+from executive.client.errors import NotConnectedError, OtherVersionError
+from skills.ports.bus import Bus, Pending
+from skills.ports.keys import Service
+from skills.ports.message import Message
+
+T = TypeVar("T")
+Sent = TypeVar("Sent", bound=Message)
+Answered = TypeVar("Answered", bound=Message)
+Talk = Generator[float, None, T]
+"""Yields seconds that it may be left alone; returns its result."""
+
+PATIENCE: Final = 2.5
+"""Seconds of the host in which somebody must answer."""
+AGAIN_AFTER: Final = 0.2
+"""Seconds after which a question that ended without an answer is put again."""
+
+
+@dataclass(frozen=True)
+class Talks:
+    """Asks, and asks again.
+
+    Args:
+        bus: where the executive is.
+        monotonic: seconds of the host's monotonic clock.
+        where: the bus in words, for errors.
+        patience: host seconds in which somebody must answer.
+    """
+
+    bus: Bus
+    monotonic: Callable[[], float]
+    where: str
+    patience: float = PATIENCE
+
+    def ask(self, service: Service[Sent, Answered], message: Sent) -> Talk[Answered]:
+        """Return the answer of a service."""
+        return (yield from self.answer(service.key, message.model_dump_json().encode(), service.answered))
+
+    def answer(self, key: str, payload: bytes, model: type[Answered]) -> Talk[Answered]:
+        """Return the answer to a document.
+
+        Raises:
+            NotConnectedError: when there is none in time.
+            OtherVersionError: when it is not of the model.
+        """
+        document = yield from self.raw(key, payload)
+        if document is None:
+            raise NotConnectedError(self._nobody())
+        try:
+            return model.model_validate_json(document)
+        except ValidationError as error:
+            raise OtherVersionError(
+                f"{key} was answered by a program of another version: {error.error_count()} fields differ"
+            ) from error
+
+    def raw(self, key: str, payload: bytes) -> Talk[bytes | None]:
+        """Return what is answered as it is, None when nobody answers in time."""
+        deadline = self.monotonic() + self.patience
+        while True:
+            asked_at = self.monotonic()
+            pending = self.bus.query(key, payload, timeout=self.patience)
+            yield from self._ended(pending, deadline)
+            answer = pending.poll()
+            if answer is not None or self.monotonic() >= deadline:
+                return answer
+            yield from self._pause(min(asked_at + AGAIN_AFTER, deadline))
+
+    def _ended(self, pending: Pending, deadline: float) -> Talk[None]:
+        while not pending.done() and pending.poll() is None and self.monotonic() < deadline:
+            yield max(0.0, deadline - self.monotonic())
+
+    def _pause(self, until: float) -> Talk[None]:
+        while (left := until - self.monotonic()) > 0.0:
+            yield left
+
+    def _nobody(self) -> str:
+        there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))
+        seen = f"there are only {there}" if there else "nobody is there"
+        return f"no executive answers on {self.where}: {seen}; start the system with `tandem up`"

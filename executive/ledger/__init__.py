@@ -1,0 +1,1 @@
+"""What the executive must not forget: one SQLite file, or the same in memory."""

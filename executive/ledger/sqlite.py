@@ -1,0 +1,312 @@
+"""The ledger in an SQLite file: WAL, an fdatasync at each commit, one connection, one owner.
+
+One connection because SQLite before 3.51.3 can damage a file in WAL mode when two write at once, and because
+nobody else has any business there: a lock beside the file (``ledger.lock``) goes with its process.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import sqlite3
+from collections.abc import Callable, Iterable, Mapping
+from functools import wraps
+from pathlib import Path
+from typing import Concatenate, Final, ParamSpec, TypeVar
+
+from executive.ledger.memory import PAST, split
+from executive.ledger.port import Entry, LedgerError, LedgerLockedError, SentGoal, Transition
+from executive.ledger.schema import MIGRATIONS
+from executive.on_restart import OnRestart
+from skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
+
+FILE: Final = "ledger.sqlite"
+LOCK: Final = "ledger.lock"
+
+P = ParamSpec("P")
+T = TypeVar("T")
+_OLD: Final = (
+    "SELECT task FROM tasks WHERE open = 0 AND number < ? AND (ended_at < ? OR number IN "
+    "(SELECT number FROM tasks WHERE open = 0 ORDER BY number DESC LIMIT -1 OFFSET ?))"
+)
+_FORGET: Final = (
+    "DELETE FROM transitions WHERE task = ?",
+    "DELETE FROM goals WHERE task = ?",
+    "DELETE FROM tasks WHERE task = ?",
+)
+_ENTRY: Final = "SELECT number, on_restart, test_run, status FROM tasks"
+
+
+def _told(
+    call: Callable[Concatenate[SqliteLedger, P], T],
+) -> Callable[Concatenate[SqliteLedger, P], T]:
+    """Turn SQLite's errors into the ledger's; what was not committed is taken back."""
+
+    @wraps(call)
+    def method(ledger: SqliteLedger, /, *args: P.args, **kwargs: P.kwargs) -> T:
+        try:
+            return call(ledger, *args, **kwargs)
+        except sqlite3.Error as error:
+            ledger.take_back()
+            raise LedgerError(in_words(ledger.path, error)) from error
+
+    return method
+
+
+class SqliteLedger:
+    """See ``Ledger``. Opening takes the owner's lock.
+
+    Args:
+        folder: where the file is, or is to be; made when it is not there.
+        migrations: the tables (``executive.ledger.schema``).
+
+    Raises:
+        LedgerLockedError: when another process has it open.
+        LedgerError: when it can't be read or written, is of a newer version, or is no such file.
+    """
+
+    lasting: Final = True
+
+    def __init__(self, folder: Path, migrations: tuple[tuple[str, ...], ...] = MIGRATIONS) -> None:
+        self.path = folder / FILE
+        self._lock = _lock(folder)
+        try:
+            self._db = sqlite3.connect(self.path, isolation_level=None)
+        except sqlite3.Error as error:
+            os.close(self._lock)
+            raise LedgerError(in_words(self.path, error)) from error
+        try:
+            self._open(migrations)
+        except sqlite3.Error as error:
+            self.close()
+            raise LedgerError(in_words(self.path, error)) from error
+        except LedgerError:
+            self.close()
+            raise
+
+    def _open(self, migrations: tuple[tuple[str, ...], ...]) -> None:
+        for pragma in ("locking_mode = EXCLUSIVE", "journal_mode = WAL", "synchronous = FULL"):
+            self._db.execute(f"PRAGMA {pragma}")
+        (version,) = self._db.execute("PRAGMA user_version").fetchone()
+        if version > len(migrations):
+            raise LedgerError(
+                f"{self.path}: the ledger is of version {version}, and this program knows up to "
+                f"{len(migrations)}; nothing was changed: run a newer program, or name another --data"
+            )
+        self._write("BEGIN IMMEDIATE")  # a disk that can't be written is told now, not with the first request
+        for number in range(version, len(migrations)):
+            for statement in migrations[number]:
+                self._db.execute(statement)
+        self._db.execute(f"PRAGMA user_version = {len(migrations)}")
+        self._db.execute("COMMIT")
+
+    @_told
+    def enter(self, entry: Entry) -> None:
+        """Write a row, and the first transition."""
+        status = entry.status
+        row = (
+            entry.number,
+            status.task,
+            status.kind,
+            str(status.state),
+            int(not status.state.terminal),
+            status.client_id or None,
+            status.accepted_at,
+            entry.on_restart,
+            int(entry.test_run),
+            status.model_dump_json(),
+        )
+        self._write(
+            "INSERT INTO tasks (number, task, kind, state, open, client_id, accepted_at, on_restart, "
+            "test_run, status) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+            row,
+        )
+        self._transition(status, status.accepted_at)
+
+    @_told
+    def change(self, status: TaskStatus, at: float) -> None:
+        """Write the row anew, and the transition if it is one."""
+        known = self._db.execute("SELECT state FROM tasks WHERE task = ?", (status.task,)).fetchone()
+        if known is None:
+            raise LedgerError(f"{self.path}: {status.task} was expected in the ledger, and is not there")
+        ended = status.state.terminal
+        self._write(
+            "UPDATE tasks SET state = ?, open = ?, ended_at = ?, status = ? WHERE task = ?",
+            (str(status.state), int(not ended), status.ended_at, status.model_dump_json(), status.task),
+        )
+        if known[0] != str(status.state):
+            self._transition(status, at)
+        if ended:
+            self._write(
+                "UPDATE goals SET how = 'with its task' WHERE task = ? AND how IS NULL", (status.task,)
+            )
+
+    @_told
+    def goal(self, sent: SentGoal) -> None:
+        """Write a row; a goal that is sent again is written once."""
+        task, node, attempt = split(sent.goal_id)
+        self._write(
+            "INSERT OR IGNORE INTO goals (goal_id, task, node, attempt, action) VALUES (?, ?, ?, ?, ?)",
+            (sent.goal_id, task, node, attempt, sent.action),
+        )
+
+    @_told
+    def goal_ended(self, goal_id: str, how: str) -> None:
+        """Write how."""
+        self._write("UPDATE goals SET how = ? WHERE goal_id = ? AND how IS NULL", (how, goal_id))
+
+    @_told
+    def learn(self, kind: str, remaining: Mapping[str, float]) -> None:
+        """Write a row a phase; the oldest go."""
+        for phase, seconds in remaining.items():
+            self._write("INSERT INTO past (kind, phase, remaining) VALUES (?, ?, ?)", (kind, phase, seconds))
+            self._write(
+                "DELETE FROM past WHERE kind = ? AND phase = ? AND place NOT IN "
+                "(SELECT place FROM past WHERE kind = ? AND phase = ? ORDER BY place DESC LIMIT ?)",
+                (kind, phase, kind, phase, PAST),
+            )
+
+    @_told
+    def commit(self) -> None:
+        """End the transaction, if there is one: on the disk when the call returns."""
+        if self._db.in_transaction:
+            self._db.execute("COMMIT")
+
+    @_told
+    def open_entries(self) -> tuple[Entry, ...]:
+        """Read them."""
+        return self._entries(f"{_ENTRY} WHERE open = 1 ORDER BY number", ())
+
+    @_told
+    def entry(self, task: str) -> Entry | None:
+        """Read it."""
+        return next(iter(self._entries(f"{_ENTRY} WHERE task = ?", (task,))), None)
+
+    @_told
+    def of_client(self, client_id: str) -> Entry | None:
+        """Read it."""
+        return next(iter(self._entries(f"{_ENTRY} WHERE client_id = ?", (client_id,))), None)
+
+    @_told
+    def history(self, asked: AskHistory) -> History:
+        """Read them."""
+        states = ", ".join(f"'{state}'" for state in asked.states or tuple(TaskState))
+        found = self._entries(
+            f"{_ENTRY} WHERE state IN ({states}) AND accepted_at >= ? AND (? = '' OR task = ?) "
+            "AND (? = 0 OR number < ?) ORDER BY number DESC LIMIT ?",
+            (asked.since, asked.task, asked.task, asked.before, asked.before, asked.limit + 1),
+        )
+        tasks = tuple(entry.status for entry in found[: asked.limit])
+        return History(tasks=tasks, more=found[asked.limit - 1].number if len(found) > asked.limit else 0)
+
+    @_told
+    def transitions(self, task: str) -> tuple[Transition, ...]:
+        """Read them."""
+        rows = self._db.execute("SELECT state, at FROM transitions WHERE task = ? ORDER BY rowid", (task,))
+        return tuple(Transition(TaskState(state), at) for state, at in rows)
+
+    @_told
+    def attempts(self, task: str) -> Mapping[str, int]:
+        """Read them."""
+        return dict(
+            self._db.execute("SELECT node, max(attempt) FROM goals WHERE task = ? GROUP BY node", (task,))
+        )
+
+    @_told
+    def open_goals(self) -> tuple[SentGoal, ...]:
+        """Read them."""
+        rows = self._db.execute("SELECT goal_id, action FROM goals WHERE how IS NULL ORDER BY rowid")
+        return tuple(SentGoal(goal_id, action) for goal_id, action in rows)
+
+    @_told
+    def past(self, kind: str) -> Mapping[str, tuple[float, ...]]:
+        """Read it."""
+        found: dict[str, tuple[float, ...]] = {}
+        rows = self._db.execute("SELECT phase, remaining FROM past WHERE kind = ? ORDER BY place", (kind,))
+        for phase, seconds in rows:
+            found[phase] = (*found.get(phase, ()), seconds)
+        return found
+
+    @_told
+    def last_number(self) -> int:
+        """Read it."""
+        return int(self._db.execute("SELECT coalesce(max(number), 0) FROM tasks").fetchone()[0])
+
+    @_told
+    def prune(self, *, older_than: float, keep: int) -> int:
+        """Delete what is too old and what is too much, with all that belongs to it."""
+        self.commit()
+        newest = self.last_number()  # stays, so that its number never comes again
+        rows = self._db.execute(_OLD, (newest, older_than, keep)).fetchall()
+        for (task,) in rows:
+            for statement in _FORGET:
+                self._write(statement, (task,))
+        self.commit()
+        return len(rows)
+
+    def take_back(self) -> None:
+        """Forget what was written and not committed."""
+        if self._db.in_transaction:
+            self._db.execute("ROLLBACK")
+
+    def close(self) -> None:
+        """Close the file, and give the lock back."""
+        self._db.close()
+        if self._lock >= 0:
+            os.close(self._lock)
+            self._lock = -1
+
+    def _write(self, statement: str, values: Iterable[str | float | None] = ()) -> int:
+        if not self._db.in_transaction and statement != "BEGIN IMMEDIATE":
+            self._db.execute("BEGIN IMMEDIATE")
+        return self._db.execute(statement, tuple(values)).rowcount
+
+    def _transition(self, status: TaskStatus, at: float) -> None:
+        self._write(
+            "INSERT INTO transitions (task, state, at) VALUES (?, ?, ?)", (status.task, str(status.state), at)
+        )
+
+    def _entries(self, statement: str, values: tuple[str | float, ...]) -> tuple[Entry, ...]:
+        return tuple(_entry(*row) for row in self._db.execute(statement, values))
+
+
+def _entry(number: int, on_restart: OnRestart | None, test_run: int, status: str) -> Entry:
+    return Entry(TaskStatus.model_validate_json(status), number, on_restart, bool(test_run))
+
+
+def _lock(folder: Path) -> int:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        lock = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+    except OSError as error:
+        raise LedgerError(
+            f"{folder}: a folder that can be written was expected for the ledger: {error.strerror}; "
+            "name another one with --data"
+        ) from error
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        os.close(lock)
+        raise LedgerLockedError(
+            f"{folder}: another executive has this ledger; end it first, or name another --data"
+        ) from error
+    return lock
+
+
+def in_words(path: Path, error: sqlite3.Error) -> str:
+    """Return what SQLite said, with what to do about it."""
+    name = getattr(error, "sqlite_errorname", "") or ""
+    for start, advice in _ADVICE.items():
+        if name.startswith(start):
+            return f"{path}: {advice} ({error})"
+    return f"{path}: SQLite could not do what was asked: {error}"
+
+
+_ADVICE: Final = {
+    "SQLITE_FULL": "the disk is full; what was acknowledged is there: make room, and start again",
+    "SQLITE_READONLY": "the file can't be written; make its disk and folder writable, or name another --data",
+    "SQLITE_CANTOPEN": "the file can't be opened; see its folder's permissions, or name another --data",
+    "SQLITE_CORRUPT": "the file is damaged, and was left as it is; put a copy back, or name another --data",
+    "SQLITE_NOTADB": "this is no ledger, and was left as it is; put a copy back, or name another --data",
+    "SQLITE_IOERR": "the disk failed; what was acknowledged is there: see to the disk, and start again",
+}

@@ -1,0 +1,255 @@
+"""The tasks: those that wait or run, and the newest that ended. What changes is written down first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Final
+
+from executive.ledger.port import Entry, Ledger, LedgerError
+from executive.requests import Asked
+from executive.states import FIRST, check
+from executive.task_queue import TaskQueue, Waiting
+from skills.ports.failure import Failure
+from skills.ports.message import RobotTime
+from skills.ports.tasks import Attempt, Problem, TaskAnswer, TaskState, TaskStatus
+
+MAX_WAITING: Final = 1000
+"""Tasks that may wait; one more is refused."""
+KEPT: Final = 200
+"""Ended tasks that are in memory, for ``task/list``; the ledger has all."""
+
+_DIGITS: Final = "0123456789abcdefghijklmnopqrstuvwxyz"
+
+
+def start_id(utc: float) -> str:
+    """Return a name of this start of the executive: its UTC second to the base of 36.
+
+    Servers of skills journal the ids of goals, which begin with the task's. So a task's id must never come
+    again, not even when the ledger has been put away and numbers begin anew.
+    """
+    number, text = int(utc), ""
+    while number:
+        number, digit = divmod(number, len(_DIGITS))
+        text = _DIGITS[digit] + text
+    return text or "0"
+
+
+class TaskBook:
+    """Every task that is known, by its id: ``<kind>-<start>-<number>``, such as ``fetch-tlr5k2-0001``.
+
+    A change is written into the ledger at once and is on disk after ``keep``. Tell nobody before.
+
+    Args:
+        ledger: where all is written down.
+        utc: the clock of what is stored.
+        start: name of this start of the executive (``start_id``); empty in lockstep, where a run has one
+            start only and ids are ``fetch-0001``.
+        bound: tasks that may wait.
+    """
+
+    def __init__(
+        self, ledger: Ledger, utc: Callable[[], float], start: str = "", *, bound: int = MAX_WAITING
+    ) -> None:
+        self.queue = TaskQueue()
+        self._ledger, self._utc, self._start, self._bound = ledger, utc, start, bound
+        self._numbered = ledger.last_number()
+        self._entries: dict[str, Entry] = {}
+        self._ended: dict[str, TaskStatus] = {}
+        self._fresh: list[str] = []  # accepted, and not yet on disk
+
+    # Requests.
+
+    def accept(self, asked: Asked) -> TaskAnswer:
+        """Queue a request and answer with its id, or say why it can't be queued. Valid once kept.
+
+        The same document under the same client's id is not queued again; its answer is the first one's.
+        """
+        known = self._ledger.of_client(asked.client_id) if asked.client_id else None
+        if known is not None:
+            return _again(asked, known.status)
+        problem = self._no_room(asked)
+        if problem is not None:
+            return TaskAnswer(accepted=False, problems=(problem,), client_id=asked.client_id)
+        self._numbered += 1
+        envelope = asked.envelope
+        parts = (asked.kind.name, self._start, f"{self._numbered:04d}")
+        status = TaskStatus(
+            task="-".join(part for part in parts if part),
+            kind=asked.kind.name,
+            request=asked.document,
+            state=FIRST,
+            accepted_at=self._utc(),
+            client_id=asked.client_id,
+            priority=envelope.priority,
+            not_before=envelope.not_before,
+            expires=envelope.expires,
+        )
+        entry = Entry(status, self._numbered, envelope.on_restart, envelope.test_run)
+        try:
+            self._ledger.enter(entry)
+        except LedgerError:
+            self.drop_fresh()  # the ledger has taken all back that was not committed
+            raise
+        self._entries[status.task] = entry
+        self._fresh.append(status.task)
+        self.put(status.task, asked)
+        return TaskAnswer(accepted=True, task=status.task, client_id=asked.client_id)
+
+    def keep(self) -> None:
+        """Have all that was changed on disk.
+
+        Raises:
+            LedgerError: when that can't be; then what was accepted since the last time is not there.
+        """
+        try:
+            self._ledger.commit()
+        except LedgerError:
+            self.drop_fresh()
+            raise
+        self._fresh.clear()
+
+    def drop_fresh(self) -> None:
+        """Forget what was accepted and is not on disk."""
+        for task in self._fresh:
+            self.queue.remove(task)
+            self._entries.pop(task, None)
+        self._fresh.clear()
+
+    def take_up(self, entry: Entry) -> None:
+        """Know a task of before a restart again."""
+        self._entries[entry.status.task] = entry
+
+    def put(self, task: str, asked: Asked) -> None:
+        """Let a task wait, in its place."""
+        entry = self._entries[task]
+        self.queue.put(task, asked, entry.status.priority, entry.number)
+
+    # Questions.
+
+    @property
+    def waiting(self) -> tuple[str, ...]:
+        """The ids of those that wait, in their order."""
+        return tuple(each.task for each in self.queue)
+
+    def get(self, task: str) -> TaskStatus | None:
+        """Return a task that has not ended or ended lately, or None."""
+        entry = self._entries.get(task)
+        return self._ended.get(task) if entry is None else entry.status
+
+    def find(self, task: str) -> TaskStatus | None:
+        """Return a task, also an old one, or None when it is not known (any more)."""
+        status = self.get(task)
+        if status is None:
+            entry = self._ledger.entry(task)
+            status = None if entry is None else entry.status
+        return status
+
+    def entry(self, task: str) -> Entry:
+        """Return what was accepted; KeyError when it has ended."""
+        return self._entries[task]
+
+    def all(self) -> tuple[TaskStatus, ...]:
+        """Return those that have not ended and those that ended lately, oldest first."""
+        known = [*self._ended.values(), *(entry.status for entry in self._entries.values())]
+        return tuple(sorted(known, key=lambda status: (status.accepted_at, _number(status.task))))
+
+    def ended_lately(self, tasks: tuple[TaskStatus, ...]) -> None:
+        """Remember what ended before a restart; the oldest first."""
+        self._ended.update({status.task: status for status in tasks})
+
+    # Changes.
+
+    def begin(self, task: str, now: RobotTime | None) -> TaskStatus:
+        """Note that the task runs: its tree begins (once more)."""
+        status = self._entries[task].status
+        # One that is taken up after a restart stays paused or cancelled.
+        state = TaskState.RUNNING if status.state is TaskState.QUEUED else status.state
+        return self.change(task, state, started=status.started or now, begun=status.begun + 1)
+
+    def rank(self, task: str, priority: int) -> TaskStatus:
+        """Give a task that waits another priority."""
+        self.queue.rank(task, priority)
+        return self.change(task, TaskState.QUEUED, priority=priority)
+
+    def learn(self, kind: str, remaining: Mapping[str, float]) -> None:
+        """Note what a task took from each phase on, for those to come."""
+        self._ledger.learn(kind, remaining)
+
+    def change(self, task: str, state: TaskState, **update: object) -> TaskStatus:
+        """Note another state, or other facts of a task; checked against the table of states."""
+        entry = self._entries[task]
+        check(task, entry.status.state, state)
+        status = entry.status.model_copy(update={**update, "state": state})
+        self._ledger.change(status, self._utc())
+        self._entries[task] = Entry(status, entry.number, entry.on_restart, entry.test_run)
+        return status
+
+    def note(self, task: str, **update: object) -> TaskStatus:
+        """Note what need not be on disk before it is told: it is written with the next change."""
+        entry = self._entries[task]
+        status = entry.status.model_copy(update=update)
+        self._entries[task] = Entry(status, entry.number, entry.on_restart, entry.test_run)
+        return status
+
+    def tried(self, task: str, tried: tuple[Attempt, ...]) -> TaskStatus | None:
+        """Note what went wrong so far; also of a task that has just ended, whose picture came late."""
+        if task in self._entries:
+            return self.note(task, tried=tried)
+        status = self._ended.get(task)
+        if status is not None:
+            self._ended[task] = status = status.model_copy(update={"tried": tried})
+            self._ledger.change(status, self._utc())
+        return status
+
+    def end(
+        self, task: str, state: TaskState, now: RobotTime | None, failure: Failure | None = None
+    ) -> TaskStatus:
+        """Note how the task ended; the oldest of those that ended long ago are in the ledger only."""
+        facts: dict[str, object] = {"running": (), "time_left": None, "question": None}
+        ended = self.change(task, state, ended=now, failure=failure, ended_at=self._utc(), **facts)
+        del self._entries[task]
+        self._ended[task] = ended
+        while len(self._ended) > KEPT:
+            del self._ended[next(iter(self._ended))]
+        return ended
+
+    def withdraw(self, task: str, state: TaskState, now: RobotTime | None) -> TaskStatus:
+        """End a task that waits."""
+        self.queue.remove(task)
+        return self.end(task, state, now)
+
+    def expire(self, now: RobotTime | None) -> tuple[TaskStatus, ...]:
+        """End those whose latest start has gone by."""
+        return tuple(
+            self.end(each.task, TaskState.EXPIRED, now) for each in self.queue.take_late(self._utc())
+        )
+
+    def next(self) -> Waiting | None:
+        """Return the one whose turn it is, without taking it out."""
+        return self.queue.ready(self._utc())
+
+    def _no_room(self, asked: Asked) -> Problem | None:
+        last, now = asked.envelope.expires, self._utc()
+        if last is not None and last < now:
+            return Problem(path="expires", expected=f"a time to come (it is {now:.0f})", found=f"{last:g}")
+        if len(self.queue) < self._bound:
+            return None
+        return Problem(
+            path="(the document)",
+            expected=f"at most {self._bound} tasks waiting; ask again later",
+            found=f"{len(self.queue)} waiting",
+            code="QUEUE_FULL",
+        )
+
+
+def _again(asked: Asked, first: TaskStatus) -> TaskAnswer:
+    if asked.document == first.request:
+        return TaskAnswer(accepted=True, task=first.task, client_id=asked.client_id)
+    found = f"that of {first.task}, which asks else"
+    problem = Problem(path="id", expected="an id for each request", found=found)
+    return TaskAnswer(accepted=False, problems=(problem,), client_id=asked.client_id)
+
+
+def _number(task: str) -> int:
+    last = task.rpartition("-")[2]
+    return int(last) if last.isdigit() else 0

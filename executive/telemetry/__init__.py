@@ -1,0 +1,1 @@
+"""What is recorded of a running system: logs, metrics, traces."""

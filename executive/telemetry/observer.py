@@ -1,0 +1,156 @@
+"""Hears what happens on the bus and tells it to those who keep records: metrics, traces.
+
+A node of a process of its own (the role ``observer``): nothing of the system needs it, and it may die or be
+slow without harm to anybody.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Final, Protocol
+
+from pydantic import ValidationError
+
+from skills.ports.action import GoalStatus
+from skills.ports.bus import Bus, Pending
+from skills.ports.clocks import Clocks
+from skills.ports.keys import Nothing
+from skills.ports.tasks import (
+    TASK_LIST,
+    TASK_PULSE,
+    TASK_STATUS,
+    TREE,
+    ExecutivePulse,
+    TaskStatus,
+    TreeSnapshot,
+)
+
+DEPTH: Final = 4096
+"""Messages that may wait; a record with a gap is better than one that grows without end."""
+GOALS: Final = "skill/**/status"
+EXECUTIVE: Final = "executive"
+"""What it is announced as."""
+ASK_EVERY: Final = 2.0
+"""Seconds of the host."""
+
+
+class Record(Protocol):
+    """Who keeps one."""
+
+    def on_task(self, status: TaskStatus) -> None:
+        """Take in a task's status."""
+        ...
+
+    def on_known(self, tasks: tuple[TaskStatus, ...]) -> None:
+        """Take in the tasks that were there before."""
+        ...
+
+    def on_tree(self, tree: TreeSnapshot) -> None:
+        """Take in a tree."""
+        ...
+
+    def on_goal(self, action: str, status: GoalStatus) -> None:
+        """Take in the status of a skill's goal; ``action`` such as ``base/drive``."""
+        ...
+
+    def on_pulse(self, pulse: ExecutivePulse) -> None:
+        """Take in the executive's pulse."""
+        ...
+
+    def on_alive(self, names: frozenset[str]) -> None:
+        """Take in who is announced now."""
+        ...
+
+    def close(self) -> None:
+        """Write down what has not been yet."""
+        ...
+
+
+class Observer:
+    """A ``Node``.
+
+    Args:
+        bus: where things happen.
+        clocks: the host's clock, for when to ask again.
+        records: who is told, in this order.
+    """
+
+    def __init__(self, bus: Bus, clocks: Clocks, records: Sequence[Record]) -> None:
+        self._bus, self._clocks, self._records = bus, clocks, tuple(records)
+        hear = {
+            TASK_PULSE.key: self._pulse,
+            TASK_STATUS.key: self._task,
+            TREE.key: self._tree,
+            GOALS: self._goal,
+        }
+        self._inboxes = [(bus.subscribe(key, depth=DEPTH), take) for key, take in hear.items()]
+        self._ended: list[TaskStatus] = []  # told last: what belongs to a task comes before its end
+        self._known: Pending | None = None
+        self._asked_at: float | None = None
+        self._there = False
+        self.broken = 0
+        """Messages that were none."""
+
+    @property
+    def name(self) -> str:
+        """For logs."""
+        return "observer"
+
+    def step(self) -> bool:
+        """Tell what has arrived."""
+        for inbox, take in self._inboxes:
+            for sample in inbox.drain():
+                try:
+                    take(sample.key, sample.payload)
+                except ValidationError:
+                    self.broken += 1
+        for record in self._records:
+            for status in self._ended:
+                record.on_task(status)
+        self._ended.clear()
+        alive = self._bus.alive()
+        self._each(lambda record: record.on_alive(alive))
+        self._take_known(there=EXECUTIVE in alive)
+        return False
+
+    def close(self) -> None:
+        """Stop hearing, and have the records closed."""
+        for inbox, _ in self._inboxes:
+            inbox.close()
+        self._each(lambda record: record.close())
+
+    def _take_known(self, *, there: bool) -> None:
+        """Ask an executive that has come which tasks there are, until it has said so."""
+        came, self._there = there and not self._there, there
+        now = self._clocks.monotonic()
+        if came or (self._asked_at is not None and now - self._asked_at > ASK_EVERY):
+            self._known, self._asked_at = TASK_LIST.query(self._bus, Nothing()), now
+        answer = None if self._known is None else self._known.poll()
+        if answer is not None:
+            self._known = self._asked_at = None
+            tasks = TASK_LIST.decode_answer(answer).tasks
+            self._each(lambda record: record.on_known(tasks))
+
+    def _task(self, _: str, payload: bytes) -> None:
+        status = TASK_STATUS.decode(payload)
+        if status.state.terminal:
+            self._ended.append(status)
+        else:
+            self._each(lambda record: record.on_task(status))
+
+    def _tree(self, _: str, payload: bytes) -> None:
+        tree = TREE.decode(payload)
+        self._each(lambda record: record.on_tree(tree))
+
+    def _goal(self, key: str, payload: bytes) -> None:
+        action = key.removeprefix("skill/").removesuffix("/status")
+        status = GoalStatus.model_validate_json(payload)
+        self._each(lambda record: record.on_goal(action, status))
+
+    def _pulse(self, _: str, payload: bytes) -> None:
+        pulse = TASK_PULSE.decode(payload)
+        self._each(lambda record: record.on_pulse(pulse))
+
+    def _each(self, tell: Callable[[Record], None]) -> None:
+        for record in self._records:
+            tell(record)

@@ -1,0 +1,72 @@
+"""What the role ``observer`` is made of: the records that were asked for, and the page with the metrics."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable
+from contextlib import ExitStack
+
+from executive.settings import RefusalError, WorkerSettings
+from executive.telemetry.observer import Observer, Record
+from skills.ports.clocks import Clocks
+from skills.wire.clocks import ProcessClocks
+from skills.wire.loop import run
+from skills.wire.zenoh_bus import ZenohBus
+
+_LOG = logging.getLogger(__name__)
+
+
+def observe(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
+    """Keep the records until ``stopped`` says so.
+
+    Raises:
+        RefusalError: when nothing can listen where metrics are to be served, or the extra for traces is
+            missing.
+    """
+    clocks = ProcessClocks(bus)
+    with ExitStack() as open_until_the_end:
+        records: list[Record] = []
+        if settings.metrics:
+            records.append(_metrics(settings.metrics, open_until_the_end))
+        if settings.traces:
+            records.append(_traces(settings.traces, settings.prefix, clocks))
+        run("observer", bus, clocks, [Observer(bus, clocks, records)], stopped)
+
+
+def host_and_port(text: str) -> tuple[str, int]:
+    """Return them out of ``HOST:PORT``.
+
+    Raises:
+        ValueError: saying what was expected.
+    """
+    host, colon, port = text.rpartition(":")
+    if not colon or not host or not port.isdecimal() or not 0 <= int(port) <= 65535:  # noqa: PLR2004 - the last port
+        raise ValueError(f"a host and a port such as 127.0.0.1:9464 were expected; found {text!r}")
+    return host.strip("[]"), int(port)
+
+
+def _metrics(address: str, until: ExitStack) -> Record:
+    from prometheus_client import CollectorRegistry  # noqa: PLC0415 - only where it is asked for
+
+    from executive.telemetry.metrics import Metrics, Page  # noqa: PLC0415
+
+    registry = CollectorRegistry()
+    host, port = host_and_port(address)
+    try:
+        page = Page(host, port, registry)
+    except OSError as error:
+        raise RefusalError(f"metrics can't be served at {address}: {error.strerror or error}") from error
+    until.callback(page.close)
+    _LOG.info("metrics at http://%s:%d/metrics", host, page.port)
+    return Metrics(registry)
+
+
+def _traces(endpoint: str, robot: str, clocks: Clocks) -> Record:
+    try:
+        from executive.telemetry.traces import Traces, batching_provider, otlp_exporter  # noqa: PLC0415
+    except ImportError as error:
+        raise RefusalError(
+            f"traces need the extra: pip install 'tandem-executive[otel]' ({error.name} is missing)"
+        ) from error
+    _LOG.info("traces go to %s", endpoint)
+    return Traces(batching_provider(otlp_exporter(endpoint), robot), clocks)

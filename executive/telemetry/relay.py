@@ -1,0 +1,69 @@
+"""Brings the lines of all processes' logs together while they are written.
+
+Where lines are JSON, what a library prints past the logs becomes JSON as well: a program that reads them
+finds nothing else.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import IO
+
+from executive.parts import LogFormat
+from executive.telemetry.logs import JsonLines
+
+
+@dataclass(eq=False)
+class LogRelay:
+    """Reads what has been added to the logs of a folder, and writes it on, line by line.
+
+    Args:
+        folder: where each process writes a log of its own (``*.log``).
+        sinks: where the lines go.
+        form: what the processes write.
+    """
+
+    folder: Path
+    sinks: tuple[IO[str], ...]
+    form: LogFormat = "text"
+    _read: dict[Path, int] = field(default_factory=dict)
+
+    def step(self, *, last: bool = False) -> None:
+        """Write on what is whole; with ``last`` also what is not."""
+        if not self.sinks:
+            return
+        for log in sorted(self.folder.glob("*.log")):
+            self._relay(log, last=last)
+
+    def _relay(self, log: Path, *, last: bool) -> None:
+        start = self._read.get(log, 0)
+        if log.stat().st_size == start:
+            return
+        with log.open("rb") as stream:
+            stream.seek(start)
+            text = stream.read()
+        whole = text if last else text[: text.rfind(b"\n") + 1]
+        self._read[log] = start + len(whole)
+        for line in self._lines(log.stem, whole.decode("utf-8", "replace")):
+            for sink in self.sinks:
+                sink.write(f"{line}\n")
+                sink.flush()
+
+    def _lines(self, role: str, text: str) -> Iterator[str]:
+        for line in text.splitlines():
+            if self.form == "text" or _is_object(line):
+                yield line
+            elif line.strip():
+                printed = logging.LogRecord("output", logging.INFO, "", 0, "%s", (line.rstrip(),), None)
+                yield JsonLines(role).format(printed)
+
+
+def _is_object(line: str) -> bool:
+    try:
+        return isinstance(json.loads(line), dict)
+    except ValueError:
+        return False

@@ -1,0 +1,30 @@
+"""What the approaches of one arm share, from one goal to the next."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from skills.arm.field.live import Live
+from skills.arm.field.target import TargetTracker
+from skills.arm.field.teller import Teller
+from skills.arm.gate import Gate
+from skills.arm.plan_move import MovePlanner
+from skills.arm.problem import Arm
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks
+
+
+@dataclass(frozen=True)
+class Parts:
+    """What an arm's approaches share."""
+
+    bus: Bus
+    clocks: Clocks
+    arm: Arm
+    where: str
+    """The action's name, for failures."""
+    live: Live
+    tracker: TargetTracker
+    planner: MovePlanner
+    gate: Gate
+    teller: Teller

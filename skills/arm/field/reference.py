@@ -1,0 +1,133 @@
+"""Where the set-points are, how fast and how fast that changes: moved on period by period, within all limits.
+
+Ruckig's on-line generator (Berscheid and Kroeger, "Jerk-limited real-time trajectory generation with
+arbitrary target states", RSS 2021) makes each step time-optimal towards a velocity or towards joint
+positions. Both begin in the same state, so that one can turn into the other at any period without a jerk
+beyond the limit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import ruckig
+
+from skills.arm.trajectory import MotionLimits, Trajectory
+from skills.kinematics.transforms import Array
+
+AT_REST: Final = 1e-4
+"""rad/s and rad/s2 below which a reference stands."""
+BRAKE_LOOKS: Final = (0.5, 1.0)
+"""Shares of the braking time at which its path is looked at."""
+ALONE: Final = (ruckig.Synchronization.No,)
+TOGETHER: Final = (ruckig.Synchronization.Phase, ruckig.Synchronization.Time, *ALONE)
+"""How the joints keep step: along a straight way where that is possible, else so that all arrive at once."""
+
+
+@dataclass(frozen=True)
+class State:
+    """Positions, velocities and accelerations, each (n,): rad, rad/s, rad/s2."""
+
+    q: Array
+    v: Array
+    a: Array
+
+    @property
+    def still(self) -> bool:
+        """Whether it stands."""
+        return bool(np.abs(self.v).max() < AT_REST and np.abs(self.a).max() < AT_REST)
+
+
+def standing(q: Array) -> State:
+    """Return the state of standing at q."""
+    return State(q.copy(), np.zeros(len(q)), np.zeros(len(q)))
+
+
+class Stepper:
+    """Makes the next state of one group.
+
+    Args:
+        limits: of its joints.
+        period: seconds of a step.
+    """
+
+    def __init__(self, limits: MotionLimits, period: float) -> None:
+        count = len(limits.velocity)
+        self._period, self._limits = period, limits
+        self._otg = ruckig.Ruckig(count, period)
+        self._by_speed, self._by_place = ruckig.InputParameter(count), ruckig.InputParameter(count)
+        self._to_rest = ruckig.InputParameter(count)
+        for each in (self._by_speed, self._by_place, self._to_rest):
+            each.max_velocity = limits.velocity.tolist()
+            each.max_acceleration = limits.acceleration.tolist()
+            each.max_jerk = limits.jerk.tolist()
+            each.target_velocity = each.target_acceleration = [0.0] * count
+        for each in (self._by_speed, self._to_rest):
+            each.control_interface = ruckig.ControlInterface.Velocity
+        self._out = ruckig.OutputParameter(count)
+        self._braking = ruckig.Trajectory(count)
+
+    def to_velocity(self, state: State, velocity: Array) -> State:
+        """Return the state one period later on the way to a velocity (n,)."""
+        self._by_speed.target_velocity = np.clip(
+            velocity, -self._limits.velocity, self._limits.velocity
+        ).tolist()
+        return self._step(self._by_speed, state, TOGETHER)
+
+    def to_place(self, state: State, q: Array) -> State:
+        """Return the state one period later on the way to rest at q (n,)."""
+        self._by_place.target_position = q.tolist()
+        return self._step(self._by_place, state, TOGETHER)
+
+    def brake(self, state: State) -> State:
+        """Return the state one period later on the way to rest, each joint as fast as it can."""
+        return self._step(self._to_rest, state, ALONE)
+
+    def braking(self, state: State) -> tuple[Array, ...]:
+        """Return positions on the way to rest from a state, the last is where it stands."""
+        begin = self._to_rest
+        begin.synchronization = ALONE[0]
+        self._put(begin, state)
+        self._otg.calculate(begin, self._braking)
+        rest = self._braking.duration
+        return tuple(np.array(self._braking.at_time(share * rest)[0]) for share in BRAKE_LOOKS)
+
+    def _step(
+        self, begin: ruckig.InputParameter, state: State, ways: Sequence[ruckig.Synchronization]
+    ) -> State:
+        self._put(begin, state)
+        for way in ways:
+            begin.synchronization = way
+            try:
+                self._otg.reset()
+                self._otg.update(begin, self._out)
+            except ruckig.RuckigError:  # rare: rounding in its search for a common duration
+                continue
+            break
+        else:
+            return self.brake(state)
+        return State(
+            np.array(self._out.new_position),
+            np.array(self._out.new_velocity),
+            np.array(self._out.new_acceleration),
+        )
+
+    @staticmethod
+    def _put(begin: ruckig.InputParameter, state: State) -> None:
+        begin.current_position = state.q.tolist()
+        begin.current_velocity = state.v.tolist()
+        begin.current_acceleration = state.a.tolist()
+
+
+def along(trajectory: Trajectory, at: float, period: float) -> State:
+    """Return the state at ``at`` seconds of a planned motion."""
+    times = np.array([at - period, at - 0.5 * period, at, at + 0.5 * period, at + period])
+    q = trajectory.sample(times)
+    if at >= trajectory.duration:
+        return standing(q[2])
+    v = (q[3] - q[1]) / period
+    a = (q[4] - 2.0 * q[2] + q[0]) / period**2
+    return State(q[2], v, a)

@@ -1,0 +1,59 @@
+"""Tells everybody what an approach is at."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from skills.arm.field.record import Record
+from skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks
+from skills.ports.message import Vector3
+from skills.ports.world import Side
+
+PERIOD: Final = 0.05
+"""Robot seconds between two messages without a change."""
+
+
+class Teller:
+    """Publishes one side's ``ApproachStatus``: 20 Hz while an approach runs, and on each change.
+
+    Args:
+        bus: where the other arm and the coordination are.
+        clocks: robot time.
+        group: the group's name.
+        side: its hand's.
+    """
+
+    def __init__(self, bus: Bus, clocks: Clocks, group: str, side: Side) -> None:
+        self._bus, self._clocks, self._side = bus, clocks, side
+        self._topic = approach_status(group)
+        self._told_at = float("-inf")
+        self._told: ApproachPhase | None = None
+
+    def tell(
+        self, phase: ApproachPhase, distance: float, goal_in_base: Vector3 | None, record: Record, at: int
+    ) -> None:
+        """Tell, if there is something new or it is time."""
+        now = self._clocks.robot()
+        if now is None or (phase is self._told and now.seconds - self._told_at < PERIOD - 1e-6):
+            return
+        self._told, self._told_at = phase, now.seconds
+        status = ApproachStatus(
+            stamp=now,
+            side=self._side,
+            active=True,
+            phase=phase,
+            distance=distance,
+            goal_in_base=goal_in_base,
+            recorded=record.samples,
+            at=at,
+        )
+        self._topic.publish(self._bus, status)
+
+    def end(self) -> None:
+        """Tell that no approach runs any more."""
+        now = self._clocks.robot()
+        self._told, self._told_at = None, float("-inf")
+        if now is not None:
+            self._topic.publish(self._bus, ApproachStatus(stamp=now, side=self._side, active=False))

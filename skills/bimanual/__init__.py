@@ -1,0 +1,1 @@
+"""Both arms at once: workspace zones, coordination, two hands on one thing."""

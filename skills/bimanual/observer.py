@@ -1,0 +1,114 @@
+"""What the coordination sees of both arms, out of what joints, approaches and the reflex tell."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+
+from skills.bimanual.coordination import ArmNow
+from skills.kinematics.transforms import Array
+from skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
+from skills.ports.bus import Bus
+from skills.ports.chain import Chain
+from skills.ports.hardware import ArmsCrossing, JointStates, RobotDescription
+from skills.ports.keys import Latest
+from skills.ports.world import Side
+
+STILL: Final = 0.02
+"""rad/s below which a joint stands."""
+SAFE_WITHIN: Final = 0.10
+"""Radians by which an arm may be off its safe posture and still be in its safe place."""
+ASIDE: Final = 0.05
+"""Metres by which a hand that holds something may be off its safe point."""
+SILENT_AFTER: Final = 0.5
+"""Robot seconds after which an approach that tells nothing is taken for ended."""
+EVERY: Final = 0.1
+"""Robot seconds between two positions that are remembered of an approach."""
+
+
+class ArmObserver:
+    """Watches one arm.
+
+    Args:
+        bus: where the arm tells of its approach.
+        description: the robot.
+        how: names the safe posture.
+        side: which arm.
+    """
+
+    def __init__(self, bus: Bus, description: RobotDescription, how: ArmsCrossing, side: Side) -> None:
+        group = description.group(description.end_effector(side).group)
+        self.side, self.group, self.joints = side, group.name, group.joints
+        self.safe_at: Array = np.array(description.posture(group.name, how.safe_posture).positions)
+        self._approach = Latest(bus, approach_status(group.name))
+        self.record: list[Array] = []
+        """Positions (n,) of the approach that runs, from its start to the farthest that it got."""
+        self._recorded_at = float("-inf")
+        self.q: Array = self.safe_at
+        hand = description.end_effector(side)
+        self._safe_point = hand.safe_point
+        self._hand = Chain.from_urdf(description.urdf, description.base_frame, hand.frame)
+
+    @property
+    def approach(self) -> ApproachStatus | None:
+        """What the arm last told of its approach."""
+        return self._approach.value
+
+    def look(self, joints: JointStates) -> ArmNow:
+        """Return what the arm does now."""
+        told, now = self._approach.refresh(), joints.stamp
+        q = np.array(joints.position_of(self.joints))
+        speeds = dict(zip(joints.names, joints.velocities, strict=True))
+        moving = max(abs(speeds[joint]) for joint in self.joints) > STILL
+        active = (
+            told is not None
+            and told.active
+            and told.stamp.boot == now.boot
+            and now.seconds - told.stamp.seconds < SILENT_AFTER
+        )
+        self._remember(q, told if active else None, now.seconds)
+        away = float(np.max(np.abs(q - self.safe_at)))
+        self.q = q
+        if not active or told is None:
+            safe = away < SAFE_WITHIN or (not moving and self._holds_aside(joints))
+            return ArmNow(moving=moving, safe=safe, away=away)
+        return ArmNow(
+            approaching=True,
+            distance=told.distance,
+            recorded=told.recorded,
+            at=told.at,
+            # It tells the sample to which it goes back as soon as it sets out.
+            moving=moving or told.phase is ApproachPhase.BACK,
+            safe=away < SAFE_WITHIN,
+            away=away,
+        )
+
+    def _holds_aside(self, joints: JointStates) -> bool:
+        """Say whether the hand is where it holds what it has picked, out of the other's way."""
+        if self._safe_point is None:
+            return False
+        at = self._hand.pose(dict(zip(joints.names, joints.positions, strict=True))).position
+        return math.dist(at, self._safe_point) < ASIDE
+
+    def ahead(self) -> list[Array]:
+        """Return the positions of its record that lie before it once it has gone back."""
+        if not self.record:
+            return []
+        here = int(np.argmin([float(np.max(np.abs(q - self.q))) for q in self.record]))
+        return self.record[here + 1 :]
+
+    def close(self) -> None:
+        """End the subscription."""
+        self._approach.close()
+
+    def _remember(self, q: Array, told: ApproachStatus | None, now: float) -> None:
+        if told is None:
+            self.record = []
+        elif now - self._recorded_at >= EVERY - 1e-6 and not self._going_back(told):
+            self.record.append(q)
+            self._recorded_at = now
+
+    def _going_back(self, told: ApproachStatus) -> bool:
+        return told.phase in {ApproachPhase.BACK, ApproachPhase.HELD, ApproachPhase.STOPPING}

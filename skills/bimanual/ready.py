@@ -1,0 +1,59 @@
+"""Where both hands begin to close in: before their grasp points, fingers along the inward directions."""
+
+from __future__ import annotations
+
+import math
+
+from skills.ports.geometry import Pose, about, add, compose, invert, multiply, rotate, scale, transform
+from skills.ports.message import Quaternion, Vector3
+from skills.ports.site import SiteItem
+from skills.ports.world import SIDES
+
+
+def ready_tools(
+    item_in_base: Pose, item: SiteItem, tools: tuple[Pose, Pose], before: float
+) -> tuple[Pose, Pose]:
+    """Return both tools in the base, ``before`` metres before the item's surface, left first.
+
+    Each keeps its turn about its own fingers: it is only swung until they point inwards.
+
+    Args:
+        item_in_base: the item's centre frame.
+        item: says where its grasp points are.
+        tools: both tools now.
+        before: metres between the surface and the tool's origin.
+    """
+    made = []
+    for side, tool in zip(SIDES, tools, strict=True):
+        point = next(each for each in item.grasp_points if each.side == side)
+        inwards = rotate(item_in_base.orientation, point.inwards)
+        size = math.sqrt(sum(part * part for part in inwards))
+        inwards = scale(inwards, 1.0 / size)
+        position = add(transform(item_in_base, point.position), scale(inwards, -before))
+        made.append(Pose(position=position, orientation=pointing(tool.orientation, inwards)))
+    left, right = made
+    return left, right
+
+
+def pointing(orientation: Quaternion, along: Vector3) -> Quaternion:
+    """Return the attitude swung by the smallest turn that brings its x to a unit direction."""
+    x = rotate(orientation, (1.0, 0.0, 0.0))
+    axis = (
+        x[1] * along[2] - x[2] * along[1],
+        x[2] * along[0] - x[0] * along[2],
+        x[0] * along[1] - x[1] * along[0],
+    )
+    sine, cosine = (
+        math.sqrt(sum(part * part for part in axis)),
+        sum(a * b for a, b in zip(x, along, strict=True)),
+    )
+    if sine < 1e-9:  # noqa: PLR2004 - there already, or the other way round, which no hand is
+        return orientation
+    return multiply(about(axis, math.atan2(sine, cosine)), orientation)
+
+
+def between(item_in_base: Pose, middle_in_base: Pose) -> Pose:
+    """Return the item in the hands' middle, which its two sides have been brought to: y is 0 there."""
+    found = compose(invert(middle_in_base), item_in_base)
+    x, _, z = found.position
+    return Pose(position=(x, 0.0, z), orientation=found.orientation)

@@ -1,0 +1,51 @@
+"""What kinematics takes out of the robot's description and the planning scene; for every domain alike."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+import numpy as np
+
+from skills.kinematics.bodies import BoxShape, Carried
+from skills.kinematics.hulls import RobotHulls
+from skills.kinematics.model import RobotKinematics
+from skills.ports.hardware import RobotDescription
+from skills.ports.world import PlanningScene
+
+HOME: Final = "home"
+"""The postures of this name are known to be free of collisions."""
+
+
+def home_positions(description: RobotDescription) -> Mapping[str, float]:
+    """Return the joints' positions at home, of the groups that have such a posture."""
+    return {
+        joint: value
+        for posture in description.postures
+        if posture.name == HOME
+        for joint, value in zip(description.group(posture.group).joints, posture.positions, strict=True)
+    }
+
+
+def load_hulls(description: RobotDescription, seed: int = 0) -> RobotHulls:
+    """Return the robot's bodies; takes some 0.2 s. The arms of one process can share them."""
+    robot = RobotKinematics(description.urdf, {group.name: group.joints for group in description.groups})
+    home = home_positions(description)
+    return RobotHulls(robot, [home] if home else [], np.random.default_rng(seed))
+
+
+def carried(scene: PlanningScene, description: RobotDescription) -> tuple[Carried, ...]:
+    """Return what the hands hold, each in its tool frame."""
+    found = []
+    for each in scene.objects:
+        if each.attached_to is not None:
+            hand = description.end_effector(each.attached_to)
+            found.append(
+                Carried(each.name, BoxShape(each.box.size), hand.frame, each.box.pose, hand.touch_links)
+            )
+    return tuple(found)
+
+
+def by_name(names: tuple[str, ...], positions: tuple[float, ...]) -> Mapping[str, float]:
+    """Return joint positions by name."""
+    return dict(zip(names, positions, strict=True))

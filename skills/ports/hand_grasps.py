@@ -1,0 +1,115 @@
+"""Grasps told in an item's own frame, so that they move with the item: what a field and a planner go for.
+
+The item's frame has its origin in the centre, z up at rest, x out of the tagged face. A tool pose is
+as in ``skills/ports/grasping.py``: x out of the hand, y along the closing.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+from skills.ports.geometry import Pose, about, add, compose, from_axes, invert, multiply, rotate, scale
+from skills.ports.grasping import AWAY, PITCHES, UP, face, grasp
+from skills.ports.message import Message, Vector3
+from skills.ports.site import GraspPoint
+
+TAG_TURN: Final = from_axes((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
+"""The tag on the face along the item's x: x_tag = y_item, y_tag = z_item, z_tag = x_item."""
+FACES: Final = 4
+MOST_AWAY: Final = math.radians(100.0)
+"""Of the hand's best heading; beyond it the hand would come from behind the item."""
+LEANS: Final = tuple(math.radians(angle) for angle in (15.0, 30.0, 0.0, 45.0))
+"""By how much a hand that presses on a side points away from the robot, in the order in which it is tried.
+
+Arms that come from between the things and the robot hardly point straight at each other: with none at all the
+elbow would be in the room's next table.
+"""
+DOWNS: Final = tuple(math.radians(angle) for angle in (0.0, 20.0))
+"""By how much it points downwards."""
+TIP: Final = 0.015
+"""Metres by which the finger tips reach past the tool's origin."""
+
+_UP: Final[Vector3] = (0.0, 0.0, 1.0)
+
+
+class HandGrasp(Message):
+    """One way to take hold: which face of the item (quarter turns from the tagged one), and how."""
+
+    face: int
+    pitch: float
+    tool_in_item: Pose
+
+
+def cube_grasps(size: Vector3, heading: float) -> tuple[HandGrasp, ...]:
+    """Return the ways in which one hand takes a box with fingers on two of its sides, the best first.
+
+    Args:
+        size: full edges (m).
+        heading: in the item's frame (rad), in which the hand points when it works best.
+    """
+    tag = Pose(position=(size[0] / 2.0, 0.0, 0.0), orientation=TAG_TURN)
+    ways = []
+    for turns in range(FACES):
+        off = abs(math.remainder(math.pi + turns * math.pi / 2.0 - heading, 2.0 * math.pi))
+        if off <= MOST_AWAY:
+            depth = size[turns % 2]
+            on_face = face(tag, size[0], turns)
+            ways += [
+                (round(off, 3), number, turns, pitch, grasp(on_face, depth, pitch).grasp)
+                for number, pitch in enumerate(PITCHES)
+            ]
+    ways.sort(key=lambda each: each[:2])
+    return tuple(HandGrasp(face=turns, pitch=pitch, tool_in_item=pose) for _, _, turns, pitch, pose in ways)
+
+
+def side_grasps(point: GraspPoint, away: float) -> tuple[HandGrasp, ...]:
+    """Return the ways in which a closed hand presses on a grasp point, finger tips on it, the best first.
+
+    Args:
+        point: where, and in which direction it presses (002, 4.1.1: g_L or g_R).
+        away: heading in the item's frame (rad) away from the robot, towards which the hand may lean.
+    """
+    x, y, _ = point.inwards
+    inwards = math.atan2(y, x)
+    sense = math.copysign(1.0, math.remainder(away - inwards, 2.0 * math.pi))
+    ways = []
+    for down in DOWNS:
+        for lean in LEANS:
+            turned = multiply(about(_UP, inwards + sense * lean), about((0.0, 1.0, 0.0), down))
+            tip = scale(rotate(turned, (1.0, 0.0, 0.0)), -TIP)
+            tool = Pose(position=add(point.position, tip), orientation=turned)
+            ways.append(HandGrasp(face=0, pitch=down, tool_in_item=tool))
+    return tuple(ways)
+
+
+def lifted(tool: Pose, away: float = AWAY, up: float = UP) -> Pose:
+    """Return the tool after drawing the item back, against the hand's heading, and up (000, eq. 2)."""
+    x, y, _ = rotate(tool.orientation, (1.0, 0.0, 0.0))
+    size = math.hypot(x, y) or 1.0
+    by = (-away * x / size, -away * y / size, up)
+    return Pose(position=add(tool.position, by), orientation=tool.orientation)
+
+
+def before(tool: Pose, way: float) -> Pose:
+    """Return the tool ``way`` metres before a grasp, against its x: the proximity pose (002, 4.3)."""
+    back = scale(rotate(tool.orientation, (1.0, 0.0, 0.0)), -way)
+    return Pose(position=add(tool.position, back), orientation=tool.orientation)
+
+
+def upright_at(point: Vector3, heading: float, way: HandGrasp) -> Pose:
+    """Return the tool that holds the item upright with its middle at a point.
+
+    Args:
+        point: where the item's centre shall be (m).
+        heading: of the hand, in the frame of the point (rad).
+        way: how the item is held.
+    """
+    x, y, _ = rotate(way.tool_in_item.orientation, (1.0, 0.0, 0.0))
+    turn = about(_UP, heading - math.atan2(y, x))
+    return compose(Pose(position=point, orientation=turn), way.tool_in_item)
+
+
+def item_in_tool(way: HandGrasp) -> Pose:
+    """Return the item's centre frame in the tool, once it is held so."""
+    return invert(way.tool_in_item)

@@ -1,0 +1,85 @@
+"""``tandem tasks``, ``why`` and ``export`` when no executive runs: the ledger's file is read."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from executive.cli.errors import CommandError
+from executive.cli.history import moment
+from executive.cli.main import main
+from executive.ledger.port import Entry
+from executive.ledger.sqlite import SqliteLedger
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.tasks import TaskState, TaskStatus
+from tests.fakes.ports import free_endpoint
+
+
+@pytest.fixture
+def nobody(tmp_path: Path) -> list[str]:
+    """Return the options that lead to a file with three tasks, where no executive runs."""
+    ledger = SqliteLedger(tmp_path)
+    failure = Failure(kind=FailureKind.GRASP_EMPTY, message="closed on nothing")
+    for number, state in ((1, TaskState.SUCCEEDED), (2, TaskState.FAILED), (3, TaskState.QUEUED)):
+        status = TaskStatus(
+            task=f"fetch-{number}",
+            kind="fetch",
+            request={"task": "fetch", "item": 29},
+            state=state,
+            accepted_at=1_800_000_000.0 + 100 * number,
+            failure=failure if state is TaskState.FAILED else None,
+        )
+        ledger.enter(Entry(status, number))
+    ledger.commit()
+    ledger.close()
+    return ["--connect", free_endpoint(), "--data", str(tmp_path)]
+
+
+def listed(capfd: pytest.CaptureFixture[str], *argv: str) -> list[str]:
+    assert main([*argv]) == 0
+    return [status["task"] for status in json.loads(capfd.readouterr().out)["tasks"]]
+
+
+def test_tasks_are_read_from_the_file(nobody: list[str], capfd: pytest.CaptureFixture[str]) -> None:
+    assert listed(capfd, "tasks", "--json", *nobody) == ["fetch-1", "fetch-2", "fetch-3"]
+    assert listed(capfd, "tasks", "--json", "--state", "failed", *nobody) == ["fetch-2"]
+    since = "2027-01-15T08:03:20"  # 1_800_000_200
+    assert listed(capfd, "tasks", "--json", "--all", "--since", since, *nobody) == ["fetch-2", "fetch-3"]
+
+
+def test_why_and_export_read_it_too(nobody: list[str], capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["why", "fetch-2", *nobody]) == 0
+    assert "GRASP_EMPTY: closed on nothing" in capfd.readouterr().out
+    assert main(["why", "fetch-9", *nobody]) == 2
+    assert "--all" in capfd.readouterr().err
+    assert main(["export", *nobody]) == 0
+    lines = capfd.readouterr().out.splitlines()
+    assert [TaskStatus.model_validate_json(line).task for line in lines] == ["fetch-1", "fetch-2", "fetch-3"]
+
+
+def test_without_a_file_it_is_said_where_it_was_looked_for(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["tasks", "--connect", free_endpoint(), "--data", str(tmp_path / "none")]) == 3
+    said = capfd.readouterr().err
+    assert "no router answers" in said
+    assert f"there is no ledger in {tmp_path / 'none'}" in said
+    assert not (tmp_path / "none").exists()
+
+
+@pytest.mark.parametrize("argv", [["--state", "DONE"], ["--since", "yesterday"]])
+def test_what_can_not_be_meant_is_told(
+    argv: list[str], nobody: list[str], capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["tasks", *argv, *nobody]) == 2
+    assert "expected; found" in capfd.readouterr().err
+
+
+def test_moments() -> None:
+    assert moment("") == 0.0
+    assert moment("2027-01-15T08:00:00+00:00") == moment("2027-01-15T08:00") == 1_800_000_000.0
+    assert moment("1h") < moment("30m")
+    with pytest.raises(CommandError):
+        moment("7 days")

@@ -1,0 +1,99 @@
+"""Logs: a line for people or a line of JSON, with the task that it is about."""
+
+from __future__ import annotations
+
+import io
+import json
+import logging
+import sys
+from pathlib import Path
+
+import pytest
+from surroundings import Surroundings
+
+from executive.telemetry.logs import formatter
+from executive.telemetry.relay import LogRelay
+
+AT = 1_790_000_000.25
+
+
+def record(**about: object) -> logging.LogRecord:
+    made = logging.LogRecord("skills.server", logging.INFO, "server.py", 1, "goal %s", ("ended",), None)
+    made.created = AT
+    for name, value in about.items():
+        setattr(made, name, value)
+    return made
+
+
+def test_a_line_of_json_has_time_role_event_and_task() -> None:
+    line = formatter("json", "base").format(record(task="fetch-0001", state="FAILED", kind=""))
+    assert json.loads(line) == {
+        "time": "2026-09-21T14:13:20.250Z",
+        "level": "info",
+        "role": "base",
+        "logger": "skills.server",
+        "event": "goal ended",
+        "task": "fetch-0001",
+        "state": "FAILED",
+    }
+
+
+def test_a_line_for_people_says_the_same() -> None:
+    line = formatter("text", "base").format(record(task="fetch-0001"))
+    assert line == "2026-09-21T14:13:20.250Z INFO    base skills.server: goal ended task=fetch-0001"
+
+
+@pytest.mark.parametrize(("which", "lines"), [("json", 1), ("text", 4)])
+def test_a_trace_of_the_stack_is_kept_together(which: str, lines: int) -> None:
+    made = record()
+    try:
+        int("a mistake")
+    except ValueError:
+        made.exc_info = sys.exc_info()
+    text = formatter("json" if which == "json" else "text", "base").format(made)
+    assert "ValueError: invalid literal" in text
+    assert len(text.splitlines()) >= lines
+    assert which == "text" or "ValueError" in json.loads(text)["trace"]
+
+
+def test_a_tasks_changes_are_logged_with_its_id(caplog: pytest.LogCaptureFixture) -> None:
+    caplog.set_level(logging.INFO, logger="executive.task_log")
+    here = Surroundings()
+    here.ask({"task": "wait", "item": 1})
+    here.world(2)
+    here.step(3)
+    told = [
+        (vars(each)["task"], vars(each)["state"], vars(each).get("kind", ""))
+        for each in caplog.records
+        if each.name == "executive.task_log"
+    ]
+    assert told == [
+        ("wait-0001", "QUEUED", ""),
+        ("wait-0001", "RUNNING", ""),
+        ("wait-0001", "FAILED", "GRASP_EMPTY"),
+    ]
+
+
+def test_logs_of_processes_come_together_line_by_line(tmp_path: Path) -> None:
+    sink = io.StringIO()
+    relay = LogRelay(tmp_path, (sink,))
+    base, keeper = tmp_path / "base.log", tmp_path / "keeper.log"
+    base.write_text("one\ntw")
+    relay.step()
+    keeper.write_text("three\n")
+    relay.step()
+    with base.open("a") as more:
+        more.write("o\nlast")
+    relay.step()
+    assert sink.getvalue() == "one\nthree\ntwo\n"
+    relay.step(last=True)
+    assert sink.getvalue().endswith("two\nlast\n")
+
+
+def test_what_a_library_prints_becomes_json_too(tmp_path: Path) -> None:
+    sink = io.StringIO()
+    (tmp_path / "hardware.log").write_text('pybullet build time: May\n\n{"event": "goal ended"}\n')
+    LogRelay(tmp_path, (sink,), "json").step()
+    printed, logged = (json.loads(line) for line in sink.getvalue().splitlines())
+    assert (printed["role"], printed["event"]) == ("hardware", "pybullet build time: May")
+    assert logged == {"event": "goal ended"}

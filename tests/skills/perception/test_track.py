@@ -1,0 +1,161 @@
+"""Track, over the bus in memory: tags of each picture while things move and arms hide them."""
+
+import math
+from collections.abc import Generator
+
+import numpy as np
+import pytest
+
+from skills import site
+from skills.perception.track import GONE_AFTER, Track
+from skills.ports.actions.perception import LookFeedback, TrackGoal, TrackResult
+from skills.ports.failure import FailureKind
+from skills.ports.geometry import FloorPose, Pose, angle_between, compose, distance, invert
+from skills.ports.image import RgbdImage
+from skills.ports.keys import RGBD, Latest
+from skills.ports.message import RobotTime
+from skills.ports.skill import Command, Outcome
+from skills.ports.world import SIGHTINGS, WORLD, Box, ItemFact, Sightings, WorldState
+from skills.wire.workers import InlineCompute
+from tests.skills.perception.pictures import Face, header, picture
+from tests.skills.perception.solids import scene
+from tests.skills.perception.stage import DESCRIPTION, Painter, Stage
+from tests.skills.world.facts import tag
+
+TABLE = site.load("bimanual")
+ROBOT = FloorPose(x=0.0, y=0.0, yaw=0.0)
+HEAD = np.array([0.0, -0.5])
+HERE, THERE = tag(0.75, 0.1), tag(0.75, -0.1)
+
+
+def showing(*tags: Pose | None) -> Painter:
+    """Paint item 29 with its tag at each of these poses, a picture each; the last stays."""
+    rng, left = np.random.default_rng(1), list(tags)
+
+    def painter(camera_in_map: Pose, now: RobotTime) -> RgbdImage:
+        shown = left.pop(0) if len(left) > 1 else left[0]
+        faces = () if shown is None else (Face(29, compose(invert(camera_in_map), shown), 0.056),)
+        return picture(faces, rng, samples=3, seconds=now.seconds)
+
+    return painter
+
+
+class Tracking:
+    """One run, stepped by hand."""
+
+    def __init__(self, painter: Painter, goal: TrackGoal | None = None) -> None:
+        self.stage = Stage(painter, ROBOT, head=HEAD)
+        self.heard = Latest(self.stage.bus, SIGHTINGS)
+        self.outcome: Outcome[TrackResult] | None = None
+        skill = Track(self.stage.bus, self.stage.clocks, DESCRIPTION, TABLE, InlineCompute(self.stage.clocks))
+        self._run: Generator[object, Command, Outcome[TrackResult]] = skill.run(
+            goal or TrackGoal(), "t/track/1"
+        )
+        self.stage.step()
+        next(self._run)
+
+    def step(self, command: Command = Command.GO_ON) -> object:
+        self.stage.step()
+        try:
+            return self._run.send(command)
+        except StopIteration as stop:
+            self.outcome = stop.value
+            return None
+
+    def messages(self, count: int) -> list[Sightings]:
+        told: list[Sightings] = []
+        for _ in range(100 * count):
+            self.step()
+            told += self.heard.take()
+            if len(told) >= count:
+                return told
+        raise AssertionError(f"{len(told)} pictures were told")
+
+
+def test_an_item_that_moves_is_told_where_it_is_in_each_picture() -> None:
+    tracking = Tracking(showing(HERE, HERE, THERE))
+    places = [each.sightings[0].tag_in_map for each in tracking.messages(3)]
+    assert [
+        distance(place, where) < 0.005 for place, where in zip(places, (HERE, HERE, THERE), strict=True)
+    ] == [
+        True,
+        True,
+        True,
+    ]
+    feedback = tracking.step()
+    assert isinstance(feedback, LookFeedback)
+    assert (feedback.pictures, feedback.seen) == (3, (29,))
+
+
+def test_it_ends_by_a_cancel_and_the_camera_rests() -> None:
+    tracking = Tracking(showing(HERE))
+    tracking.messages(1)
+    tracking.step(Command.CANCEL)
+    assert tracking.outcome is not None
+    assert tracking.outcome.canceled
+    assert not tracking.stage.bus.listened(RGBD)
+
+
+def test_only_what_is_asked_for_is_told() -> None:
+    (message,) = Tracking(showing(HERE), TrackGoal(items=(42,))).messages(1)
+    assert message.sightings == ()
+
+
+def test_an_item_the_site_does_not_know_is_refused() -> None:
+    stage = Stage(showing(None), ROBOT)
+    skill = Track(stage.bus, stage.clocks, DESCRIPTION, TABLE, InlineCompute(stage.clocks))
+    refused = skill.check(TrackGoal(items=(29, 7)))
+    assert refused is not None
+    assert refused.kind is FailureKind.ITEM_UNKNOWN
+
+
+def test_a_camera_that_falls_silent_is_told() -> None:
+    tracking = Tracking(showing(HERE))
+    tracking.messages(1)
+    tracking.stage.camera_works = False
+    for _ in range(400):
+        tracking.step()
+        if tracking.outcome is not None:
+            break
+    assert tracking.outcome is not None
+    assert tracking.outcome.failure is not None
+    assert tracking.outcome.failure.kind is FailureKind.CAMERA_SILENT
+
+
+@pytest.mark.parametrize(("hidden", "absent"), [(True, ()), (False, (29,))])
+def test_what_an_arm_hides_is_not_gone_and_what_left_is(*, hidden: bool, absent: tuple[int, ...]) -> None:
+    table = TABLE.furniture[1].boxes[0].box()
+    arm = Box(size=(0.1, 0.3, 0.2), pose=Pose(position=(0.45, 0.06, 0.91)))
+    rng = np.random.default_rng(1)
+
+    def painter(camera_in_map: Pose, now: RobotTime) -> RgbdImage:
+        return scene(header(now.seconds), camera_in_map, (table, arm) if hidden else (table,), rng)
+
+    tracking = Tracking(painter)
+    fact = ItemFact(
+        item=29,
+        size=(0.07, 0.07, 0.07),
+        tag_in_map=HERE,
+        seen=RobotTime(boot="b", seconds=0.5),
+        quality=0.5,
+        position_sigma=0.001,
+    )
+    WORLD.publish(tracking.stage.bus, WorldState(stamp=tracking.stage.now, version=1, items=(fact,)))
+    assert [each.absent for each in tracking.messages(GONE_AFTER)] == [(), (), absent]
+
+
+def test_an_item_that_shows_two_faces_does_not_seem_to_spin() -> None:
+    rng, pictures = np.random.default_rng(1), [0]
+    faces = (tag(0.75, 0.1, math.pi + 0.7), tag(0.75, -0.1, math.pi - 0.9))
+
+    def painter(camera_in_map: Pose, now: RobotTime) -> RgbdImage:
+        pictures[0] += 1
+        shown = faces[:1] if pictures[0] == 1 else faces
+        painted = tuple(Face(29, compose(invert(camera_in_map), each), 0.056) for each in shown)
+        return picture(painted, rng, samples=3, seconds=now.seconds)
+
+    turns = [
+        angle_between(each.sightings[0].tag_in_map.orientation, faces[0].orientation)
+        for each in Tracking(painter).messages(4)
+    ]
+    assert max(turns) < math.radians(5.0)

@@ -1,0 +1,112 @@
+"""What the leaves of one hand's pick hand to each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.geometry import Pose, compose, invert, to_pose, yaw_of
+from skills.ports.grasping import FINGER_ROOM, item_in_map
+from skills.ports.hand_grasps import HandGrasp, cube_grasps, side_grasps
+from skills.ports.site import SiteItem
+from skills.ports.world import ItemFact, Side
+from trees.context import TreeContext
+
+
+@dataclass(eq=False)
+class HandBoard:
+    """A hand and the item that it is for."""
+
+    side: Side
+    item: int
+    ways: tuple[HandGrasp, ...] = ()
+    """The ways to take hold that were offered to the last approach, the preferred one first."""
+    way: HandGrasp | None = None
+    """The one that was taken."""
+    item_at: Pose | None = None
+    """The item's centre in the map when the hand closed around it."""
+    avoid: list[tuple[int, float]] = field(default_factory=list)
+    """Faces and pitches that have been tried in vain."""
+    safe: bool = True
+    """Whether the hand is where it is in nobody's way."""
+
+    @property
+    def who(self) -> str:
+        """The arm, in words."""
+        return f"{self.side} arm"
+
+    @property
+    def group(self) -> str:
+        """The arm's joint group."""
+        return f"arm_{self.side}"
+
+    def site_item(self, context: TreeContext) -> SiteItem:
+        """Return what the site says of the item; the request has checked that it is known."""
+        known = context.site.item(self.item)
+        assert known is not None, "the request is checked against the site first"
+        return known
+
+    def fact(self, context: TreeContext) -> ItemFact | None:
+        """Return what is believed of the item, or None."""
+        world = context.knowledge.world
+        return None if world is None else world.item(self.item)
+
+    def held(self, context: TreeContext) -> bool:
+        """Say whether this hand is believed to hold the item."""
+        world = context.knowledge.world
+        held = None if world is None else world.in_hand(self.side)
+        return held is not None and held.item == self.item
+
+    def standing(self, context: TreeContext) -> Pose | Failure:
+        """Return the item's centre frame in the map, or why it is not known."""
+        fact = self.fact(context)
+        if fact is None or fact.held is not None:
+            return Failure(kind=FailureKind.ITEM_GONE, message=f"item {self.item} is not known to stand")
+        return item_in_map(fact.tag_in_map, fact.size[0])
+
+    def offer(self, context: TreeContext) -> Failure | None:
+        """Work out the ways to take hold of the item as it stands; return why there are none."""
+        item, description = self.standing(context), context.knowledge.description
+        if isinstance(item, Failure):
+            return item
+        assert description is not None, "the robot is ready only when it has told who it is"
+        hand = description.end_effector(self.side)
+        base_heading = 0.0 if context.knowledge.robot is None else context.knowledge.robot.base_in_map.yaw
+        known, turned = self.site_item(context), yaw_of(item.orientation)
+        if known.needs_two:
+            point = next(each for each in known.grasp_points if each.side == self.side)
+            ways = side_grasps(point, base_heading - turned)
+        else:
+            ways = cube_grasps(known.size, hand.work_heading + base_heading - turned)
+        untried = tuple(way for way in ways if (way.face, way.pitch) not in self.avoid)
+        self.ways = untried or ways
+        return None
+
+    def choose(self, number: int) -> None:
+        """Note which of the ways was taken."""
+        self.way = self.ways[number]
+
+    def chosen(self) -> HandGrasp:
+        """Return the way that was taken; the approach has chosen it."""
+        assert self.way is not None, "the approach chooses the way first"
+        return self.way
+
+    def open_width(self, context: TreeContext) -> float:
+        """Return the metres to which the hand opens: room for the fingers and no more; 0 if it presses."""
+        known = self.site_item(context)
+        if known.needs_two:
+            return 0.0
+        return known.size[1] + 2 * FINGER_ROOM
+
+    def give_up_way(self) -> str:
+        """Note that the way that was taken is not tried again; return so in words."""
+        if self.way is not None:
+            self.avoid.append((self.way.face, self.way.pitch))
+        return f"{len(self.avoid)} ways to take hold are not tried again"
+
+    def in_base(self, context: TreeContext) -> tuple[float, float, float] | None:
+        """Return the item's centre in the base (m), or None while it is not known."""
+        item, robot = self.standing(context), context.knowledge.robot
+        if isinstance(item, Failure) or robot is None:
+            return None
+        return compose(invert(to_pose(robot.base_in_map)), item).position

@@ -1,0 +1,68 @@
+"""Which arm shall it be? The one that reaches the item; of two, the one with the least way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.world import Side
+from trees.behaviours.decide import Decide
+from trees.context import TreeContext
+from trees.hand_board import HandBoard
+from trees.leaves.within_reach import OF, target_in_base, unreachable, zone_at
+
+
+@dataclass(eq=False)
+class Choice:
+    """What was chosen; None before."""
+
+    side: Side | None = None
+
+
+def choose_arm(
+    name: str, context: TreeContext, boards: tuple[HandBoard, HandBoard], wanted: Side | None, choice: Choice
+) -> Decide:
+    """Return the leaf.
+
+    Args:
+        name: unique in the tree.
+        context: what is known.
+        boards: the left and the right hand, both for the same item.
+        wanted: the arm that the request names; None leaves the choice.
+        choice: gets the side.
+    """
+
+    def decide() -> str | Failure:
+        holding = next((board.side for board in boards if board.held(context)), None)
+        if holding is not None:
+            choice.side = holding
+            return f"the {holding} hand holds it already"
+        may = boards[0].site_item(context).hands if wanted is None else (wanted,)
+        free = [board for board in boards if board.side in may and not _full(context, board.side)]
+        if not free:
+            return Failure(
+                kind=FailureKind.HAND_FULL,
+                message=f"no free hand for item {boards[0].item}: {' and '.join(may)} asked for",
+            )
+        return _nearest(context, free, choice)
+
+    return Decide(name, context, decide)
+
+
+def _nearest(context: TreeContext, free: list[HandBoard], choice: Choice) -> str | Failure:
+    point = target_in_base(context, free[0])
+    if isinstance(point, Failure):
+        return point
+    zone = zone_at(context, point)
+    able = [board for board in free if zone in OF[board.side]]
+    if not able:
+        return unreachable(free[0], zone, point)
+    # In the base y is to the left: the hand on the item's own side has the least way and crosses nothing.
+    able.sort(key=lambda board: -point[1] if board.side == "left" else point[1])
+    choice.side = able[0].side
+    return f"{choice.side} arm: item {free[0].item} is in {zone} at y = {point[1]:.2f} m"
+
+
+def _full(context: TreeContext, side: Side) -> bool:
+    world = context.knowledge.world
+    return world is not None and world.in_hand(side) is not None

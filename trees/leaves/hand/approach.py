@@ -1,0 +1,39 @@
+"""Bring a hand before its item by the potential field: document 002, 4.2."""
+
+from __future__ import annotations
+
+from skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachResult, approach
+from skills.ports.failure import Failure
+from trees.behaviours.act import Act
+from trees.context import TreeContext
+from trees.hand_board import HandBoard
+
+
+def approach_item(
+    context: TreeContext, board: HandBoard
+) -> Act[ApproachGoal, ApproachFeedback, ApproachResult]:
+    """Return the leaf: SUCCESS at the proximity pose of the item, wherever that is by then."""
+
+    def goal() -> ApproachGoal | Failure:
+        wrong = board.offer(context)
+        if wrong is not None:
+            return wrong
+        board.safe = False
+        return ApproachGoal(
+            item=board.item,
+            grasps=tuple(way.tool_in_item for way in board.ways),
+            hand_width=board.open_width(context),
+        )
+
+    def judge(result: ApproachResult) -> Failure | None:
+        board.choose(result.grasp)
+        return None
+
+    return Act(
+        f"{board.who}: approach",
+        context,
+        approach(board.group),
+        goal,
+        resources=(board.group,),
+        judge=judge,
+    )

@@ -1,0 +1,33 @@
+"""Lift the item off what it stands on, towards the robot: document 000, eq. 2."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from skills.ports.actions.arm import Candidate, MoveGoal
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.geometry import compose
+from skills.ports.hand_grasps import lifted
+from trees.context import TreeContext
+from trees.hand_board import HandBoard
+from trees.leaves.hand.hand_move import Move, hand_move
+
+AWAYS: Final = (0.10, 0.05, 0.0)
+"""Metres by which it is drawn back while it rises by 10 cm, in the order in which they are tried."""
+
+
+def lift_item(context: TreeContext, board: HandBoard) -> Move:
+    """Return the leaf: while it rises, the item may touch what it stood on."""
+
+    def goal() -> MoveGoal | Failure:
+        if board.item_at is None:
+            return Failure(kind=FailureKind.INVALID_GOAL, message="nothing was grasped that could be lifted")
+        tool = compose(board.item_at, board.chosen().tool_in_item)
+        return MoveGoal(
+            candidates=tuple(Candidate(pose=lifted(tool, away)) for away in AWAYS),
+            straight=True,
+            touch_item=board.item,
+            touch_support=True,
+        )
+
+    return hand_move("lift", context, board, goal)

@@ -1,0 +1,70 @@
+"""Is each item where its hand gets to? Asked of the workspace zones (002, 4.1.1) before anything moves."""
+
+from __future__ import annotations
+
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.geometry import compose, invert, to_pose, transform
+from skills.ports.message import Vector3
+from skills.ports.world import Side
+from trees.behaviours.decide import Decide
+from trees.context import TreeContext
+from trees.hand_board import HandBoard
+
+OF: dict[Side, frozenset[str]] = {"left": frozenset("LC"), "right": frozenset("RC")}
+"""The zones that a hand reaches."""
+WORDS = {
+    "L": "only the left hand reaches it",
+    "R": "only the right hand reaches it",
+    "U": "no hand reaches it",
+}
+
+
+def within_reach(name: str, context: TreeContext, boards: tuple[HandBoard, ...]) -> Decide:
+    """Return the leaf: FAILURE with ITEM_UNREACHABLE, naming the zone, when an item is out of its hand's."""
+
+    def decide() -> str | Failure:
+        zones = []
+        for board in boards:
+            if board.held(context):
+                continue
+            point = target_in_base(context, board)
+            if isinstance(point, Failure):
+                return point
+            zone = zone_at(context, point)
+            if zone not in OF[board.side]:
+                return unreachable(board, zone, point)
+            zones.append(f"item {board.item} in {zone} for the {board.side} hand")
+        return ", ".join(zones) or "all is in the hands already"
+
+    return Decide(name, context, decide)
+
+
+def target_in_base(context: TreeContext, board: HandBoard) -> Vector3 | Failure:
+    """Return where the hand takes hold (m in the base): the item's middle, or its grasp point."""
+    item, robot = board.standing(context), context.knowledge.robot
+    if isinstance(item, Failure):
+        return item
+    if robot is None:
+        return Failure(kind=FailureKind.NOT_LOCALISED, message="the robot's pose has not been heard")
+    known = board.site_item(context)
+    in_item: Vector3 = (0.0, 0.0, 0.0)
+    for point in known.grasp_points:
+        if point.side == board.side:
+            in_item = point.position
+    return transform(compose(invert(to_pose(robot.base_in_map)), item), in_item)
+
+
+def zone_at(context: TreeContext, point: Vector3) -> str:
+    """Return the zone's letter; the request has waited until the zones are known."""
+    zones = context.knowledge.zones
+    return "U" if zones is None else zones.at(point)
+
+
+def unreachable(board: HandBoard, zone: str, point: Vector3) -> Failure:
+    """Return the failure of an item that stands where the hand can't go."""
+    x, y, _ = point
+    return Failure(
+        kind=FailureKind.ITEM_UNREACHABLE,
+        message=f"item {board.item} is for the {board.side} hand, but {WORDS[zone]} at ({x:.2f}, {y:.2f}) m",
+        evidence={"item": board.item, "zone": zone, "x_m": round(x, 3), "y_m": round(y, 3)},
+    )

@@ -1,0 +1,165 @@
+"""What the tasks of two arms begin with, and what goes on beside them."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Selector, Sequence
+
+from skills.ports.failure import Failure, FailureKind
+from skills.ports.world import SIDES
+from trees.behaviours.decide import Decide
+from trees.behaviours.meanwhile import Meanwhile
+from trees.behaviours.pause import Pause
+from trees.behaviours.recovery import Recovery, Rung
+from trees.behaviours.wait_for import WaitFor
+from trees.branch import branch
+from trees.conditions.kinds.unseen import unseen
+from trees.conditions.localised import localised
+from trees.context import TreeContext
+from trees.hand_board import HandBoard
+from trees.leaves.coordinate import Mode, coordinate
+from trees.leaves.localise import localise
+from trees.leaves.look_at_table import look_at_table
+from trees.leaves.track import track
+from trees.subtrees.request import ready
+from trees.subtrees.rungs import wait_back
+
+ZONES_WITHIN: Final = 20.0
+"""Robot seconds in which the workspace zones must be known: they are computed once at the start."""
+WITHIN: Final = 60.0
+"""Robot seconds after which the table is not looked at again."""
+LOOKS: Final = 2
+ANOTHER_MOMENT: Final = 0.5
+"""Robot seconds before the table is looked at again."""
+
+
+def take_up(context: TreeContext, boards: tuple[HandBoard, ...], *, check: bool = True) -> Behaviour:
+    """Return the subtree: the robot is ready, the hands are free, the items are in view. No arm moves.
+
+    Without ``check`` the hands are not looked at: the arm is chosen later.
+    """
+    items = tuple(dict.fromkeys(board.item for board in boards))
+    where = Selector(
+        "know where I am",
+        memory=True,
+        children=[
+            localised(context),
+            Recovery(
+                "get localised",
+                context,
+                localise(context),
+                (wait_back("request", context),),
+                within=WITHIN,
+            ),
+        ],
+    )
+    look = Recovery(
+        "see the items",
+        context,
+        look_at_table("look at table", context, items),
+        (
+            wait_back("look", context),
+            Rung("look: once more", unseen, LOOKS, Pause("look: a moment", context, ANOTHER_MOMENT)),
+        ),
+        within=WITHIN,
+    )
+    return Sequence(
+        "take up request",
+        memory=True,
+        children=[
+            ready(context),
+            _zones_known(context),
+            *((hands_free(context, boards),) if check else ()),
+            where,
+            look,
+        ],
+    )
+
+
+def hands_free(context: TreeContext, boards: tuple[HandBoard, ...]) -> Decide:
+    """Return the leaf: FAILURE when a hand holds something else than its item."""
+
+    def decide() -> str | Failure:
+        world = context.knowledge.world
+        for board in boards:
+            held = None if world is None else world.in_hand(board.side)
+            if held is not None and held.item != board.item:
+                message = f"the {board.side} hand holds item {held.item}, and is asked for {board.item}"
+                return Failure(
+                    kind=FailureKind.HAND_FULL,
+                    message=message,
+                    evidence={"holds": held.item},
+                )
+        return ", ".join(f"the {board.side} hand for item {board.item}" for board in boards)
+
+    return Decide("hands are free", context, decide)
+
+
+def watched(context: TreeContext, main: Behaviour, *, mode: Mode | None = "eager") -> Behaviour:
+    """Return main with tracking, and with the coordination unless there is no mode for it, beside it."""
+    beside = []
+    seeing = branch(context, "tracking")
+    beside.append(
+        Recovery(
+            "keep tracking", seeing, track("track", seeing), (wait_back("track", seeing),), within=ALWAYS
+        )
+    )
+    if mode is not None:
+        ruling = branch(context, "coordination")
+        beside.append(
+            Recovery(
+                "keep coordinating",
+                ruling,
+                coordinate("coordinate", ruling, mode),
+                (wait_back("coordinate", ruling),),
+                within=ALWAYS,
+            )
+        )
+    return Meanwhile("watch meanwhile", context, main, *beside)
+
+
+ALWAYS: Final = 3600.0
+"""Robot seconds: longer than any task."""
+
+
+def _zones_known(context: TreeContext) -> WaitFor:
+    def otherwise() -> Failure:
+        return Failure(kind=FailureKind.NOT_READY, message="not heard yet: world/zones")
+
+    return WaitFor(
+        "zones are known",
+        context,
+        lambda: context.knowledge.zones is not None,
+        otherwise,
+        patience=ZONES_WITHIN,
+    )
+
+
+def where_hands_are(context: TreeContext, boards: tuple[HandBoard, ...]) -> dict[str, str]:
+    """Return where hands and items are, in words, as far as anybody knows."""
+    out = [board.side for board in boards if not board.safe]
+    arms = f"; {' and '.join(out)} arm not in its safe zone" if out else "; both arms in their safe zones"
+    items = dict.fromkeys(board.item for board in boards)
+    return {
+        "robot_is": f"at the table{arms}",
+        "item_is": "; ".join(f"{item}: {_where(context, item)}" for item in items),
+    }
+
+
+def _where(context: TreeContext, item: int) -> str:
+    world = context.knowledge.world
+    held = [] if world is None else [side for side in SIDES if _holds(context, side, item)]
+    fact = None if world is None else world.item(item)
+    if held:
+        return f"in the {held[0]} hand"
+    if fact is None:
+        return "nobody knows where"
+    x, y, z = fact.tag_in_map.position
+    return f"last seen at ({x:.2f}, {y:.2f}, {z:.2f}) m in the map"
+
+
+def _holds(context: TreeContext, side: str, item: int) -> bool:
+    world = context.knowledge.world
+    return world is not None and any(hand.side == side and hand.item == item for hand in world.held)

@@ -1,0 +1,78 @@
+"""Pick one item from the table before the robot with one hand, whichever is nearer unless one is named."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Annotated, Literal
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Selector, Sequence
+from pydantic import Field
+
+from skills.ports.message import Message
+from skills.ports.site import Site
+from skills.ports.tasks import Problem
+from skills.ports.world import Side
+from trees.behaviours.check import Check
+from trees.behaviours.phase import Phase
+from trees.context import TreeContext
+from trees.hand_board import HandBoard
+from trees.hand_requests import hand_problems, item_problems
+from trees.leaves.choose_arm import Choice, choose_arm
+from trees.subtrees.hand_pick import Method, hand_pick
+from trees.subtrees.two_arms import take_up, watched, where_hands_are
+from trees.task import TaskType
+
+
+class PickRequest(Message):
+    """Pick an item that stands on the table before the robot."""
+
+    task: Literal["pick"] = "pick"
+    item: Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
+    arm: Annotated[Side | None, Field(description="which arm; the nearer one unless given")] = None
+    method: Annotated[Method, Field(description="how the hand gets before it")] = "apf_rrtconnect"
+
+
+def problems(asked: PickRequest, site: Site) -> tuple[Problem, ...]:
+    """Return what contradicts the site."""
+    found = list(item_problems(site, "item", asked.item))
+    if asked.arm is not None:
+        found += hand_problems(site, "arm", asked.item, asked.arm)
+    return tuple(found)
+
+
+def build(asked: PickRequest, context: TreeContext) -> Behaviour:
+    """Return the tree: a pick for each arm, of which the chosen one is run."""
+    boards = (HandBoard("left", asked.item), HandBoard("right", asked.item))
+    choice = Choice()
+    context.closing = lambda: where_hands_are(context, boards)
+    picks = [
+        Sequence(
+            f"{board.who}: if chosen",
+            memory=True,
+            children=[
+                Check(f"{board.who}: chosen?", partial(_is_chosen, choice, board.side)),
+                hand_pick(context, board, asked.method),
+            ],
+        )
+        for board in boards
+    ]
+    chosen = Selector("with the chosen arm", memory=True, children=list(picks))
+    return Sequence(
+        "pick",
+        memory=True,
+        children=[
+            Phase("request", context, take_up(context, boards[:1], check=False), begins=0.0, ends=0.10),
+            choose_arm("choose arm", context, boards, asked.arm, choice),
+            Phase("hand", context, watched(context, chosen, mode=None), begins=0.10, ends=1.0),
+        ],
+    )
+
+
+def _is_chosen(choice: Choice, side: Side) -> bool:
+    return choice.side == side
+
+
+TASK = TaskType(
+    name="pick", summary="Pick one item with one hand.", request=PickRequest, problems=problems, build=build
+)

@@ -1,0 +1,69 @@
+"""Pick one thing with both hands, and put it down again: document 002, 4.1.2, coordinated bimanual."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Sequence
+from pydantic import Field
+
+from skills.ports.message import Message
+from skills.ports.site import Site
+from skills.ports.tasks import Problem
+from trees.behaviours.phase import Phase
+from trees.context import TreeContext
+from trees.hand_board import HandBoard
+from trees.hand_requests import item_problems
+from trees.leaves.coordinate import Mode
+from trees.leaves.two_hands import BothBoard
+from trees.leaves.within_reach import within_reach
+from trees.subtrees.both_pick import HOLD, both_pick
+from trees.subtrees.hand_pick import Method
+from trees.subtrees.two_arms import take_up, watched, where_hands_are
+from trees.task import TaskType
+
+
+class PickBothHandsRequest(Message):
+    """Lift an item that needs both hands, hold it, and put it down where it stood."""
+
+    task: Literal["pick_both_hands"] = "pick_both_hands"
+    item: Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
+    parallel_pick: Annotated[bool, Field(description="always so for an item that needs both hands")] = True
+    hold: Annotated[float, Field(ge=0.0, le=60.0, description="robot seconds to hold it up")] = HOLD
+    mode: Annotated[Mode, Field(description="when an arm that was stopped goes on")] = "eager"
+    method: Annotated[Method, Field(description="how the hands get before it")] = "apf_rrtconnect"
+
+
+def problems(asked: PickBothHandsRequest, site: Site) -> tuple[Problem, ...]:
+    """Return what contradicts the site, or the item."""
+    found = list(item_problems(site, "item", asked.item, two=True))
+    if not asked.parallel_pick:
+        expected = "true: both hands grasp this item at once"
+        found.append(Problem(path="parallel_pick", expected=expected, found="false"))
+    return tuple(found)
+
+
+def build(asked: PickBothHandsRequest, context: TreeContext) -> Behaviour:
+    """Return the tree."""
+    board = BothBoard(HandBoard("left", asked.item), HandBoard("right", asked.item))
+    context.closing = lambda: where_hands_are(context, board.hands)
+    pick = both_pick(context, board, asked.method, asked.hold)
+    return Sequence(
+        "pick_both_hands",
+        memory=True,
+        children=[
+            Phase("request", context, take_up(context, board.hands), begins=0.0, ends=0.10),
+            within_reach("grasp points are within reach", context, board.hands),
+            Phase("pick", context, watched(context, pick, mode=asked.mode), begins=0.10, ends=1.0),
+        ],
+    )
+
+
+TASK = TaskType(
+    name="pick_both_hands",
+    summary="Lift one item with both hands, and put it down again.",
+    request=PickBothHandsRequest,
+    problems=problems,
+    build=build,
+)
