@@ -233,10 +233,15 @@ def _sim_entries() -> list[Entry]:
     return [*_entries(controls), *_entries(loop)]
 
 
+def all_entries() -> list[Entry]:
+    """Return every topic and service of the interface."""
+    own = [*_task_entries(), *_entries(keys), *_entries(world), *_entries(action)]
+    return [*own, *_status_entries(), *_sim_entries()]
+
+
 def _all_models() -> set[type[Message | StrEnum]]:
     waiting: list[type[Message | StrEnum]] = [RgbdHeader, *(kind.request for kind in discover().values())]
-    entries = [*_task_entries(), *_entries(keys), *_entries(world), *_entries(action)]
-    for entry in (*entries, *_status_entries(), *_sim_entries()):
+    for entry in all_entries():
         waiting += [entry.model] if isinstance(entry, Topic) else [entry.asked, entry.answered]
     for each in _actions():
         waiting += [each.goal, each.feedback, each.result]

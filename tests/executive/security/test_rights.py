@@ -1,0 +1,40 @@
+"""The table of rights: every key of the interface has somebody at each of its two ends."""
+
+from __future__ import annotations
+
+import pytest
+
+from executive.interface_doc import all_entries
+from executive.security.rights import rights_of
+from executive.security.role import PARTS, ROLES
+from skills.ports.keys import Service, Topic
+from skills.ports.message import Message
+from skills.wire.match import matches
+
+EVERYBODY = [rights_of(role) for role in ROLES if role != "robot"] + [
+    rights_of("robot", part) for part in PARTS
+]
+
+
+def filled(key: str) -> str:
+    """Return a key with names where the interface has ``<name>``."""
+    return "/".join("x" if part.startswith("<") else part for part in key.split("/"))
+
+
+@pytest.mark.parametrize("entry", all_entries(), ids=lambda entry: entry.key)
+def test_every_key_has_two_ends(entry: Topic[Message] | Service[Message, Message]) -> None:
+    topic = isinstance(entry, Topic)
+    near, far = ("tells", "hears") if topic else ("serves", "asks")
+    key = filled(entry.key)
+    for verb in (near, far):
+        allowed = [
+            rights for rights in EVERYBODY if any(matches(each, key) for each in rights.model_dump()[verb])
+        ]
+        assert allowed, f"nobody {verb} {entry.key}: executive/security/access.yaml wants a line"
+
+
+def test_no_client_tells_or_serves_anything_but_requests() -> None:
+    for role in ("viewer", "requester", "operator"):
+        rights = rights_of(role)
+        assert rights.serves == rights.announces == ()
+        assert all(key.startswith("task/") and key.endswith("/request") for key in rights.tells)
