@@ -62,7 +62,7 @@ class _Table:
             arm=arm,
             where="benchmark",
             live=Live(self.bus, self.clocks, arm),
-            tracker=TargetTracker(self.bus),
+            tracker=TargetTracker(self.bus, self.clocks),
             planner=MovePlanner(arm, PlannerSettings(), "benchmark"),
             gate=Gate(self.bus, self.clocks, "left"),
             teller=Teller(self.bus, self.clocks, "arm_left", "left"),

@@ -65,7 +65,7 @@ class Approach:
             arm=arm,
             where=self._action.name,
             live=Live(bus, clocks, arm),
-            tracker=TargetTracker(bus),
+            tracker=TargetTracker(bus, clocks),
             planner=MovePlanner(arm, settings, self._action.name, compute),
             gate=Gate(bus, clocks, hand.side),
             teller=Teller(bus, clocks, arm.group.name, hand.side),

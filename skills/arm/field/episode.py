@@ -12,6 +12,7 @@ from skills.arm.field.course import Course
 from skills.arm.field.ends import End, Ends
 from skills.arm.field.parts import Parts
 from skills.arm.field.ride import LEFT, Ride, Steps, Why
+from skills.arm.field.target import HIDDEN_FOR
 from skills.arm.problem import Plan
 from skills.arm.timing import time_curve
 from skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachPhase, ApproachResult
@@ -99,6 +100,12 @@ class Episode:
             self._ride.hear((yield self._ride.feedback(Phase.FIELD)))
             if self._ride.command is Command.CANCEL:
                 return Why.COMMAND
+        until = robot_seconds(self._parts.clocks) + HIDDEN_FOR
+        while self._ride.target is None and robot_seconds(self._parts.clocks) < until:
+            self._ride.hear((yield self._ride.feedback(Phase.FIELD)))
+            if self._ride.command is Command.CANCEL:
+                return Why.COMMAND
+            self._ride.refresh()
         if not self._parts.tracker.localised:
             message = "an item in the map needs the robot's own pose"
             return self._ride.fail(FailureKind.NOT_LOCALISED, message)
@@ -162,7 +169,7 @@ class Episode:
             step = self._course.step(periods, target, end)
             ride.distance, ride.at = step.distance, self._motion.record.samples - 1
             phase = Phase.ESCAPING if step.escaping else Phase.FIELD
-            if step.arrived or step.stuck:
+            if step.stuck or (step.arrived and not self._parts.tracker.hidden):
                 return Why.DONE if step.arrived else Why.STUCK
 
     def _verify(self, began: float) -> Parting:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from skills.ports.actions.approach import ApproachGoal
 from skills.ports.actions.arm import Candidate, MoveGoal
 from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.geometry import Pose, about, angle_between, compose, distance, invert, multiply, to_pose
 from skills.ports.grasping import item_in_map
 from skills.ports.keys import Latest
@@ -15,6 +16,11 @@ from skills.ports.message import Vector3
 from skills.ports.world import ROBOT_POSE, WORLD
 
 QUARTER = math.pi / 2.0
+HIDDEN_FOR = 6.0
+"""Robot seconds for which an item that has disappeared counts where it was last seen (002, Algorithm 1).
+
+It was moved, and may now stand where the other arm hides it until that one has picked.
+"""
 _UP: Vector3 = (0.0, 0.0, 1.0)
 
 
@@ -53,30 +59,41 @@ class TargetTracker:
 
     Args:
         bus: where the beliefs are.
+        clocks: robot time, for how long an item has not been seen.
     """
 
-    def __init__(self, bus: Bus) -> None:
+    def __init__(self, bus: Bus, clocks: Clocks) -> None:
+        self._clocks = clocks
+        self._last: tuple[float, Pose] | None = None
         self._goal: ApproachGoal | None = None
         self._world, self._robot = Latest(bus, WORLD), Latest(bus, ROBOT_POSE)
         self._before: Pose | None = None
+        self.hidden = False
+        """Whether the target is where the item was last seen, and not where it is believed to be."""
         self.heard = False
         """Whether beliefs and the robot's pose have come."""
         self.localised = False
 
     def begin(self, goal: ApproachGoal) -> None:
         """Follow this goal's item from now on."""
-        self._goal, self._before = goal, None
+        self._goal, self._before, self._last = goal, None, None
 
     def refresh(self) -> Target | None:
-        """Return the target, or None while the item is not believed to be anywhere, or is in a hand."""
+        """Return the target; None when the item is in a hand, or for long not believed to be anywhere."""
         world, robot, goal = self._world.refresh(), self._robot.refresh(), self._goal
         if world is None or robot is None or goal is None:
             return None
         self.heard, self.localised = True, robot.localised
         fact = world.item(goal.item)
-        if fact is None or fact.held is not None:
+        now = robot_seconds(self._clocks)
+        if fact is not None and fact.held is None:
+            self.hidden = False
+            self._last = (now, self._steady(item_in_map(fact.tag_in_map, fact.size[0])))
+        elif fact is not None or self._last is None or now - self._last[0] > HIDDEN_FOR:
             return None
-        frame = self._steady(item_in_map(fact.tag_in_map, fact.size[0]))
+        else:
+            self.hidden = True
+        frame = self._last[1]
         item = compose(invert(to_pose(robot.base_in_map)), frame)
         grasps = tuple(compose(item, grasp) for grasp in goal.grasps)
         before = Pose(position=(-goal.radius, 0.0, 0.0))

@@ -203,6 +203,16 @@ def test_what_goes_wrong_on_the_way_has_its_kind(
     assert not rig.told().active
 
 
+def test_an_item_that_is_not_seen_for_a_moment_is_approached_where_it_is_seen_again(rig: FieldRig) -> None:
+    def carried_elsewhere(number: int) -> None:
+        if number == 60:
+            rig.forget()
+        if number == 160:
+            rig.put(ITEM, 0.62, 0.22)
+
+    arrived(rig, run(rig, carried_elsewhere))
+
+
 def test_an_item_out_of_reach_is_no_ik_before_anything_moves(rig: FieldRig) -> None:
     rig.put(ITEM, 1.4, 0.1)
     stood = rig.tool()
