@@ -9,6 +9,8 @@ import os
 from pathlib import Path
 from typing import Final
 
+from skills.synced_file import replace_file
+
 KEPT: Final = 512
 """Ids of before that are remembered: none that old is sent again."""
 COMPACT_AFTER: Final = 4096
@@ -54,17 +56,7 @@ class GoalJournal:
     def _compact(self) -> None:
         self.close()
         self._ids = dict.fromkeys(list(self._ids)[-KEPT:])
-        beside = self._path.with_name(f"{self._path.name}.new")
-        with beside.open("w", encoding="utf-8") as file:
-            file.writelines(f"{goal_id}\n" for goal_id in self._ids)
-            file.flush()
-            os.fsync(file.fileno())
-        beside.replace(self._path)
-        folder = os.open(self._path.parent, os.O_RDONLY)
-        try:
-            os.fsync(folder)
-        finally:
-            os.close(folder)
+        replace_file(self._path, "".join(f"{goal_id}\n" for goal_id in self._ids))
         self._file = os.open(self._path, os.O_WRONLY | os.O_APPEND | os.O_CLOEXEC)
         self._lines = len(self._ids)
 

@@ -26,7 +26,7 @@ def from_schema(schema: JsonValue, definitions: Mapping[str, JsonValue]) -> Valu
         definitions: where its references lead (``#/.../name``).
 
     Raises:
-        NotImplementedError: for a schema that says something else than the schemas of messages do.
+        ValueError: for a schema that says something else than the schemas of messages do.
     """
     assert isinstance(schema, dict)
     if "$ref" in schema:
@@ -44,7 +44,7 @@ def from_schema(schema: JsonValue, definitions: Mapping[str, JsonValue]) -> Valu
         return st.none() | st.booleans() | st.integers() | st.text()
     make = _TYPES.get(str(schema["type"]))
     if make is None:
-        raise NotImplementedError(f"a schema of one of {', '.join(_TYPES)} was expected; found {schema}")
+        raise ValueError(f"a schema of one of {', '.join(_TYPES)} was expected; found {schema}")
     return make(schema, definitions)
 
 

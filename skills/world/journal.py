@@ -19,6 +19,7 @@ from pydantic import ValidationError
 
 from skills.ports.message import Message
 from skills.ports.world import Box, HeldItem, ItemFact, Placed
+from skills.synced_file import replace_file
 
 COMPACT_AFTER: Final = 1000
 """Lines after which the file is rewritten."""
@@ -72,17 +73,7 @@ class Journal:
         self._lines += 1
 
     def _compact(self) -> None:
-        beside = self._path.with_name(self._path.name + ".new")
-        with beside.open("w", encoding="utf-8") as file:
-            file.write(self.remembered.model_dump_json() + "\n")
-            file.flush()
-            os.fsync(file.fileno())
-        beside.replace(self._path)
-        folder = os.open(self._path.parent, os.O_RDONLY)
-        try:
-            os.fsync(folder)
-        finally:
-            os.close(folder)
+        replace_file(self._path, self.remembered.model_dump_json() + "\n")
         self._lines = 1
 
 
