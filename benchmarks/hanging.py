@@ -33,20 +33,23 @@ class Moving:
         action = move(GROUP)
         self.joints = Latest(system.bus, JOINT_STATES)
         self._statuses: Latest[GoalStatus] = Latest(system.bus, status_topic(action.name))
-        self._state = GoalState.RUNNING
         goal = MoveGoal(posture=posture).model_dump(mode="json")
         sent = SendGoal(goal_id=goal_id, client="executive", goal=goal)
         answer = wait_for(system, goal_service(action.name).query(system.bus, sent), 5.0)
         assert answer is not None
-        accepted = GoalStatus.model_validate_json(answer)
-        assert accepted.state is GoalState.RUNNING, accepted
+        self._status = GoalStatus.model_validate_json(answer)
+        assert self._status.state is GoalState.RUNNING, self._status
 
     def state(self) -> GoalState:
         """Return where the goal stands."""
+        return self.status().state
+
+    def status(self) -> GoalStatus:
+        """Return all that is known of the goal."""
         for status in self._statuses.take():
             if status.goal_id == self.goal_id:
-                self._state = status.state
-        return self._state
+                self._status = status
+        return self._status
 
     def moves(self) -> bool:
         """Say whether the arm is well under way."""

@@ -85,11 +85,13 @@ def children(parent: int) -> dict[int, str]:
     return {each.number: each.command for each in processes() if each.parent == parent}
 
 
-def go_on(system: ProcessSystem, condition: Callable[[], bool], *, within: float) -> None:
-    """Let a system go on until the condition holds, at most so many host seconds."""
+def go_on(
+    system: ProcessSystem, condition: Callable[[], bool], *, within: float, seen: Callable[[], object] = str
+) -> None:
+    """Let a system go on until the condition holds, at most so many host seconds; else say what was seen."""
     deadline = time.monotonic() + within
     while not condition():
-        assert time.monotonic() < deadline, f"not so within {within} s"
+        assert time.monotonic() < deadline, f"not so within {within} s: {seen()}"
         system.advance()
 
 

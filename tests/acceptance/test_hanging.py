@@ -27,7 +27,7 @@ def live() -> Iterator[ProcessSystem]:
 @pytest.mark.parametrize("role", ["executive", "arm_left"])
 def test_the_arm_stands_while_it_hangs_and_gets_there_afterwards(live: ProcessSystem, role: Role) -> None:
     moving = Moving(live, f"{role}/hangs/1", "carry" if role == "executive" else "home")
-    go_on(live, moving.moves, within=30.0)
+    go_on(live, moving.moves, within=30.0, seen=lambda: (moving.status(), moving.joints.refresh()))
     process = live.pids()[role]
     os.kill(process, signal.SIGSTOP)
     try:
@@ -35,4 +35,4 @@ def test_the_arm_stands_while_it_hangs_and_gets_there_afterwards(live: ProcessSy
     finally:
         os.kill(process, signal.SIGCONT)
     go_on(live, lambda: moving.state().terminal, within=60.0)
-    assert moving.state() is GoalState.SUCCEEDED
+    assert moving.state() is GoalState.SUCCEEDED, moving.status()

@@ -9,6 +9,7 @@ from py_trees.common import Status
 
 from executive.testing import TreeBench
 from executive.worlds import fetch_worlds
+from skills.ports.actions.gripper import Grip, GripGoal
 from skills.ports.failure import Failure, FailureKind
 from skills.testing.mock_skill import Fault
 from trees.recoveries import RECOVERIES
@@ -108,6 +109,12 @@ def test_what_strikes_once_is_mended(row: Row) -> None:
         (row.kind, row.recovery, 1)
     ]
     assert bench.robot.base == bench.context.site.home
+
+
+def test_a_hand_that_has_let_go_is_not_told_to_once_more() -> None:
+    bench, _ = run(("withdraw", 1), K.ARM_STOPPED)
+    opened = [goal for _, goal in bench.robot.calls if isinstance(goal, GripGoal) and goal.grip is Grip.OPEN]
+    assert len(opened) == 2, "for the grasp, and to let go"
 
 
 @pytest.mark.parametrize("row", ROWS, ids=str)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Final
 
 from py_trees.behaviour import Behaviour
-from py_trees.composites import Sequence
+from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess
 
 from skills.ports.actions.gripper import Grip, GripGoal
@@ -20,6 +20,7 @@ from trees.behaviours.guarded import Guarded
 from trees.behaviours.note import Note
 from trees.behaviours.recovery import Recovery, Rung
 from trees.board import FetchBoard
+from trees.conditions.item_left import item_left
 from trees.conditions.kinds.another_slot_helps import another_slot_helps
 from trees.conditions.kinds.another_stand_helps import another_stand_helps
 from trees.conditions.kinds.trying_again_helps import trying_again_helps
@@ -117,13 +118,20 @@ def approach_slot(context: TreeContext, board: FetchBoard) -> Behaviour:
 
 
 def _leave_item(context: TreeContext, board: FetchBoard) -> Behaviour:
-    """Let go and draw back; each step may be done again without harm."""
-    main = Sequence(
-        "leave item",
+    """Let go, if that has not been done, and draw back; what follows may be done again without harm."""
+    put = Sequence(
+        "let item go",
         memory=True,
         children=[
             grip_with("let go", context, board, lambda: GripGoal(grip=Grip.OPEN)),
             detach(context, board),
+        ],
+    )
+    main = Sequence(
+        "leave item",
+        memory=True,
+        children=[
+            Selector("item left", memory=True, children=[item_left(context, board), put]),
             withdraw(context, board),
             grip_with("close empty", context, board, lambda: GripGoal(grip=Grip.CLOSE)),
             remove_from_scene(context, board),
