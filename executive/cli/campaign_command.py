@@ -16,7 +16,8 @@ from executive.cli.exit_codes import ExitCode
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from executive.campaigns.crash import CrashRun
+    from executive.campaigns.crash import CrashCampaign, CrashRun
+    from executive.campaigns.crash_physics import PhysicsCampaign, PhysicsRun
     from executive.campaigns.fetch import FetchRun
     from executive.campaigns.recovery import RecoveryRun
 
@@ -187,21 +188,48 @@ def _tell(run: FetchRun, console: Console) -> None:
 
 def crash(
     *,
-    runs: Annotated[int, typer.Option("--runs", min=0, max=10_000, help="How many with random kills.")] = 200,
+    runs: Annotated[
+        int | None,
+        typer.Option("--runs", min=0, max=10_000, help="How many; unless given, 200, or 20 in the physics."),
+    ] = None,
     seed: Seed = 1,
     first: First = 0,
     points: Annotated[
         bool, typer.Option("--points/--no-points", help="Also kill at each point where it keeps or talks.")
     ] = True,
+    physics: Annotated[
+        bool,
+        typer.Option(
+            "--physics", help="Real skills and physics; one kill in each phase of two tasks in turn."
+        ),
+    ] = False,
     report: ReportFile = None,
     connect: Connect = "tcp/127.0.0.1:7449",
 ) -> None:
     """Kill processes, start them again. Ends with 0 only when nothing was lost, doubled or stuck."""
     import tempfile  # noqa: PLC0415
 
+    console = Console(highlight=False, soft_wrap=True)
+    with tempfile.TemporaryDirectory(prefix="tandem-crash-") as folder:
+        if physics:
+            made: CrashCampaign | PhysicsCampaign = _in_physics(
+                Path(folder), connect, 20 if runs is None else runs, console, seed=seed, first=first
+            )
+        else:
+            many = 200 if runs is None else runs
+            made = _mocked(Path(folder), connect, many, console, seed=seed, first=first, points=points)
+    console.print(f"{made.right} of {len(made.runs)} right (seed {seed})")
+    if report is not None:
+        report.parent.mkdir(parents=True, exist_ok=True)
+        report.write_text(made.model_dump_json(indent=2) + "\n", encoding="utf-8")
+    raise typer.Exit(ExitCode.OK if made.right == len(made.runs) else ExitCode.TASK_FAILED)
+
+
+def _mocked(
+    folder: Path, connect: str, runs: int, console: Console, *, seed: int, first: int, points: bool
+) -> CrashCampaign:
     from executive.campaigns.crash import CrashCampaign, crash_points, crash_runs, point_runs  # noqa: PLC0415
 
-    console = Console(highlight=False, soft_wrap=True)
     done: list[CrashRun] = []
 
     def take(made: Iterable[CrashRun]) -> None:
@@ -209,18 +237,37 @@ def crash(
             done.append(run)
             console.print(_crash_line(run), markup=False)
 
-    with tempfile.TemporaryDirectory(prefix="tandem-crash-") as folder:
-        take(crash_runs(Path(folder) / "random", connect, runs, seed, first=first))
-        if points:
-            named = crash_points(Path(folder) / "found", connect)
-            take(point_runs(Path(folder) / "points", connect, named))
-    right = sum(not run.wrong for run in done)
-    console.print(f"{right} of {len(done)} right (seed {seed})")
-    if report is not None:
-        report.parent.mkdir(parents=True, exist_ok=True)
-        campaign = CrashCampaign(seed=seed, right=right, runs=tuple(done))
-        report.write_text(campaign.model_dump_json(indent=2) + "\n", encoding="utf-8")
-    raise typer.Exit(ExitCode.OK if right == len(done) else ExitCode.TASK_FAILED)
+    take(crash_runs(folder / "random", connect, runs, seed, first=first))
+    if points:
+        named = crash_points(folder / "found", connect)
+        take(point_runs(folder / "points", connect, named))
+    return CrashCampaign(seed=seed, right=sum(not run.wrong for run in done), runs=tuple(done))
+
+
+def _in_physics(
+    folder: Path, connect: str, runs: int, console: Console, *, seed: int, first: int
+) -> PhysicsCampaign:
+    from executive.campaigns.crash_physics import PhysicsCampaign, physics_runs  # noqa: PLC0415
+    from executive.systems import RefusedError  # noqa: PLC0415
+
+    done: list[PhysicsRun] = []
+    try:
+        for run in physics_runs(folder, connect, runs, seed, first=first):
+            done.append(run)
+            console.print(_physics_line(run), markup=False)
+    except RefusedError as error:
+        raise CommandError(str(error)) from error
+    return PhysicsCampaign(seed=seed, right=sum(not run.wrong for run in done), runs=tuple(done))
+
+
+def _physics_line(run: PhysicsRun) -> str:
+    at = "never" if run.killed_at is None else f"at {run.killed_at:.2f} s"
+    end = "ok" if not run.wrong else "WRONG: " + "; ".join(run.wrong)
+    why = "" if run.failure is None else f" ({run.failure.kind}: {run.failure.message})"
+    return (
+        f"{run.run:4d}  {run.seconds:6.2f} s  begun {run.begun}  {run.kind}, {run.phase}: "
+        f"{run.victim} killed {at}, in '{run.leaf}': {end}{why}"
+    )
 
 
 def _crash_line(run: CrashRun) -> str:
