@@ -245,6 +245,12 @@ class FieldRig:
                     ):
                         self.phases[group].append(status.phase)
 
+    def stall(self, count: int) -> None:
+        """Let time pass in which the arms' processes get no turn."""
+        for _ in range(count):
+            self.clocks.advance(PERIOD)
+            self.hardware.step()
+
     def told(self, group: str = "arm_left") -> ApproachStatus:
         """Return what was last told of an approach."""
         status = self._told[group].value

@@ -18,8 +18,9 @@ from skills.ports.keys import group_cancel, group_setpoint
 
 PERIOD: Final = 0.01
 """Seconds between two set-points: the hardware's period."""
-CATCH_UP: Final = 5
-"""Periods at the most that are made up for at once, when the process was late."""
+CATCH_UP: Final = 8
+"""Periods at the most that are made up for at once, when the process was late. For so long the hardware goes
+on as it was told; soon after, it takes the stream for dried up and brakes."""
 LAG: Final = 12
 """Set-points among which the measured positions are looked for: what the arm may be behind."""
 STRAY: Final = 0.15
@@ -59,10 +60,16 @@ class Motion:
         self.blocked = False
         """Whether the last step that was wished for was not free."""
         self.streaming = False
+        self.dried = False
+        """Whether the process was so late that the hardware brakes by itself: begin anew once that stands."""
+        self.begun = 0
+        """How often it has begun."""
         self._settling = 0
 
     def begin(self) -> None:
         """Start from where the arm is measured to stand."""
+        self.begun += 1
+        self.dried = False
         self.state = standing(self._live.measured()[0])
         now = self._clocks.robot()
         self._at, self._owed = None if now is None else now.seconds, 0
@@ -80,7 +87,8 @@ class Motion:
         passed = int((now.seconds - self._at) / PERIOD + 1e-6)
         if passed < 1:
             return 0
-        self._at = now.seconds if passed > CATCH_UP else self._at + passed * PERIOD
+        self._at += passed * PERIOD
+        self.dried |= self.streaming and passed + self._owed > CATCH_UP
         self._owed = min(passed + self._owed, CATCH_UP)
         return self._owed
 

@@ -67,15 +67,26 @@ class Ride:
         """The sample at which the arm stands or to which it goes back."""
 
     def next(self, phase: ApproachPhase) -> Generator[ApproachFeedback | Slice, Command, int]:
-        """Wait for the next period; return how many have passed, with all that came taken in."""
+        """Wait for the next period; return how many have passed, with all that came taken in.
+
+        When the process was too late, so that the hardware has braked by itself, this waits until the arm
+        stands, and begins anew from there: set-points from before would pull it back.
+        """
         while True:
             goal = None if self.target is None else self.target.item.position
             self.parts.teller.tell(phase, self.distance, goal, self.motion.record, self.at)
             self.hear((yield self.feedback(phase)))
             periods = self.motion.ticks()
-            if periods:
-                self.refresh()
-                return periods
+            if not periods:
+                continue
+            self.refresh()
+            live = self.parts.live
+            if self.motion.dried and not (live.silent or live.stopped):
+                if not self.motion.quiet:
+                    continue
+                self.motion.begin()
+                return 1
+            return periods
 
     def refresh(self) -> None:
         """Take in what has come."""
@@ -114,14 +125,16 @@ class Ride:
         """Follow a checked motion from rest to rest, as long as it is free.
 
         With a target, until that has moved (DONE: the field takes over); with an order, until there is
-        another one.
+        another one. STUCK when it is not free, or when the arm has left it because the process was late.
         """
-        at, parts = 0.0, self.parts
+        at, parts, begun = 0.0, self.parts, self.motion.begun
         while at < trajectory.duration or not self.motion.state.still:
             at += PERIOD * (yield from self.next(phase))
             why = self.interrupted(obeying=order is not None)
             if why is not None:
                 return why
+            if self.motion.begun != begun:
+                return Why.STUCK
             if target is not None and self.target is not None and self.target.moved(target)[0] > LEFT:
                 return Why.DONE
             if order is not None and parts.gate.order() != order:

@@ -91,6 +91,24 @@ def assert_within_limits(rig: FieldRig, sent: list[SetPoint]) -> None:
     assert np.allclose(np.diff(q, axis=0), 0.5 * (v[1:] + v[:-1]) * 0.01, atol=1e-4)
 
 
+@pytest.mark.parametrize("late", [5, 9, 12, 20, 50])
+def test_a_process_that_was_late_goes_on_from_where_the_hardware_has_braked(rig: FieldRig, late: int) -> None:
+    turned: list[float] = []
+
+    def stalls(number: int) -> None:
+        if number in range(60, 200, 35):
+            before = rig.hardware.positions.copy()
+            rig.stall(late)
+            there = rig.hardware.positions.copy()
+            rig.rounds(1)
+            ahead = np.array([there[name] - at for name, at in before.items()])
+            then = np.array([rig.hardware.positions[name] - at for name, at in there.items()])
+            turned.append(float(np.min(then * np.sign(ahead))))
+
+    arrived(rig, run(rig, stalls))
+    assert min(turned) > -2e-3, "no joint is pulled back"
+
+
 @pytest.mark.parametrize(("at", "to"), [(60, (0.55, 0.02)), (150, (0.56, 0.25)), (190, (0.62, 0.02))])
 def test_it_follows_an_item_that_is_moved_on_the_way(rig: FieldRig, at: int, to: tuple[float, float]) -> None:
     def move(number: int) -> None:
