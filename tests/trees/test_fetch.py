@@ -222,6 +222,16 @@ def test_a_cancel_brings_every_skill_to_rest(leaf: str) -> None:
     assert it.context.resources.holder("arm_left") is None
 
 
+def test_another_task_may_take_over_while_it_searches_and_at_no_other_time() -> None:
+    it = bench(seen_at_look=5, duration=0.05)
+    it.start("fetch", {"item": 29})
+    open_in = set()
+    while it.step() is Status.RUNNING:
+        if it.context.interruptible:
+            open_in.add(it.context.progress.phase)
+    assert open_in == {"search"}
+
+
 def test_the_hand_that_holds_the_item_puts_it_down() -> None:
     it = bench(localised=True)
     it.robot.hands["right"] = 29

@@ -14,6 +14,7 @@ from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess
 
 from skills.ports.failure import Failure, FailureKind
+from trees.behaviours.interruptible import Interruptible
 from trees.behaviours.note import Note
 from trees.behaviours.phase import Phase
 from trees.behaviours.recovery import Recovery, Rung
@@ -49,7 +50,7 @@ def get_item(context: TreeContext, board: FetchBoard) -> Behaviour:
                 "find and pick",
                 memory=True,
                 children=[
-                    Phase("search", context, search(context, board), begins=0.05, ends=0.30),
+                    Phase("search", context, _search(context, board), begins=0.05, ends=0.30),
                     Phase("pick", context, pick(context, board), begins=0.30, ends=0.60),
                 ],
             ),
@@ -66,6 +67,11 @@ def get_item(context: TreeContext, board: FetchBoard) -> Behaviour:
     return Recovery(
         "get item", context, main, rungs, within=WITHIN, conclude=lambda failure: _unreachable(board, failure)
     )
+
+
+def _search(context: TreeContext, board: FetchBoard) -> Behaviour:
+    """Search; a task of a higher priority may take over meanwhile: no hand holds or touches anything."""
+    return Interruptible("searching may wait", context, search(context, board))
 
 
 def _look_around(context: TreeContext, board: FetchBoard) -> Behaviour:
