@@ -24,6 +24,7 @@ from executive.campaigns.crash_rig import PREFIX as RIG_PREFIX
 from executive.campaigns.crash_rig import CrashRig
 from executive.campaigns.crash_world import ITEM, deeds
 from executive.ledger.sqlite import SqliteLedger
+from executive.processes import SPARE_AFTER
 from executive.requests import Asked, read_request
 from executive.task_book import TaskBook
 from skills.ports.keys import Latest
@@ -176,6 +177,9 @@ def _going_on(folder: Path, times: int) -> Iterator[Row]:
 def _restart(rig: CrashRig, endpoint: str, number: int) -> tuple[float, float]:
     """Kill the executive in the middle of a fetch; return the seconds until the task is told, and goes on."""
     rig.reset()
+    time.sleep(SPARE_AFTER)
+    rig.tidy()
+    time.sleep(1.0)  # it loads
     bus = ZenohBus(endpoint, RIG_PREFIX)  # of its own: the rig may join anew
     statuses = Latest(bus, TASK_STATUS, depth=1024)
     answer = rig.request({"task": "fetch", "item": ITEM, "id": str(number)}, meanwhile=lambda: None)

@@ -17,12 +17,13 @@ from skills.ports.geometry import IDENTITY, Pose, about, compose
 from skills.ports.hand_grasps import TAG_TURN
 from skills.ports.world import SIDES, HeldItem, Side
 from skills.site import load
-from skills.testing.mock_robot import MockRobot
+from skills.testing.mock_robot import STRETCHED, MockRobot
 from skills.testing.mock_skill import Fault
 
 LEFT: Final = 29
 RIGHT: Final = 42
 CARTON: Final = 0
+OTHER: Final = 7
 STEP: Final = 0.2
 
 _WHERE: Final = ("draw back", "at last")
@@ -150,11 +151,24 @@ HAND_WORLDS: Final[Mapping[str, Callable[[], tuple[Mapping[str, Make], Mapping[s
 
 
 def _common(world: Callable[..., TreeBench]) -> dict[str, Make]:
+    fails_out = partial(_always, partial(world, seen_at_look=4, begin=_stretch))
     return {
         "known before": partial(world, localised=True),
         "nowhere": partial(world, seen_at_look=10**6),
         "no zones": partial(world, zones=False),
         "stop is set": partial(world, begin=stop),
+        "arms hide all": partial(world, seen_at_look=4, begin=_stretch),
+        "arms hide all, one is stuck": fails_out("look: tuck arm"),
+        "arms hide all, and have something": partial(
+            world,
+            seen_at_look=4,
+            begin=_stretch,
+            events={"look at table": partial(_hold, "left", OTHER)},
+            faults={"look: tuck arm": _NO_WAY},
+        ),
+        "arms hide all, fingers stuck": fails_out("look: tuck arm", "look: open hand"),
+        "arms hide all, and can't draw back": fails_out("look: tuck arm", "look: draw hand back"),
+        "arms hide all, and stay": fails_out("look: tuck arm", "look: tuck arm then"),
         "nobody sees or rules": partial(world, faults={**_BLIND, **_SLOW}),
         "nobody is there to see or rule": partial(world, begin=_alone, faults=_SLOWER),
     }
@@ -225,6 +239,10 @@ def _world(
     bench.events.update(events)
     bench.start(task, dict(request))
     return bench
+
+
+def _stretch(robot: MockRobot) -> None:
+    robot.put_arms(STRETCHED)
 
 
 def _alone(robot: MockRobot) -> None:

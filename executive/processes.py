@@ -5,6 +5,7 @@ Nothing is left behind.
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -17,7 +18,7 @@ from pathlib import Path
 from typing import IO, Final, Self
 
 from executive.parts import OBSERVER, ROLES
-from executive.settings import REFUSED, UNKEPT, WorkerSettings
+from executive.settings import REFUSED, UNKEPT, WAIT, WorkerSettings
 
 ENDS_WITHIN: Final = 5.0
 """Seconds that a process has for its own end; then it is killed."""
@@ -34,6 +35,8 @@ RESTARTS: Final = 3
 """Times that a process is started again ..."""
 RESTARTS_WITHIN: Final = 60.0
 """... in so many seconds; one that dies more often has a fault that no new start mends."""
+SPARE_AFTER: Final = 2.0
+"""Seconds after a start at which its spare is made: the start itself needs the processor more."""
 
 
 @dataclass(frozen=True)
@@ -88,6 +91,10 @@ class Supervisor:
     _restarted: dict[str, deque[float]] = field(default_factory=dict)
     _orphans: dict[int, float] = field(default_factory=dict)
     """Groups of dead processes that may still have followers, and when these are killed."""
+    _spares: dict[str, subprocess.Popen[bytes]] = field(default_factory=dict)
+    """Processes by role that have loaded all that their role needs, and wait to be told their settings."""
+    _spare_at: dict[str, float] = field(default_factory=dict)
+    """Roles that shall have a spare, and when the next is made (monotonic seconds)."""
 
     def __enter__(self) -> Self:
         """Start with no process."""
@@ -100,18 +107,28 @@ class Supervisor:
 
     def start(self, settings: WorkerSettings) -> Child:
         """Start one process, in a session of its own: a Ctrl-C reaches the parent alone."""
-        log = self.folder / f"{settings.role}.log"
+        role = settings.role
+        log = self.folder / f"{role}.log"
         stream = log.open("ab")
-        process = subprocess.Popen(  # noqa: S603 - our own interpreter and our own module
-            [sys.executable, "-m", "executive.worker", settings.model_dump_json()],
-            stdin=subprocess.DEVNULL,
-            stdout=stream,
-            stderr=subprocess.STDOUT,
-            start_new_session=True,
-        )
+        process = self._spares.pop(role, None)
+        if process is None or not _tell_settings(process, settings):
+            process = _launch([settings.model_dump_json()], stream, subprocess.DEVNULL)
+        if role in self._spare_at:
+            self._spare_at[role] = time.monotonic() + SPARE_AFTER
         child = Child(settings, log, process, stream)
         self.children.append(child)
         return child
+
+    def keep_spare(self, role: str) -> None:
+        """Have a spare of a role from soon on, made by ``tidy``: the next start needs not load anything."""
+        self._spare_at[role] = time.monotonic() + SPARE_AFTER
+
+    def _make_spares(self) -> None:
+        now = time.monotonic()
+        for role, at in self._spare_at.items():
+            if now >= at and role not in self._spares:
+                with (self.folder / f"{role}.log").open("ab") as stream:
+                    self._spares[role] = _launch([WAIT, role], stream, subprocess.PIPE)
 
     def child(self, role: str) -> Child:
         """Return the newest process of a role; KeyError names those that there are."""
@@ -150,11 +167,12 @@ class Supervisor:
         child.stream.close()
 
     def tidy(self) -> None:
-        """See to the followers of processes that were started again. Never waits."""
+        """See to the followers of processes that were started again, and to spares. Never waits."""
         now = time.monotonic()
         for group, end in tuple(self._orphans.items()):
             if not _tell_group(group, signal.SIGKILL if now > end else 0):
                 del self._orphans[group]
+        self._make_spares()
 
     def end(self) -> None:
         """Tell all to end and kill those that don't: the executive first, so that its goals come to rest.
@@ -162,6 +180,10 @@ class Supervisor:
         Its leaves cancel their goals while the skills still live; the hardware outlives the skills, and the
         router everybody.
         """
+        for spare in self._spares.values():
+            _dismiss(spare)
+        self._spares.clear()
+        self._spare_at.clear()
         for roles in (("executive",), SKILL_ROLES, (OBSERVER,), ("hardware", "mock"), ("router",)):
             going = [child for child in self.children if child.role in roles]
             for child in going:
@@ -174,6 +196,37 @@ class Supervisor:
         for group in self._orphans:
             _end_group(group)
         self._orphans.clear()
+
+
+def _launch(words: list[str], stream: IO[bytes], stdin: int) -> subprocess.Popen[bytes]:
+    return subprocess.Popen(  # noqa: S603 - our own interpreter and our own module
+        [sys.executable, "-m", "executive.worker", *words],
+        stdin=stdin,
+        stdout=stream,
+        stderr=subprocess.STDOUT,
+        start_new_session=True,
+    )
+
+
+def _tell_settings(spare: subprocess.Popen[bytes], settings: WorkerSettings) -> bool:
+    """Have a spare begin; False when it has ended."""
+    assert spare.stdin is not None, "a spare was started with a pipe"
+    try:
+        spare.stdin.write(settings.model_dump_json().encode() + b"\n")
+        spare.stdin.close()
+    except OSError:
+        _dismiss(spare)
+        return False
+    return True
+
+
+def _dismiss(spare: subprocess.Popen[bytes]) -> None:
+    """End a spare that nobody needs; it ends by itself, too, when its parent is gone."""
+    spare.kill()
+    spare.wait()
+    if spare.stdin is not None and not spare.stdin.closed:
+        with contextlib.suppress(OSError):
+            spare.stdin.close()
 
 
 def _end(child: Child, deadline: float) -> None:

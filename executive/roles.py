@@ -6,6 +6,7 @@ camera library. So the imports stand in the functions.
 
 from __future__ import annotations
 
+import importlib
 import logging
 import time
 import uuid
@@ -168,6 +169,27 @@ def executive_node(
     )
     doors.tasks = executive.book.all
     return executive
+
+
+def load_ahead(role: str) -> None:
+    """Load what playing a role will need, so that its start takes no time for it later."""
+    if role != "executive":
+        return
+    for module in _AHEAD:
+        importlib.import_module(module)
+    from trees.registry import discover  # noqa: PLC0415
+
+    discover()
+
+
+_AHEAD: Final = (
+    "executive.doors",
+    "executive.ledger.sqlite",
+    "executive.service",
+    "skills.wire.clocks",
+    "skills.wire.loop",
+    "skills.wire.zenoh_bus",
+)
 
 
 def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:

@@ -53,6 +53,8 @@ class WorkerSettings(Message):
     """The robot's name in that folder."""
 
 
+WAIT: Final = "--wait"
+"""Instead of settings: load what a role needs, and read the settings from standard input."""
 REFUSED: Final = 4
 """Exit code of a process that must not start here."""
 UNKEPT: Final = 5

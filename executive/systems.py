@@ -213,6 +213,7 @@ class ProcessSystem:
         self._await(lambda: not self._not_started(), f"not all processes of {bus.prefix} started")
         if "executive" in self._roles:
             self._await(self._executive_answers, f"the executive of {bus.prefix} did not answer")
+            self.supervisor.keep_spare("executive")
         self._ready = True
 
     def _not_started(self) -> tuple[str, ...]:

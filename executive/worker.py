@@ -15,7 +15,7 @@ from typing import Final
 
 from executive import roles
 from executive.ledger.port import LedgerError, LedgerLockedError
-from executive.settings import REFUSED, UNKEPT, RefusalError, WorkerSettings
+from executive.settings import REFUSED, UNKEPT, WAIT, RefusalError, WorkerSettings
 from executive.telemetry.logs import formatter
 
 SWITCH_INTERVAL: Final = 0.0005
@@ -44,6 +44,12 @@ class Ending:
 
 def main(argv: list[str]) -> int:
     """Play the role; return the process's exit code."""
+    if argv[0] == WAIT:
+        # A spare: what the role needs is loaded before it is needed. The end of the pipe is its parent's end.
+        roles.load_ahead(argv[1])
+        argv = [sys.stdin.readline()]
+        if not argv[0]:
+            return 0
     settings = WorkerSettings.model_validate_json(argv[0])
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(formatter(settings.log_format, settings.role))

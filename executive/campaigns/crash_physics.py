@@ -30,7 +30,7 @@ from skills.ports.failure import Failure
 from skills.ports.keys import Latest
 from skills.ports.message import Message
 from skills.ports.tasks import TaskState
-from skills.ports.world import WORLD, Side
+from skills.ports.world import WORLD, Side, WorldState
 from skills.site import load
 
 Kind = Literal["fetch", "pick_two"]
@@ -203,14 +203,14 @@ class Killer:
         """Listen."""
         bus = self.system.bus
         self._timeline = Timeline(bus, self.system.clocks)
-        self._world = Latest(bus, WORLD)
+        self._world, self._beliefs = Latest(bus, WORLD, depth=1024), list[WorldState]()
         self._statuses = bus.subscribe("skill/*/*/status", depth=4096)
         self._open: set[str] = set()
 
     def step(self) -> bool:
         """Take in what was told; kill when the time has come."""
         self._timeline.step()
-        self._world.refresh()
+        self._beliefs += self._world.take()
         self._note_goals()
         span = next(iter(self._timeline.of(self.moment.leaf)), None)
         now = robot_seconds(self.system.clocks)
@@ -242,12 +242,13 @@ class Killer:
                 self.deeds.append(Deed(what="ended", at=at, action=action, goal_id=goal))
             elif not status.state.terminal and goal not in self._open:
                 self._open.add(goal)
-                done = self._done_before(goal)
+                done = self._done_before(goal, at)
                 self.deeds.append(Deed(what="began", at=at, action=action, goal_id=goal, done_before=done))
 
-    def _done_before(self, goal_id: str) -> bool:
-        """Say whether it was believed that what a hand is to bring about was so already."""
-        node, world = node_of(goal_id), self._world.value
+    def _done_before(self, goal_id: str, at: float) -> bool:
+        """Say whether it was believed at that time that what a hand is to bring about was so already."""
+        node = node_of(goal_id)
+        world = next((each for each in reversed(self._beliefs) if each.stamp.seconds < at), None)
         if world is None:
             return False
         if node.endswith("close"):

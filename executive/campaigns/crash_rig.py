@@ -54,6 +54,7 @@ class CrashRig:
         self.folder.mkdir(parents=True, exist_ok=True)
         self._supervisor.__enter__()
         self.start("router", "mock", "executive")
+        self._supervisor.keep_spare("executive")  # as `tandem up` does
         return self
 
     def __exit__(
@@ -100,6 +101,10 @@ class CrashRig:
         child.stream.close()
         self._supervisor.children.remove(child)
 
+    def tidy(self) -> None:
+        """Have a spare made when it is time for it."""
+        self._supervisor.tidy()
+
     def dead(self, role: str) -> bool:
         """Say whether a process has ended."""
         return self._supervisor.child(role).process.poll() is not None
@@ -125,6 +130,7 @@ class CrashRig:
 
     def _ask(self, key: str, payload: bytes, meanwhile: Callable[[], None]) -> bytes:
         end = self.now() + START_WITHIN
+        self.tidy()
         while self.now() < end:
             asked_at, pending = self.now(), self.bus.query(key, payload, timeout=1.0)
             bus = self.bus

@@ -15,6 +15,11 @@ from skills.ports.keys import STOP_STATE, Latest, group_cancel, group_goal, grou
 
 ANSWER_WITHIN: Final = 2.0
 """Robot seconds for the hardware's answer to a goal or a cancel."""
+ASKS: Final = 3
+"""How often a goal is sent while no answer comes: a process that did not go on for a while misses one. The
+goal's id is the same, and the hardware knows it again."""
+CANCEL_AGAIN: Final = 0.5
+"""Robot seconds after which a cancel is sent again, until the group is at rest."""
 LATE: Final = 2.0
 """Robot seconds beyond the motion's and its settling time after which the hardware is said to be lost."""
 RESTS_WITHIN: Final = 0.6
@@ -48,6 +53,7 @@ class GroupDriver:
         self._group = group
         self.moving = False
         self._ends_at = 0.0
+        self._cancel_again_at = float("inf")
         self._sent_at = 0.0
         self._duration = 0.0
         self._id = ""
@@ -56,10 +62,11 @@ class GroupDriver:
         """Hand the motion over; yields while there is no answer. A failure means that nothing moves."""
         goal = TrajectoryGoal(id=goal_id, keeper=f"skill/{self._where}", points=trajectory.points())
         self._id = goal_id
+        self._cancel_again_at = float("inf")
         self.moving = True
         until = robot_seconds(self._clocks) + RESTS_WITHIN
         while True:
-            answer = yield from self._await(self._goal.query(self._bus, goal))
+            answer = yield from self._ask(goal)
             if answer is None:
                 self.stop()
                 return self._failure(FailureKind.HARDWARE_LOST, f"{self._group} did not answer to a goal")
@@ -104,6 +111,8 @@ class GroupDriver:
             self.stop()
             self.moving = False
             return Ended(None, self._failure(FailureKind.HARDWARE_LOST, f"{self._group} tells of no end"))
+        if robot_seconds(self._clocks) > self._cancel_again_at:
+            self._tell_cancel()
         return None
 
     @property
@@ -114,13 +123,24 @@ class GroupDriver:
 
     def stop(self) -> None:
         """Tell the hardware to stop; ``poll`` then tells when it is at rest."""
-        self._cancel.query(self._bus, CancelMotion(id=self._id))
+        self._tell_cancel()
         self._ends_at = robot_seconds(self._clocks) + ANSWER_WITHIN + LATE
 
     def close(self) -> None:
         """End the subscriptions."""
         self._status.close()
         self._stop.close()
+
+    def _tell_cancel(self) -> None:
+        self._cancel.query(self._bus, CancelMotion(id=self._id))
+        self._cancel_again_at = robot_seconds(self._clocks) + CANCEL_AGAIN
+
+    def _ask(self, goal: TrajectoryGoal) -> Generator[None, None, bytes | None]:
+        for _ in range(ASKS):
+            answer = yield from self._await(self._goal.query(self._bus, goal))
+            if answer is not None:
+                return answer
+        return None
 
     def _await(self, pending: Pending) -> Generator[None, None, bytes | None]:
         until = robot_seconds(self._clocks) + ANSWER_WITHIN

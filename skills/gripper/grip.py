@@ -7,7 +7,7 @@ stops pads that move; pads that squeeze go on squeezing.
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from typing import Final
 
 from skills.gripper.commands import Order, name_command
@@ -32,6 +32,9 @@ SETTLE: Final = 0.2
 SLOW: Final = 2.5
 """Times the motion's nominal time, and a second, after which a gripper is stuck."""
 ANSWER_WITHIN: Final = 2.0
+"""Robot seconds for the hardware's answer to a command."""
+ASKS: Final = 3
+"""How often a command is sent while no answer comes: a process that did not go on for a while misses one."""
 
 Grips = Run[GripFeedback, GripResult]
 Waiting = Generator[GripFeedback, Command, Failure | None]
@@ -133,7 +136,7 @@ class Gripping:
     def _go(self, goal: GripGoal, command_id: str) -> Waiting:
         """Move until the pads are at rest, or a command comes in between."""
         start, width = self._now().width, self._target(goal)
-        refused = yield from self._answered(self._send(command_id, width, goal.force))
+        refused = yield from self._answered(lambda: self._send(command_id, width, goal.force))
         if refused is not None or self._command is not Command.GO_ON:
             return refused
         began = robot_seconds(self._clocks)
@@ -156,11 +159,14 @@ class Gripping:
             if self._look((yield self._feedback())):
                 return None
 
-    def _answered(self, pending: Pending) -> Waiting:
-        until = robot_seconds(self._clocks) + ANSWER_WITHIN
+    def _answered(self, send: Callable[[], Pending]) -> Waiting:
+        """Send until it is answered; to do the same command again changes nothing."""
+        asks, pending, until = 1, send(), robot_seconds(self._clocks) + ANSWER_WITHIN
         while (payload := pending.poll()) is None:
             if pending.done() or robot_seconds(self._clocks) > until:
-                return self._failure(FailureKind.HARDWARE_LOST, "the gripper did not answer")
+                if asks == ASKS:
+                    return self._failure(FailureKind.HARDWARE_LOST, "the gripper did not answer")
+                asks, pending, until = asks + 1, send(), robot_seconds(self._clocks) + ANSWER_WITHIN
             if self._look((yield self._feedback())):
                 return None
         answer: Answer = self._service.decode_answer(payload)

@@ -124,13 +124,17 @@ def box(
 
 @dataclass
 class JointsOnly:
-    """The hardware of one group; a ``Node``. ``stray_at`` aborts a motion at that share of its time."""
+    """The hardware of one group; a ``Node``. ``stray_at`` aborts a motion at that share of its time.
+
+    So many answers to goals as ``answers_lost`` says never arrive.
+    """
 
     bus: MemoryBus
     clocks: SteppedClocks
     group: JointGroup
     positions: dict[str, float]
     stray_at: float | None = None
+    answers_lost: int = 0
     goals: list[TrajectoryGoal] = field(default_factory=list)
     _began: float = 0.0
     _active: Trajectory | None = None
@@ -148,6 +152,12 @@ class JointsOnly:
     def step(self) -> bool:
         for request in self._goal.drain():
             goal = TrajectoryGoal.model_validate_json(request.payload)
+            if self.answers_lost:
+                self.answers_lost -= 1
+            else:
+                request.reply(Answer(accepted=True).model_dump_json().encode())
+            if self.goals and self.goals[-1].id == goal.id:
+                continue
             self.goals.append(goal)
             points = goal.points
             self._active = Trajectory(
@@ -156,7 +166,6 @@ class JointsOnly:
                 np.array([p.velocities for p in points]),
             )
             self._began = self.clocks.seconds
-            request.reply(Answer(accepted=True).model_dump_json().encode())
             self._tell(MotionState.ACTIVE, at_rest=False)
         for request in self._cancel.drain():
             CancelMotion.model_validate_json(request.payload)

@@ -17,6 +17,7 @@ from skills.ports.geometry import IDENTITY, Pose
 from skills.ports.site import Site
 from skills.ports.world import HeldItem
 from skills.site import load
+from skills.testing.mock_robot import STRETCHED
 from skills.testing.mock_skill import Fault
 from trees.registry import discover
 
@@ -157,6 +158,14 @@ def test_crossed_items_are_in_reach_and_far_ones_are_refused_before_an_arm_moves
         "U",
     )
     assert not [goal for _, goal in run.robot.calls if isinstance(goal, MoveGoal)]
+
+
+def test_an_arm_that_hides_the_items_comes_in_before_it_is_said_that_they_are_not_there() -> None:
+    run = TreeBench(SITE, items=dict(ITEMS), step=0.05, seen_at_look=4)
+    run.robot.put_arms(STRETCHED)
+    assert run.run("pick_two", TWO) is Status.SUCCESS
+    path = run.path()
+    assert path.index("look: tuck arm") < path.index("left arm: approach")
 
 
 def test_a_hand_that_is_full_is_found_before_an_arm_moves() -> None:

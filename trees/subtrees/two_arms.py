@@ -23,6 +23,7 @@ from trees.leaves.coordinate import Mode, coordinate
 from trees.leaves.localise import localise
 from trees.leaves.look_at_table import look_at_table
 from trees.leaves.track import track
+from trees.subtrees.arms_in import free_and_tuck
 from trees.subtrees.request import ready
 from trees.subtrees.rungs import wait_back
 
@@ -36,9 +37,10 @@ ANOTHER_MOMENT: Final = 0.5
 
 
 def take_up(context: TreeContext, boards: tuple[HandBoard, ...], *, check: bool = True) -> Behaviour:
-    """Return the subtree: the robot is ready, the hands are free, the items are in view. No arm moves.
+    """Return the subtree: the robot is ready, the hands are free, the items are in view.
 
-    Without ``check`` the hands are not looked at: the arm is chosen later.
+    No arm moves unless one that is out may hide an item. Without ``check`` the hands are not looked at: the
+    arm is chosen later.
     """
     items = tuple(dict.fromkeys(board.item for board in boards))
     where = Selector(
@@ -62,6 +64,8 @@ def take_up(context: TreeContext, boards: tuple[HandBoard, ...], *, check: bool 
         (
             wait_back("look", context),
             Rung("look: once more", unseen, LOOKS, Pause("look: a moment", context, ANOTHER_MOMENT)),
+            # After a restart an arm may stand before what it was about to pick.
+            Rung("look: arms out of the sight", unseen, 1, free_and_tuck(context, "look")),
         ),
         within=WITHIN,
     )

@@ -53,6 +53,16 @@ def test_it_moves_the_hand_to_a_pose_and_in_a_straight_line(rig: ArmRig) -> None
     assert down.error < 1e-3
 
 
+@pytest.mark.parametrize(("lost", "failure"), [(2, None), (3, FailureKind.HARDWARE_LOST)])
+def test_a_goal_whose_answer_is_lost_is_sent_again(
+    rig: ArmRig, lost: int, failure: FailureKind | None
+) -> None:
+    rig.hardware.answers_lost = lost
+    status = rig.run(MoveGoal(joints=SIDE))
+    assert (None if status.failure is None else status.failure.kind) is failure
+    assert len(rig.hardware.goals) == 1, "the hardware knows it again by its id"
+
+
 def test_the_first_candidate_that_is_reachable_is_taken(rig: ArmRig) -> None:
     goal = MoveGoal(candidates=(pose(3.0, 0.0, 0.4), pose(0.45, 0.2, 0.4)))
     assert rig.result(rig.run(goal)).candidate == 1

@@ -33,13 +33,17 @@ SPEED = 0.05
 
 @dataclass
 class Fingers:
-    """Pads 5 cm/s fast; ``between`` stops them at its width, ``jammed`` where they are."""
+    """Pads 5 cm/s fast; ``between`` stops them at its width, ``jammed`` where they are.
+
+    So many answers as ``answers_lost`` says never arrive.
+    """
 
     bus: MemoryBus
     clocks: SteppedClocks
     between: float = 0.0
     jammed: bool = False
     width: float = 0.045
+    answers_lost: int = 0
     commands: list[GripperCommand] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -48,6 +52,9 @@ class Fingers:
     def step(self) -> None:
         for request in self._desk.drain():
             self.commands.append(GripperCommand.model_validate_json(request.payload))
+            if self.answers_lost:
+                self.answers_lost -= 1
+                continue
             request.reply(Answer(accepted=True).model_dump_json().encode())
         motion, force, command_id = GripperMotion.IDLE, 0.0, ""
         if self.commands:
@@ -122,6 +129,18 @@ def kind(status: GoalStatus) -> FailureKind:
 def test_it_opens_all_the_way_and_to_a_width(rig: Rig) -> None:
     assert result(rig.run(GripGoal(grip=Grip.OPEN))).width == pytest.approx(0.09)
     assert rig.fingers.commands[-1].width == pytest.approx(0.09)
+
+
+def test_a_command_whose_answer_is_lost_is_sent_again_as_it_was(rig: Rig) -> None:
+    rig.fingers.answers_lost = 2
+    assert result(rig.run(GripGoal(grip=Grip.OPEN))).width == pytest.approx(0.09)
+    assert len(rig.fingers.commands) == 3
+    assert len({each.id for each in rig.fingers.commands}) == 1
+
+
+def test_a_hand_that_never_answers_is_lost(rig: Rig) -> None:
+    rig.fingers.answers_lost = 9
+    assert kind(rig.run(GripGoal(grip=Grip.OPEN))) is FailureKind.HARDWARE_LOST
 
 
 def test_it_closes_on_nothing(rig: Rig) -> None:
