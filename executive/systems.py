@@ -10,9 +10,10 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import IO, Final, Protocol, Self
 
+from executive.hung import HUNG_AFTER, Hung
 from executive.options import RunOptions
 from executive.parts import OBSERVER, ROLES, Role
-from executive.processes import Death, Supervisor
+from executive.processes import RESTARTED, Death, Supervisor
 from executive.security.identity import Identity
 from executive.settings import UNKEPT, WorkerSettings
 from executive.telemetry.relay import LogRelay
@@ -120,6 +121,7 @@ class ProcessSystem:
         options: scenario, seed, speed, endpoint.
         roles: which processes to start.
         say: takes a line when a skill's process has died and is started again.
+        hung_after: host seconds without a beat after which a process is killed and started again.
 
     Raises:
         ScenarioError: when the scenario is wrong.
@@ -131,10 +133,12 @@ class ProcessSystem:
         *,
         roles: tuple[Role, ...] = ROLES,
         say: Callable[[str], None] = lambda _: None,
+        hung_after: float = HUNG_AFTER,
     ) -> None:
         observed: tuple[Role, ...] = (OBSERVER,) if options.metrics or options.traces else ()
         self._options, self._roles, self._say = options, roles + observed, say
         self._ready = False
+        self._hung = Hung(time.monotonic, hung_after)
         self._site = load_scenario(options.scenario).site
         self._folder = tempfile.TemporaryDirectory(prefix="tandem-")
         self.supervisor = Supervisor(Path(self._folder.name) / "logs")
@@ -297,8 +301,18 @@ class ProcessSystem:
             unkept = any(death.code == UNKEPT for death in fatal)
             words = "\n".join(death.describe() for death in fatal)
             raise LedgerFailure(words) if unkept else SystemFailure(words)
+        if self._ready:
+            self._kill_hung()
         self.supervisor.tidy()
         self._relay.step()
+
+    def _kill_hung(self) -> None:
+        """Kill who hangs for too long; the next look finds it dead, and starts it again."""
+        names = {f"process/{child.role}": child for child in self.supervisor.children}
+        restarted = {name for name in names if name.removeprefix("process/") in RESTARTED}
+        for name in self._hung.look(restarted & self.bus.alive(), self.bus.awake()):
+            self._say(f"the {names[name].role} process hangs; it is killed")
+            names[name].process.kill()
 
 
 def wait_for(system: System, pending: Pending, within: float) -> bytes | None:

@@ -36,3 +36,18 @@ def test_the_arm_stands_while_it_hangs_and_gets_there_afterwards(live: ProcessSy
         os.kill(process, signal.SIGCONT)
     go_on(live, lambda: moving.state().terminal, within=60.0)
     assert moving.state() is GoalState.SUCCEEDED, moving.status()
+
+
+def test_a_process_that_hangs_for_good_is_killed_and_started_again() -> None:
+    said: list[str] = []
+    with ProcessSystem(
+        RunOptions(bus=own_bus(), scenario="Defaults"), say=said.append, hung_after=1.5
+    ) as system:
+        hangs = system.pids()["base"]
+        os.kill(hangs, signal.SIGSTOP)
+        go_on(system, lambda: system.pids()["base"] != hangs, within=30.0)
+        go_on(system, lambda: "process/base" in system.bus.awake(), within=30.0)
+    assert said == [
+        "the base process hangs; it is killed",
+        "the base process ended (signal 9); started again",
+    ]
