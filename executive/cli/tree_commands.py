@@ -168,7 +168,7 @@ def _running(options: BusOptions) -> TreeNode:
 
 def _built(task: str, request: str, site_name: str) -> TreeNode:
     from executive.documents import parse  # noqa: PLC0415
-    from executive.render.example import example_request, tree_of  # noqa: PLC0415
+    from executive.render.example import NoExampleError, example_request, tree_of  # noqa: PLC0415
     from executive.requests import Refused, read_request  # noqa: PLC0415
     from skills.site import DocumentError, load  # noqa: PLC0415
     from trees.registry import discover  # noqa: PLC0415
@@ -181,7 +181,10 @@ def _built(task: str, request: str, site_name: str) -> TreeNode:
     except DocumentError as error:
         raise CommandError(str(error)) from error
     if not request:
-        return tree_of(kinds[task], site, example_request(kinds[task], site))
+        try:
+            return tree_of(kinds[task], site, example_request(kinds[task], site))
+        except NoExampleError as error:
+            raise CommandError(str(error)) from error
     asked = read_request(request.encode(), kinds, site)
     document = parse(request.encode())
     if isinstance(asked, Refused) or isinstance(document, tuple):

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from pydantic import JsonValue
 from pydantic.fields import FieldInfo
 
 from skills.ports.message import Message
 from skills.ports.site import Site
 from skills.ports.tasks import TreeNode
+from skills.ports.world import SIDES
 from skills.wire.clocks import SteppedClocks
 from skills.wire.memory import MemoryBus
 from trees.clients import Clients
@@ -17,16 +20,20 @@ from trees.snapshot import snapshot
 from trees.task import TaskType
 
 
+class NoExampleError(ValueError):
+    """A request can't be made up; the message says why, and what to do."""
+
+
 def example_request(kind: TaskType[Message], site: Site) -> dict[str, JsonValue]:
     """Return a request's document: its required fields, with the first item of the site where one is meant.
 
     Raises:
-        ValueError: naming a required field that has no example.
+        NoExampleError: naming a required field that has no example.
     """
     document: dict[str, JsonValue] = {"task": kind.name}
     for name, info in kind.request.model_fields.items():
         if info.is_required() and name not in document:
-            document[name] = _example(name, info, site)
+            document[name] = _example(name, info, site, document)
     return document
 
 
@@ -45,10 +52,16 @@ def tree_of(kind: TaskType[Message], site: Site, document: dict[str, JsonValue])
     return snapshot(kind.build(request, context))
 
 
-def _example(name: str, info: FieldInfo, site: Site) -> JsonValue:
+def _example(name: str, info: FieldInfo, site: Site, known: Mapping[str, JsonValue]) -> JsonValue:
     if name == "item" or name.endswith("_item"):
         return site.items[0].item
+    if name in SIDES:
+        for each in site.items:
+            if name in each.hands and each.item not in known.values():
+                return each.item
     examples: list[JsonValue] = info.examples or []
     if not examples:
-        raise ValueError(f"field {name!r} is required and has no example; give the request with --request")
+        raise NoExampleError(
+            f"field {name!r} is required and has no example; give the request with --request"
+        )
     return examples[0]

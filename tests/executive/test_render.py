@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import json
 import xml.etree.ElementTree as ET
+from typing import Literal
 
 import pytest
+from py_trees.behaviours import Success
 
 from executive.cli.tree_commands import Format
-from executive.render.example import example_request, tree_of
+from executive.render.example import NoExampleError, example_request, tree_of
 from executive.render.formats import FORMATS
 from executive.render.layout import lay_out, overlaps
 from executive.render.text import lines, unicode_text
 from executive.report import walk
+from skills.ports.message import Message
 from skills.ports.tasks import NodeStatus, TreeNode
 from skills.site import load
 from trees.registry import discover
+from trees.task import TaskType
 
 
 def leaf(name: str, status: NodeStatus = NodeStatus.INVALID) -> TreeNode:
@@ -44,6 +48,23 @@ SMALL = TreeNode(
 def fetch() -> TreeNode:
     kind, site = discover()["fetch"], load("lab")
     return tree_of(kind, site, example_request(kind, site))
+
+
+@pytest.mark.parametrize("task", discover())
+def test_the_tree_of_each_task_is_drawn_without_a_request(task: str) -> None:
+    kind, site = discover()[task], load("bimanual")
+    assert tree_of(kind, site, example_request(kind, site)).name == task
+
+
+class Odd(Message):
+    task: Literal["odd"] = "odd"
+    how: str
+
+
+def test_a_request_that_can_not_be_made_up_is_asked_for() -> None:
+    kind = TaskType("odd", "", Odd, lambda _, __: (), lambda _, __: Success("odd"))
+    with pytest.raises(NoExampleError, match="'how' is required and has no example; give the request"):
+        example_request(kind, load("lab"))
 
 
 def test_unicode_is_drawn_with_lines_and_signs() -> None:
