@@ -14,6 +14,7 @@ from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
 from skills.ports.action import GoalCommand, GoalState, GoalStatus, command_service
 from skills.ports.actions.arm import ArmState, Candidate, MoveFeedback, MoveGoal, MovePhase
+from skills.ports.actions.bimanual import RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import Pose, from_rpy
 from skills.ports.skill import Command, Slice
@@ -151,6 +152,23 @@ def test_one_who_is_resumed_before_it_stands_gets_there_too(rig: ArmRig, rounds:
     command(rig, Command.PAUSE)
     rig.rounds(rounds)
     command(rig, Command.RESUME)
+    assert np.allclose(rig.result(rig.until(GoalState.SUCCEEDED)).positions, SIDE)
+
+
+@pytest.mark.parametrize("order", [Order.HOLD, Order.STOP])
+def test_an_order_of_the_coordination_stops_it_until_it_may_go(rig: ArmRig, order: Order) -> None:
+    def say(told: Order) -> None:
+        orders = (ArmOrder(side="right", order=told),)
+        RIGHT_OF_WAY.publish(rig.bus, RightOfWay(stamp=rig.hardware.stamp, episode=1, orders=orders))
+
+    rig.send(MoveGoal(joints=SIDE))
+    rig.rounds(30)
+    say(order)
+    rig.rounds(20)
+    stood = dict(rig.hardware.positions)
+    rig.rounds(50)
+    assert rig.hardware.positions == stood
+    say(Order.GO)
     assert np.allclose(rig.result(rig.until(GoalState.SUCCEEDED)).positions, SIDE)
 
 

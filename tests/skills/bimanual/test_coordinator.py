@@ -22,7 +22,7 @@ GOALS: dict[str, Vector3] = {"left": (0.6, 0.3, 0.8), "right": (0.6, -0.3, 0.8)}
 
 
 class Rig:
-    """Both arms on their way to their items, as far as anybody hears; ``risk`` and ``near`` from the reflex."""
+    """Both arms on their way to their items, as far as one hears; ``risk`` and ``near`` from the reflex."""
 
     def __init__(self) -> None:
         self.bus, self.seconds = MemoryBus(), 0.0

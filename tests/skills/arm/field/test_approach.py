@@ -180,6 +180,15 @@ def test_an_open_episode_of_which_nothing_is_heard_any_more_holds(rig: FieldRig)
     arrived(rig, run(rig, once))
 
 
+def test_told_to_stop_it_comes_to_rest_and_gives_up(rig: FieldRig) -> None:
+    status = run(rig, lambda number: rig.order("left", Order.STOP) if number >= 80 else None)
+    assert status.failure is not None
+    assert status.failure.kind is FailureKind.ARMS_CROSSING
+    stood = rig.tool()
+    rig.rounds(30)
+    assert distance(stood, rig.tool()) < 1e-5
+
+
 def test_a_cancel_ends_at_rest(rig: FieldRig) -> None:
     status = run(rig, lambda number: rig.command(Command.CANCEL) if number == 80 else None)
     assert status.state is GoalState.CANCELED
