@@ -1,13 +1,29 @@
-"""Where both hands begin to close in: before their grasp points, fingers along the inward directions."""
+"""Where both hands begin to close in, and where they go when they let go."""
 
 from __future__ import annotations
 
 import math
+from typing import Final
 
-from skills.ports.geometry import Pose, about, add, compose, invert, multiply, rotate, scale, transform
+from skills.bimanual.middle import Span
+from skills.ports.geometry import (
+    Pose,
+    about,
+    add,
+    compose,
+    conjugate,
+    invert,
+    multiply,
+    rotate,
+    scale,
+    transform,
+)
 from skills.ports.message import Quaternion, Vector3
 from skills.ports.site import SiteItem
 from skills.ports.world import SIDES
+
+STRAIGHT: Final[Quaternion] = (0.0, 0.0, 0.0, 1.0)
+"""No turn."""
 
 
 def ready_tools(
@@ -57,3 +73,41 @@ def between(item_in_base: Pose, middle_in_base: Pose) -> Pose:
     found = compose(invert(middle_in_base), item_in_base)
     x, _, z = found.position
     return Pose(position=(x, 0.0, z), orientation=found.orientation)
+
+
+def swing(came: tuple[Pose, Pose], ready: tuple[Pose, Pose]) -> tuple[Quaternion, Quaternion]:
+    """Return by how much each hand was turned when it came, in the axes that it has when it is ready."""
+    left, right = (
+        multiply(conjugate(b.orientation), a.orientation) for a, b in zip(came, ready, strict=True)
+    )
+    return left, right
+
+
+def ways_back(
+    span: Span,
+    middle: Pose,
+    inwards: tuple[float, float],
+    came: tuple[Quaternion, Quaternion],
+    apart: float,
+) -> list[tuple[Pose, Pose]]:
+    """Return where both tools may be drawn back to, the best first: as far as asked, or less.
+
+    Each hand turns again to how it came: an arm that points straight inwards has its wrist bent to the
+    limit, and gets no farther out like that.
+
+    Args:
+        span: of the hands.
+        middle: of the hands in the base.
+        inwards: metres by which each is nearer to the middle than at first.
+        came: as of ``swing``.
+        apart: metres to be drawn back.
+    """
+    ends = []
+    for way in (apart, 0.75 * apart, 0.5 * apart, 0.3 * apart):
+        tools = span.tools(middle, (inwards[0] - way, inwards[1] - way))
+        left, right = (
+            Pose(position=tool.position, orientation=multiply(tool.orientation, turn))
+            for tool, turn in zip(tools, came, strict=True)
+        )
+        ends.append((left, right))
+    return ends

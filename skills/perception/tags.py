@@ -104,7 +104,8 @@ def _closer(grey: NDArray[np.uint8], number: int, quad: Matrix) -> Matrix:
     x0, y0 = (int(value) for value in np.maximum(low - around, 0.0))
     x1, y1 = (int(value) for value in high + around)
     cut = np.ascontiguousarray(grey[y0:y1, x0:x1])
-    found = [each + (x0, y0) for tag, each in _quads(cut, _CLOSE / length) if tag == number]
+    corner = np.array([x0, y0], np.float64)
+    found = [each + corner for tag, each in _quads(cut, _CLOSE / length) if tag == number]
     return min(found, key=lambda each: float(np.abs(each - quad).max()), default=quad)
 
 
