@@ -14,6 +14,7 @@ from skills.ports.geometry import Pose
 
 DAMPING: Final = 1e-4
 """Of the least squares: (metre, radian)^2. Holds joints back near a singularity only."""
+_DAMPED: Final = DAMPING * np.eye(6)
 ROUNDS: Final = 2
 """Newton steps a call: poses that come every 10 ms are nearly there after one."""
 _NEAREST: Final = 0.999
@@ -86,15 +87,19 @@ class PoseFollower:
     def _solved(self, q: Array, twist: Array, jacobian: Array, costs: Array) -> Array:
         """Return the cheapest step (n,): one that would leave its limits stays, the others make up for it."""
         low, high = self._limits.lower - q, self._limits.upper - q
-        step, free = np.zeros(len(q)), np.ones(len(q), dtype=bool)
-        while free.any():
-            left = twist - jacobian[:, ~free] @ step[~free]
-            part = jacobian[:, free]
-            ease = part / costs[free]
-            step[free] = ease.T @ np.linalg.solve(ease @ part.T + DAMPING * np.eye(6), left)
-            beyond = free & ((step < low) | (step > high))
-            if not beyond.any():
-                break
+        step, free = _least(jacobian, costs, twist), np.ones(len(q), dtype=bool)
+        while (beyond := free & ((step < low) | (step > high))).any():
             step[beyond] = np.clip(step[beyond], low[beyond], high[beyond])
             free &= ~beyond
+            if not free.any():
+                break
+            left = twist - jacobian[:, ~free] @ step[~free]
+            step[free] = _least(jacobian[:, free], costs[free], left)
         return step
+
+
+def _least(jacobian: Array, costs: Array, twist: Array) -> Array:
+    """Return the cheapest step (n,) that makes a twist (6,), or nearly so near a singular place."""
+    ease = jacobian / costs
+    found: Array = ease.T @ np.linalg.solve(ease @ jacobian.T + _DAMPED, twist)
+    return found
