@@ -42,6 +42,12 @@ A carton of 0.5 kg held 4 cm off its middle leaned by 1.9 degrees at 40 N after 
 """
 BEFORE: Final = 0.025
 """Metres between the thing's surface and the tool's origin from which on the hands close in."""
+LEANS: Final = (0.0, 0.25, 0.5)
+"""Shares of the lean with which the hands came that they may keep, the best first.
+
+Where a wrist is bent to its limit a hand does not get straight, but nearly so: it came with up to 45 degrees,
+the half of that is well within the cone of friction, and within what counts as pointing at each other.
+"""
 MISSED: Final = 0.05
 """Metres further than to the surface after which a hand that feels nothing has missed the thing."""
 HELD_FOR: Final = 0.3
@@ -147,8 +153,8 @@ class HoldWithTwo:
         arms.engage()
         try:
             start = arms.tools()
-            ready = ready_tools(item_in_base, known, start, BEFORE)
-            yield from self._together(start, ready)
+            ways = [ready_tools(item_in_base, known, start, BEFORE, kept) for kept in LEANS]
+            ready = yield from self._first_within_reach(start, ways)
             yield from self._wait(0.1)
             self._embrace()
             assert arms.middle is not None
@@ -299,8 +305,10 @@ class HoldWithTwo:
         self._progress = 1.0
         return succeeded(TwoHandsResult(left_force=0.0, right_force=0.0))
 
-    def _first_within_reach(self, start: tuple[Pose, Pose], ends: Sequence[tuple[Pose, Pose]]) -> Steps[None]:
-        """Bring both hands to the first of the ends that both get at."""
+    def _first_within_reach(
+        self, start: tuple[Pose, Pose], ends: Sequence[tuple[Pose, Pose]]
+    ) -> Steps[tuple[Pose, Pose]]:
+        """Bring both hands to the first of the ends that both get at, and return it."""
         for k, end in enumerate(ends, start=1):
             try:
                 yield from self._together(start, end)
@@ -309,7 +317,8 @@ class HoldWithTwo:
                 if failure is None or failure.kind is not FailureKind.NO_IK or k == len(ends):
                     raise
             else:
-                return
+                return end
+        raise AssertionError("at least one end was expected")
 
     def _draw_back(self) -> Steps[None]:
         """Take the hands off what they did not get hold of, and let go of the arms."""

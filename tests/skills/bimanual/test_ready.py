@@ -7,7 +7,7 @@ import math
 import pytest
 
 from skills.bimanual.middle import span
-from skills.bimanual.ready import swing, ways_back
+from skills.bimanual.ready import pointing, swing, ways_back
 from skills.ports.geometry import Pose, about, angle_between, multiply, rotate
 
 LEFT = Pose(position=(0.5, 0.2, 0.9), orientation=about((0.0, 0.0, 1.0), -math.pi / 2))
@@ -49,3 +49,9 @@ def test_they_turn_with_what_is_held() -> None:
     ((now, _), *_) = ways_back(held, turned, (0.0, 0.0), turns, 0.1)
     expected = rotate(multiply(quarter, straight.orientation), (1.0, 0.0, 0.0))
     assert rotate(now.orientation, (1.0, 0.0, 0.0)) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("kept", [0.0, 0.25, 0.5])
+def test_a_hand_may_keep_a_share_of_its_lean(kept: float) -> None:
+    swung = pointing(leaning(LEFT, 0.6).orientation, (0.0, -1.0, 0.0), kept)
+    assert angle_between(swung, LEFT.orientation) == pytest.approx(kept * 0.6, abs=1e-9)
