@@ -12,8 +12,9 @@ from typing import Final, TypeVar
 
 from skills.bimanual.glide import Bounds, Glide, glide
 from skills.bimanual.hold import TwoArms
+from skills.bimanual.landing import Landing
 from skills.bimanual.middle import HandsApartError, tilt
-from skills.bimanual.ready import between, ready_tools
+from skills.bimanual.ready import STRAIGHT, between, ready_tools, swing, ways_back
 from skills.bimanual.squeeze import TOUCH, agree
 from skills.kinematics.transforms import Array
 from skills.ports.actions.bimanual import (
@@ -29,6 +30,7 @@ from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import FloorPose, Pose, compose, invert, to_pose
 from skills.ports.grasping import item_in_map
 from skills.ports.keys import Latest
+from skills.ports.message import Quaternion
 from skills.ports.site import Site
 from skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
 from skills.ports.world import ROBOT_POSE, SIDES, WORLD
@@ -40,6 +42,12 @@ A carton of 0.5 kg held 4 cm off its middle leaned by 1.9 degrees at 40 N after 
 """
 BEFORE: Final = 0.025
 """Metres between the thing's surface and the tool's origin from which on the hands close in."""
+LEANS: Final = (0.0, 0.25, 0.5)
+"""Shares of the lean with which the hands came that they may keep, the best first.
+
+Where a wrist is bent to its limit a hand does not get straight, but nearly so: it came with up to 45 degrees,
+the half of that is well within the cone of friction, and within what counts as pointing at each other.
+"""
 MISSED: Final = 0.05
 """Metres further than to the surface after which a hand that feels nothing has missed the thing."""
 HELD_FOR: Final = 0.3
@@ -65,8 +73,6 @@ SLICE: Final = 4
 TRY_COST: Final = 2.5e-4
 """Robot seconds that lockstep charges for a pose that is tried on both arms."""
 HEARD_WITHIN: Final = 2.0
-LANDED: Final = 0.4
-"""Share of the load that is left on the wrists when the thing stands."""
 BRAKING: Final = 0.25
 """Robot seconds in which a motion on its way comes to rest, on its path."""
 
@@ -100,6 +106,8 @@ class HoldWithTwo:
         self._bounds = bounds or Bounds()
         self._world, self._robot = Latest(bus, WORLD), Latest(bus, ROBOT_POSE)
         self._item_in_middle: Pose | None = None
+        self._came: tuple[Quaternion, Quaternion] = (STRAIGHT, STRAIGHT)
+        """By how much each hand was turned when it came, in its own axes: so it turns again when it goes."""
         self._progress = 0.0
 
     @property
@@ -145,11 +153,12 @@ class HoldWithTwo:
         arms.engage()
         try:
             start = arms.tools()
-            ready = ready_tools(item_in_base, known, start, BEFORE)
-            yield from self._together(start, ready)
+            ways = [ready_tools(item_in_base, known, start, BEFORE, kept) for kept in LEANS]
+            ready = yield from self._first_within_reach(start, ways)
             yield from self._wait(0.1)
             self._embrace()
             assert arms.middle is not None
+            self._came = swing(start, ready)
             self._item_in_middle = between(item_in_base, arms.middle)
             arms.wanted = goal.force or FORCE
             yield from self._until_felt(arms.wanted)
@@ -208,7 +217,7 @@ class HoldWithTwo:
             lambda share: span.tools(way.at(share * way.duration), inwards), way.duration
         )
         way = Glide(way.start, way.end, needed)
-        before, load = span.middle_in_base, arms.load
+        before, landing = span.middle_in_base, Landing(arms.load)
         elapsed, rate, lowers = 0.0, 1.0, way.end.position[2] < way.start.position[2]
         command, at = Command.GO_ON, robot_seconds(self._clocks)
         while elapsed < way.duration:
@@ -221,7 +230,7 @@ class HoldWithTwo:
             arms.middle = way.at(elapsed)
             self._progress = min(1.0, elapsed / way.duration)
             self._watch(holding=True, level=before)
-            if goal.touch_support and lowers and arms.load < LANDED * load:
+            if goal.touch_support and lowers and landing.stands(arms.load, now):
                 break
             newer = yield self._feedback()
             command = command if newer is Command.GO_ON or command is Command.CANCEL else newer
@@ -286,9 +295,8 @@ class HoldWithTwo:
             arms.wanted = max(1e-3, wanted * (1.0 - elapsed / EASE))
             yield self._feedback()  # not to be stopped half-way: a thing half held is worse than one let go
         arms.wanted = 0.0
-        left, right = arms.grasp.inwards
-        start = arms.span.tools(arms.middle, (left, right))
-        ends = [arms.span.tools(arms.middle, (left - way, right - way)) for way in _ways_back(goal.apart)]
+        start = arms.span.tools(arms.middle, arms.grasp.inwards)
+        ends = ways_back(arms.span, arms.middle, arms.grasp.inwards, self._came, goal.apart)
         arms.aims, arms.span, arms.middle, self._item_in_middle = start, None, None, None
         try:
             yield from self._first_within_reach(start, ends)
@@ -297,8 +305,10 @@ class HoldWithTwo:
         self._progress = 1.0
         return succeeded(TwoHandsResult(left_force=0.0, right_force=0.0))
 
-    def _first_within_reach(self, start: tuple[Pose, Pose], ends: Sequence[tuple[Pose, Pose]]) -> Steps[None]:
-        """Bring both hands to the first of the ends that both get at."""
+    def _first_within_reach(
+        self, start: tuple[Pose, Pose], ends: Sequence[tuple[Pose, Pose]]
+    ) -> Steps[tuple[Pose, Pose]]:
+        """Bring both hands to the first of the ends that both get at, and return it."""
         for k, end in enumerate(ends, start=1):
             try:
                 yield from self._together(start, end)
@@ -307,7 +317,8 @@ class HoldWithTwo:
                 if failure is None or failure.kind is not FailureKind.NO_IK or k == len(ends):
                     raise
             else:
-                return
+                return end
+        raise AssertionError("at least one end was expected")
 
     def _draw_back(self) -> Steps[None]:
         """Take the hands off what they did not get hold of, and let go of the arms."""
@@ -406,8 +417,3 @@ class HoldWithTwo:
 
     def _failure(self, kind: FailureKind, message: str, **evidence: str | float) -> Failure:
         return Failure(kind=kind, message=message, where=TWO_HANDS.name, evidence=evidence)
-
-
-def _ways_back(apart: float) -> tuple[float, ...]:
-    """Return by how many metres the hands may be drawn back: as asked, or less where an arm ends before."""
-    return (apart, 0.75 * apart, 0.5 * apart, 0.3 * apart)

@@ -14,8 +14,11 @@ from skills.ports.geometry import Pose
 
 DAMPING: Final = 1e-4
 """Of the least squares: (metre, radian)^2. Holds joints back near a singularity only."""
+_DAMPED: Final = DAMPING * np.eye(6)
 ROUNDS: Final = 2
 """Newton steps a call: poses that come every 10 ms are nearly there after one."""
+_NEAREST: Final = 0.999
+"""Share of the way from the middle of a joint's range to its limit beyond which its cost grows no more."""
 
 
 @dataclass(frozen=True)
@@ -63,17 +66,40 @@ class PoseFollower:
         return Followed(q, float(np.linalg.norm(twist[:3])), float(np.linalg.norm(twist[3:])))
 
     def _step(self, q: Array, twist: Array, jacobian: Array) -> Array:
-        """Return one step (n,): a joint that would leave its limits stays, the others make up for it."""
+        """Return one step (n,): joints that come near a limit are spared before they are there.
+
+        Without that, a joint is stopped at its limit all at once, and the others take over with a jerk that
+        an arm does not follow.
+        """
+        even = self._solved(q, twist, jacobian, np.ones(len(q)))
+        return self._solved(q, twist, jacobian, self._costs(q, even))
+
+    def _costs(self, q: Array, step: Array) -> Array:
+        """Return what a step of each joint (n,) costs: more the nearer it comes to a limit.
+
+        Chan and Dubey 1995, "A weighted least-norm solution based scheme for avoiding joint limits".
+        """
+        half = 0.5 * (self._limits.upper - self._limits.lower)
+        off = np.clip((q - self._limits.lower) / half - 1.0, -_NEAREST, _NEAREST)
+        slope = 2.0 * off / (half * (1.0 - off**2) ** 2)
+        return np.where(step * slope > 0.0, 1.0 + np.abs(slope), 1.0)
+
+    def _solved(self, q: Array, twist: Array, jacobian: Array, costs: Array) -> Array:
+        """Return the cheapest step (n,): one that would leave its limits stays, the others make up for it."""
         low, high = self._limits.lower - q, self._limits.upper - q
-        step, free = np.zeros(len(q)), np.ones(len(q), dtype=bool)
-        while free.any():
-            left = twist - jacobian[:, ~free] @ step[~free]
-            part = jacobian[:, free]
-            normal = part @ part.T + DAMPING * np.eye(6)
-            step[free] = part.T @ np.linalg.solve(normal, left)
-            beyond = free & ((step < low) | (step > high))
-            if not beyond.any():
-                break
+        step, free = _least(jacobian, costs, twist), np.ones(len(q), dtype=bool)
+        while (beyond := free & ((step < low) | (step > high))).any():
             step[beyond] = np.clip(step[beyond], low[beyond], high[beyond])
             free &= ~beyond
+            if not free.any():
+                break
+            left = twist - jacobian[:, ~free] @ step[~free]
+            step[free] = _least(jacobian[:, free], costs[free], left)
         return step
+
+
+def _least(jacobian: Array, costs: Array, twist: Array) -> Array:
+    """Return the cheapest step (n,) that makes a twist (6,), or nearly so near a singular place."""
+    ease = jacobian / costs
+    found: Array = ease.T @ np.linalg.solve(ease @ jacobian.T + _DAMPED, twist)
+    return found

@@ -33,6 +33,15 @@ def test_edges_give_corners_within_a_tenth_of_a_pixel(away: float) -> None:
     assert np.abs(refined[0] - true_corners(face)).max() < 0.1
 
 
+@pytest.mark.parametrize("roll", [-0.03, -0.02, -0.01, 0.01, 0.02, 0.03])
+def test_corners_of_a_large_tag_are_within_the_reach_of_their_refinement(roll: float) -> None:
+    face = Face(29, tag_at(0.4, 0.0, 0.95, down=0.08, roll=roll), 0.16)
+    grey = np.ascontiguousarray(picture((face,), np.random.default_rng(2), samples=2).colour[:, :, 0])
+    ((_, guess),) = tags.detect(grey)
+    assert np.abs(guess - true_corners(face)).max() < 4.0
+    assert corners.refine(grey, guess) is not None
+
+
 def test_a_tag_with_a_hidden_edge_is_not_refined() -> None:
     face = Face(29, tag_at(0.8, 0.0, 0.3), 0.048)
     grey = picture((face,), np.random.default_rng(2)).colour[:, :, 0].copy()
