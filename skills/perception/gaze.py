@@ -35,7 +35,7 @@ HIDDEN: Final = 1.5
 """Robot seconds for which an item may be hidden before it is looked for elsewhere, the more so the longer."""
 AGAIN: Final = 4.0
 """Robot seconds after which a place where nothing was found is as good as new."""
-EDGE: Final = 0.05
+EDGE: Final = 0.02
 """Share of the picture's half width and height in which nothing counts as seen: what is there soon is not."""
 BORDER: Final = 1.25
 """The tag with its white border, as a multiple of the tag: it is not found without."""

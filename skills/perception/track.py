@@ -37,7 +37,7 @@ from skills.ports.skill import ActionType, Command, Run, Slice, canceled, failed
 from skills.ports.world import SIGHTINGS, Sighting, Sightings
 
 WHERE: Final = "perception/track"
-GONE_AFTER: Final = 3
+GONE_AFTER: Final = 2
 """Pictures in a row that look through an item's place before it is told to be absent."""
 VIEWS: Final = 54
 """Head positions that are weighed in one slice, and the robot seconds that it is charged."""

@@ -131,7 +131,7 @@ def _rungs(context: TreeContext, board: HandBoard, method: Method) -> tuple[Rung
             Sequence(
                 f"{who}: out of the sight",
                 memory=True,
-                children=[bring_safe(context, board, "show the item"), seen_again(context, board)],
+                children=[go_safe("show the item", context, board), seen_again(context, board)],
             ),
         ],
     )

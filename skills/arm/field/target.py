@@ -13,7 +13,7 @@ from skills.ports.grasping import item_in_map, turned_like
 from skills.ports.keys import Latest
 from skills.ports.world import ROBOT_POSE, WORLD
 
-HIDDEN_FOR = 3.0
+HIDDEN_FOR = 2.5
 """Robot seconds for which the arm stands and waits when its item has disappeared.
 
 It was moved, and the head looks for it; not found by then, it may be that this arm hides it.
