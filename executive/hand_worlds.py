@@ -15,7 +15,7 @@ from skills.ports.actions.perception import TRACK
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import IDENTITY, Pose, about, compose
 from skills.ports.hand_grasps import TAG_TURN
-from skills.ports.world import SIDES, HeldItem, Side
+from skills.ports.world import SIDES, HeldItem, ItemFact, Side
 from skills.site import load
 from skills.testing.mock_robot import STRETCHED, MockRobot
 from skills.testing.mock_skill import Fault
@@ -183,6 +183,19 @@ def _of_hand(world: Callable[..., TreeBench], side: str) -> dict[str, Make]:
     return {
         f"{who}: item moves at the grasp": partial(world, faults={(f"{who}: grasp", 1): _GONE}),
         f"{who}: item moves at each grasp": partial(world, faults={f"{who}: grasp": _GONE}),
+        f"{who}: item moves and is lost": partial(
+            world, faults={(f"{who}: grasp", 1): _GONE}, events={f"{who}: grasp": _lose}
+        ),
+        f"{who}: item moves and is found": partial(
+            world,
+            faults={(f"{who}: grasp", 1): _GONE},
+            events={f"{who}: grasp": _lose, f"{who}: show the item": _find},
+        ),
+        f"{who}: item is lost, and no way back": partial(
+            world,
+            faults={(f"{who}: grasp", 1): _GONE, f"{who}: show the item": _NO_WAY},
+            events={f"{who}: grasp": _lose},
+        ),
         f"{who}: nothing to grasp": fails(f"{who}: close"),
         f"{who}: no way to the item": fails(f"{who}: approach"),
         **{
@@ -252,6 +265,21 @@ def _alone(robot: MockRobot) -> None:
 
 def _lose(robot: MockRobot) -> None:
     robot.believe(items=())
+
+
+def _find(robot: MockRobot) -> None:
+    facts = [
+        ItemFact(
+            item=item,
+            size=(0.07, 0.07, 0.07),
+            tag_in_map=ITEMS[item],
+            seen=robot.world.stamp,
+            quality=1.0,
+            position_sigma=0.002,
+        )
+        for item in (LEFT, RIGHT)
+    ]
+    robot.believe(items=tuple(facts))
 
 
 def _hold(side: Side, item: int, robot: MockRobot) -> None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import Pose, compose, invert, to_pose, yaw_of
-from skills.ports.grasping import FINGER_ROOM, item_in_map
+from skills.ports.grasping import FINGER_ROOM, item_in_map, turned_like
 from skills.ports.hand_grasps import HandGrasp, cube_grasps, side_grasps
 from skills.ports.site import SiteItem
 from skills.ports.world import ItemFact, Side
@@ -25,6 +25,8 @@ class HandBoard:
     """The one that was taken."""
     item_at: Pose | None = None
     """The item's centre in the map when the hand closed around it."""
+    frame: Pose | None = None
+    """The item's frame in the map that its ways were told in."""
     avoid: list[tuple[int, float]] = field(default_factory=list)
     """Faces and pitches that have been tried in vain."""
     safe: bool = True
@@ -58,17 +60,23 @@ class HandBoard:
         return held is not None and held.item == self.item
 
     def standing(self, context: TreeContext) -> Pose | Failure:
-        """Return the item's centre frame in the map, or why it is not known."""
+        """Return the item's centre frame in the map, or why it is not known.
+
+        Whichever of its faces was seen, the frame is the one that the ways to take hold were told in.
+        """
         fact = self.fact(context)
         if fact is None or fact.held is not None:
             return Failure(kind=FailureKind.ITEM_GONE, message=f"item {self.item} is not known to stand")
-        return item_in_map(fact.tag_in_map, fact.size[0])
+        frame = item_in_map(fact.tag_in_map, fact.size[0])
+        return frame if self.frame is None else turned_like(frame, self.frame)
 
     def offer(self, context: TreeContext) -> Failure | None:
         """Work out the ways to take hold of the item as it stands; return why there are none."""
+        self.frame = None
         item, description = self.standing(context), context.knowledge.description
         if isinstance(item, Failure):
             return item
+        self.frame = item
         assert description is not None, "the robot is ready only when it has told who it is"
         hand = description.end_effector(self.side)
         base_heading = 0.0 if context.knowledge.robot is None else context.knowledge.robot.base_in_map.yaw

@@ -121,6 +121,15 @@ class MovePlanner:
         failures = [self._explain(each, checker) for each in refused]
         return failures[0].model_copy(update={"causes": tuple(failures)})
 
+    def goes_on(self, goal: MoveGoal, moment: Moment, number: int, q: Array) -> Generator[int, None, bool]:
+        """Say whether all that follows candidate ``number`` can be reached from the joints (n,) at it."""
+        checker = self._arm.checker(moment, goal)
+        yield CHECKS_AT_ONCE
+        ends = yield from self._ends(
+            goal, moment, self._motions(checker), goal.candidates[number], IkAnswer((q,), 0.0)
+        )
+        return not isinstance(ends, _Refusal)
+
     def recheck(
         self,
         trajectory: Trajectory,

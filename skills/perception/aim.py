@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
+from itertools import product
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from skills.ports.chain import Chain
-from skills.ports.geometry import invert, transform
+from skills.ports.geometry import Pose, invert, transform
 from skills.ports.hardware import JointGroup, RobotDescription
 from skills.ports.message import Vector3
 
 HEAD: Final = "head"
+APART: Final = 0.1
+"""Radians between neighbouring head positions of the lattice, at the most."""
 _ROUNDS: Final = 12
 _STEP: Final = 1e-4
 
@@ -48,6 +53,23 @@ class Aim:
             if float(np.abs(step).max()) < _STEP:
                 break
         return self._clipped(head)
+
+    def lattice(self) -> tuple[tuple[float, ...], ...]:
+        """Return head positions all over its range, a tenth of a radian or less apart."""
+        return tuple(
+            product(
+                *(
+                    np.linspace(limit.lower, limit.upper, 1 + math.ceil((limit.upper - limit.lower) / APART))
+                    .round(6)
+                    .tolist()
+                    for limit in self.group.limits
+                )
+            )
+        )
+
+    def camera_in_base(self, head: tuple[float, ...], joint_positions: Mapping[str, float]) -> Pose:
+        """Return where the camera is with the head there and all else as given."""
+        return self._chain.pose({**joint_positions, **dict(zip(self.group.joints, head, strict=True))})
 
     def _miss(
         self, head: NDArray[np.float64], point: Vector3, positions: dict[str, float]

@@ -27,7 +27,7 @@ from skills.ports.keys import Latest
 from skills.ports.message import RobotTime
 from skills.ports.site import Site
 from skills.ports.skill import Command, Slice
-from skills.ports.world import WORLD, Box, Sighting
+from skills.ports.world import WORLD, Box, ItemFact, Sighting
 
 POSE_AFTER: Final = 1.0
 """Robot seconds for joints and the robot's pose to be heard."""
@@ -130,12 +130,14 @@ class Eye:
             raise LookError(FailureKind.TIMED_OUT, "the picture was not read in time")
         return job.result()
 
+    def facts(self) -> tuple[ItemFact, ...]:
+        """Return what is believed of the items."""
+        world = self._world.refresh()
+        return () if world is None else world.items
+
     def standing(self, sightings: Iterable[Sighting] = ()) -> tuple[tuple[int, Box], ...]:
         """Return the boxes of the items that stand upright, as seen in this run or believed, by item."""
-        poses = {}
-        world = self._world.refresh()
-        if world is not None:
-            poses = {fact.item: fact.tag_in_map for fact in world.items if fact.held is None}
+        poses = {fact.item: fact.tag_in_map for fact in self.facts() if fact.held is None}
         poses |= {each.item: each.tag_in_map for each in sightings}
         boxes = []
         for number, tag_in_map in sorted(poses.items()):

@@ -19,6 +19,10 @@ from skills.ports.hardware import CancelMotion, GroupStatus, JointGroup, MotionS
 from skills.ports.keys import Latest, group_cancel, group_goal, group_status
 from skills.ports.skill import Command, Slice
 
+SETTLE: Final = 0.05
+"""Robot seconds between the head's rest and the picture: what still swings, settles."""
+REST_AFTER: Final = 3.0
+"""Robot seconds for the head to come to rest after a cancel."""
 _NEAR: Final = 0.003
 """Radians: nearer than this, the head need not move."""
 _ANSWER: Final = 1.0
@@ -30,7 +34,7 @@ Steps = Generator[LookFeedback | Slice, Command, None]
 
 
 class Head:
-    """The head of one run of the look.
+    """The head of one run of a skill that looks.
 
     Args:
         bus: where the hardware is.
@@ -99,6 +103,14 @@ class Head:
             raise LookError(FailureKind.NOT_READY, f"the head's goal was not taken: {refused}")
         if not (yield from session.until(lambda: self.at_rest, points[-1].time + _OVERTIME)):
             raise LookError(FailureKind.TIMED_OUT, "the head did not come to rest", goal=goal.id)
+
+    def come_to_rest(self, session: Session) -> Steps:
+        """Stop our motion and wait for its end; a second cancel changes nothing."""
+        self.halt()
+        end = session.now + REST_AFTER
+        while not self.at_rest and session.now < end:
+            yield LookFeedback(pictures=session.pictures, seen=session.seen)
+            self.refresh()
 
     def halt(self) -> None:
         """Ask the hardware to stop our motion, if there is one; ``at_rest`` tells when it has."""

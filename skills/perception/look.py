@@ -13,7 +13,7 @@ from skills.perception.arms import Arms
 from skills.perception.camera import Camera
 from skills.perception.eye import WORK_AFTER, Eye, Steps, View
 from skills.perception.frames import JointHistory, RobotPoseHistory
-from skills.perception.head import Head
+from skills.perception.head import SETTLE, Head
 from skills.perception.jobs import ClutterJob, Shot, find_clutter
 from skills.perception.merge import merge
 from skills.perception.rigid import Matrix
@@ -32,10 +32,6 @@ from skills.ports.skill import ActionType, Run, canceled, failed, succeeded
 from skills.ports.world import CLUTTER, SCENE, SIGHTINGS, Box, Clutter, Sighting, Sightings
 
 WHERE: Final = "perception/look"
-SETTLE: Final = 0.05
-"""Robot seconds between the head's rest and the picture: what still swings, settles."""
-REST_AFTER: Final = 3.0
-"""Robot seconds for the head to come to rest after a cancel."""
 
 
 @dataclass
@@ -132,7 +128,8 @@ class Look:
                 if looking.found():
                     break
         except Canceled:
-            yield from _come_to_rest(looking)
+            looking.camera.close()
+            yield from looking.head.come_to_rest(looking.session)
             return canceled()
         except LookError as error:
             return failed(error.failure.model_copy(update={"where": WHERE}))
@@ -214,13 +211,3 @@ class Look:
             sightings=merge(looking.sightings),
             clutter=looking.boxes,
         )
-
-
-def _come_to_rest(looking: _Looking) -> Steps:
-    """Stop the head; a second cancel changes nothing."""
-    looking.camera.close()
-    looking.head.halt()
-    end = looking.session.now + REST_AFTER
-    while not looking.head.at_rest and looking.session.now < end:
-        yield LookFeedback(pictures=looking.session.pictures, seen=looking.session.seen)
-        looking.head.refresh()

@@ -52,14 +52,18 @@ class Session:
         """Robot seconds."""
         return robot_seconds(self.clocks)
 
-    def breathe(self) -> Generator[LookFeedback | Slice, Command, None]:
+    def breathe(self, slice_of: float | None = None) -> Generator[LookFeedback | Slice, Command, None]:
         """Yield once; then read the inboxes and heed the command.
+
+        Args:
+            slice_of: robot seconds charged for a slice of a computation that goes on as soon as it can.
 
         Raises:
             Canceled: when the client wishes so.
             LookError: when the hardware's stop is set.
         """
-        command = yield LookFeedback(pictures=self.pictures, seen=self.seen)
+        feedback = LookFeedback(pictures=self.pictures, seen=self.seen)
+        command = yield feedback if slice_of is None else Slice(slice_of)
         self.refresh()
         if command is Command.CANCEL:
             raise Canceled

@@ -3,25 +3,32 @@
 The object recorder (document 002, Algorithm 1) is the keeper's: here a tag that is not seen is simply not
 told, and an item is absent only where several pictures in a row look through the place where it stood. An
 arm before it ends the look through; so it is hidden then, and not gone.
+
+The head follows with its gaze what the goal says (``gaze.py``). While it moves, no picture is read: a real
+camera's pictures smear, and its stamp and that of the joints never agree wholly.
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Generator
+from dataclasses import dataclass, field
 from typing import Final
 
+from skills.perception.aim import Aim
 from skills.perception.camera import Camera
-from skills.perception.eye import Eye, View
+from skills.perception.eye import Eye, Steps, View
 from skills.perception.frames import JointHistory, RobotPoseHistory
-from skills.perception.jobs import TagsFound
+from skills.perception.gaze import GAIN, Gaze
+from skills.perception.head import SETTLE, Head
+from skills.perception.jobs import Shot, TagsFound
 from skills.perception.session import Canceled, LookError, Session
 from skills.ports.actions.perception import TRACK, LookFeedback, TrackGoal, TrackResult
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.compute import Compute
 from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import angle_between
+from skills.ports.geometry import angle_between, compose, to_pose
 from skills.ports.hardware import RobotDescription
 from skills.ports.keys import STOP_STATE, Latest
 from skills.ports.message import Quaternion, RobotTime
@@ -30,10 +37,31 @@ from skills.ports.skill import ActionType, Command, Run, Slice, canceled, failed
 from skills.ports.world import SIGHTINGS, Sighting, Sightings
 
 WHERE: Final = "perception/track"
-GONE_AFTER: Final = 3
+GONE_AFTER: Final = 2
 """Pictures in a row that look through an item's place before it is told to be absent."""
+VIEWS: Final = 54
+"""Head positions that are weighed in one slice, and the robot seconds that it is charged."""
+VIEWS_COST: Final = 0.002
 MUCH_WORSE: Final = 0.5
 """Of the best face's quality: below it, an item's other face is told than before."""
+
+
+@dataclass
+class _Tracking(View):
+    """One run."""
+
+    goal: TrackGoal
+    head: Head
+    gaze: Gaze
+    looked_through: Counter[int] = field(default_factory=Counter)
+
+    def refresh(self) -> None:
+        super().refresh()
+        self.head.refresh()
+
+    def close(self) -> None:
+        super().close()
+        self.head.close()
 
 
 class Track:
@@ -42,7 +70,7 @@ class Track:
     Args:
         bus: where hardware and keeper are.
         clocks: robot time.
-        description: the robot's: its camera and where that is mounted.
+        description: the robot's: its head, its camera and where that is mounted.
         site: the items' tags and sizes.
         compute: who reads the pictures.
     """
@@ -55,6 +83,8 @@ class Track:
         self._bus, self._clocks, self._site = bus, clocks, site
         self._eye, self._stop = Eye(bus, description, site, compute), Latest(bus, STOP_STATE)
         self._faces: dict[int, Quaternion] = {}
+        self._aim, self._lens = Aim(description), description.camera
+        self._surfaces = tuple(box.box() for each in site.furniture for box in each.boxes)
 
     @property
     def action(self) -> ActionType[TrackGoal, LookFeedback, TrackResult]:
@@ -63,7 +93,7 @@ class Track:
 
     def check(self, goal: TrackGoal) -> Failure | None:
         """Refuse items that the site does not know."""
-        strangers = [item for item in goal.items if self._site.item(item) is None]
+        strangers = [item for item in (*goal.items, *goal.gaze) if self._site.item(item) is None]
         if not strangers:
             return None
         known = ", ".join(str(each.item) for each in self._site.items)
@@ -74,20 +104,25 @@ class Track:
             evidence={"item": strangers[0]},
         )
 
-    def run(self, goal: TrackGoal, goal_id: str) -> Run[LookFeedback, TrackResult]:  # noqa: ARG002 - the contract's
+    def run(self, goal: TrackGoal, goal_id: str) -> Run[LookFeedback, TrackResult]:
         """Read one picture after the other."""
         self._faces = {}
-        view = View(
+        view = _Tracking(
             session=Session(self._clocks, self._stop),
             camera=Camera(self._bus),
             joints=JointHistory(self._bus),
             robot=RobotPoseHistory(self._bus),
+            goal=goal,
+            head=Head(self._bus, self._aim.group, goal_id),
+            gaze=Gaze(self._lens, self._surfaces),
         )
         view.session.refresh = view.refresh
         try:
             yield from self._eye.know_where(view)
-            yield from self._follow(goal, view)
+            yield from self._follow(view)
         except Canceled:
+            view.camera.close()
+            yield from view.head.come_to_rest(view.session)
             return canceled()
         except LookError as error:
             return failed(error.failure.model_copy(update={"where": WHERE}))
@@ -95,16 +130,61 @@ class Track:
             view.close()
         raise AssertionError("it follows until it is cancelled or fails")
 
-    def _follow(self, goal: TrackGoal, view: View) -> Generator[LookFeedback | Slice, Command, None]:
+    def _follow(self, view: _Tracking) -> Steps:
         after = view.session.now
-        looked_through: Counter[int] = Counter()
         while True:
             stamp, shot = yield from self._eye.shot(view, after)
             after = stamp.seconds + 1e-6
             found = yield from self._eye.read(view, shot, self._eye.standing())
-            looked_through = Counter({item: looked_through[item] + 1 for item in found.absent})
-            gone = tuple(item for item, pictures in looked_through.items() if pictures >= GONE_AFTER)
-            self._tell(goal, view, stamp, TagsFound(found.sightings, gone))
+            through = view.looked_through
+            view.looked_through = Counter({item: through[item] + 1 for item in found.absent})
+            gone = tuple(item for item, pictures in view.looked_through.items() if pictures >= GONE_AFTER)
+            found = TagsFound(found.sightings, gone)
+            self._tell(view, stamp, found)
+            if view.goal.gaze and (yield from self._turned(view, stamp, shot, found)):
+                after = view.session.now + SETTLE
+
+    def _turned(
+        self, view: _Tracking, stamp: RobotTime, shot: Shot, found: TagsFound
+    ) -> Generator[LookFeedback | Slice, Command, bool]:
+        """Turn the head to where it sees more of what it follows; say whether it had to."""
+        gaze, now = view.gaze, stamp.seconds
+        facts = {fact.item: fact for fact in self._eye.facts()}
+        held = {item for item, fact in facts.items() if fact.held is not None}
+        followed = set(view.goal.gaze) - held
+        gaze.keep(followed)
+        # Best first; a known place that is told again here was not seen again.
+        told = {each.item: each.tag_in_map for each in reversed(found.sightings)}
+        for item in sorted(followed):
+            fact = facts.get(item)
+            if item in told:
+                gaze.see(item, told[item], self._tag_size(item), now)
+            elif fact is not None and not gaze.knows(item):
+                gaze.see(item, fact.tag_in_map, self._tag_size(item), now)
+        camera_in_map = compose(to_pose(shot.base_in_map), shot.camera_in_base)
+        gaze.look(camera_in_map, found.absent, now)
+        newest = view.joints.newest
+        if newest is None or not gaze.lacks(camera_in_map, now):
+            return False
+        joints = dict(zip(newest.names, newest.positions, strict=True))
+        here = tuple(joints[name] for name in self._aim.group.joints), camera_in_map
+        best, end, lattice = GAIN, here[0], self._aim.lattice()
+        for first in range(0, len(lattice), VIEWS):
+            views = [
+                (head, compose(to_pose(shot.base_in_map), self._aim.camera_in_base(head, joints)))
+                for head in lattice[first : first + VIEWS]
+            ]
+            best, end = max((best, end), gaze.best(views, here, now))
+            yield from view.session.breathe(VIEWS_COST)
+        if end == here[0]:
+            return False
+        yield from view.head.move(view.session, view.joints, end)
+        return True
+
+    def _tag_size(self, item: int) -> float:
+        known = self._site.item(item)
+        assert known is not None, "a goal with an item that the site does not know is refused"
+        return known.tag_size
 
     def _same_faces(self, sightings: tuple[Sighting, ...]) -> list[Sighting]:
         """Return what is seen of each item's face that was told last, unless another is seen much better.
@@ -123,9 +203,9 @@ class Track:
         }
         return [told[item] for item in sorted(told)]
 
-    def _tell(self, goal: TrackGoal, view: View, stamp: RobotTime, found: TagsFound) -> None:
+    def _tell(self, view: _Tracking, stamp: RobotTime, found: TagsFound) -> None:
         """Publish what was asked for."""
-        wanted = set(goal.items or (each.item for each in self._site.items))
+        wanted = set(view.goal.items or (each.item for each in self._site.items))
         seen = tuple(each for each in self._same_faces(found.sightings) if each.item in wanted)
         view.session.pictures += 1
         view.session.seen = tuple(each.item for each in seen)

@@ -21,6 +21,7 @@ from skills.ports.geometry import (
     Pose,
     about,
     add,
+    angle_between,
     compose,
     from_axes,
     invert,
@@ -88,6 +89,22 @@ def item_in_map(tag_in_map: Pose, depth: float) -> Pose:
     out = outward(tag_in_map)
     centre = add(tag_in_map.position, scale(rotate(tag_in_map.orientation, _Z), -depth / 2.0))
     return Pose(position=centre, orientation=about(_Z, math.atan2(out[1], out[0])))
+
+
+def turned_like(frame: Pose, known: Pose) -> Pose:
+    """Return an item's frame, turned by quarters about its vertical until it is nearest to a known one.
+
+    An item carries its tag on all four sides, and the side that was seen last gives its frame: it turns by
+    quarters though the item stands still, and a grasp that was told in it would turn along.
+    """
+    turns = [
+        Pose(
+            position=frame.position,
+            orientation=multiply(frame.orientation, about(_Z, k * math.pi / 2.0)),
+        )
+        for k in range(4)
+    ]
+    return min(turns, key=lambda each: round(angle_between(each.orientation, known.orientation), 6))
 
 
 def face(tag_in_map: Pose, depth: float, quarter_turns: int) -> Pose:

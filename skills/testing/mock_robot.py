@@ -66,6 +66,7 @@ from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import IDENTITY, FloorPose, Pose, wrap
+from skills.ports.grasping import item_in_map
 from skills.ports.keys import DESCRIPTION
 from skills.ports.message import Message, RobotTime, Vector3
 from skills.ports.node import Node
@@ -411,12 +412,14 @@ class MockRobot:
         return succeeded(MoveResult(positions=(0.0,), error=0.0, planning_steps=1, duration=0.0))
 
     def _approach(self, side: Side, goal: ApproachGoal) -> Outcome[ApproachResult]:
-        if self.world.item(goal.item) is None:
+        fact = self.world.item(goal.item)
+        if fact is None:
             message = f"item {goal.item} is not believed to be anywhere"
             where = approach(f"arm_{side}").name
             return failed(Failure(kind=FailureKind.ITEM_GONE, message=message, where=where))
         self._extent[side], self._before[side] = STRETCHED, goal.item
-        return succeeded(ApproachResult(grasp=0, positions=(0.0,), error=0.0, duration=0.0))
+        at = item_in_map(fact.tag_in_map, fact.size[0])
+        return succeeded(ApproachResult(grasp=0, positions=(0.0,), error=0.0, item_in_map=at, duration=0.0))
 
     def _two_hands(self, goal: TwoHandsGoal) -> Outcome[TwoHandsResult]:
         force = 0.0 if goal.do is TwoHands.RELEASE else goal.force or 40.0

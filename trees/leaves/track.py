@@ -7,6 +7,14 @@ from trees.behaviours.act import Lasting
 from trees.context import TreeContext
 
 
-def track(name: str, context: TreeContext) -> Lasting[TrackGoal, LookFeedback, TrackResult]:
-    """Return the leaf: all items, since whatever stands there is an obstacle; the head must not turn."""
-    return Lasting(name, context, TRACK, TrackGoal, resources=("head",))
+def track(
+    name: str, context: TreeContext, gaze: tuple[int, ...]
+) -> Lasting[TrackGoal, LookFeedback, TrackResult]:
+    """Return the leaf: all items, since whatever stands there is an obstacle.
+
+    Args:
+        name: unique in the tree.
+        context: the task's surroundings.
+        gaze: the items that the head follows; it is nobody else's meanwhile.
+    """
+    return Lasting(name, context, TRACK, lambda: TrackGoal(gaze=gaze), resources=("head",))

@@ -123,7 +123,19 @@ def _rungs(context: TreeContext, board: HandBoard, method: Method) -> tuple[Rung
     patience = wait_back(who, context)
     if method == "rrtconnect":
         return (patience,)
-    follow = Rung(f"{who}: follow the item", looking_again_helps, FOLLOWS, seen_again(context, board))
+    in_sight = Selector(
+        f"{who}: item in sight",
+        memory=True,
+        children=[
+            Check(f"{who}: item seen?", lambda: not isinstance(board.standing(context), Failure)),
+            Sequence(
+                f"{who}: out of the sight",
+                memory=True,
+                children=[go_safe("show the item", context, board), seen_again(context, board)],
+            ),
+        ],
+    )
+    follow = Rung(f"{who}: follow the item", looking_again_helps, FOLLOWS, in_sight)
     if method == "rrtconnect_replan":
         return (patience, follow)
     again = Sequence(
@@ -138,7 +150,7 @@ def _rungs(context: TreeContext, board: HandBoard, method: Method) -> tuple[Rung
 
 
 def seen_again(context: TreeContext, board: HandBoard) -> WaitFor:
-    """Return the repair of an item that has moved: the hand stays where it is until the item is seen."""
+    """Return the leaf that waits until the item is seen."""
 
     def otherwise() -> Failure:
         return Failure(

@@ -101,13 +101,23 @@ def hands_free(context: TreeContext, boards: tuple[HandBoard, ...]) -> Decide:
     return Decide("hands are free", context, decide)
 
 
-def watched(context: TreeContext, main: Behaviour, *, mode: Mode | None = "eager") -> Behaviour:
-    """Return main with tracking, and with the coordination unless there is no mode for it, beside it."""
+def watched(
+    context: TreeContext, main: Behaviour, boards: tuple[HandBoard, ...], *, mode: Mode | None = "eager"
+) -> Behaviour:
+    """Return main with tracking, and with the coordination unless there is no mode for it, beside it.
+
+    The head follows the boards' items.
+    """
+    items = tuple(dict.fromkeys(board.item for board in boards))
     beside = []
     seeing = branch(context, "tracking")
     beside.append(
         Recovery(
-            "keep tracking", seeing, track("track", seeing), (wait_back("track", seeing),), within=ALWAYS
+            "keep tracking",
+            seeing,
+            track("track", seeing, items),
+            (wait_back("track", seeing),),
+            within=ALWAYS,
         )
     )
     if mode is not None:

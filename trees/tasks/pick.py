@@ -64,7 +64,7 @@ def build(asked: PickRequest, context: TreeContext) -> Behaviour:
         children=[
             Phase("request", context, take_up(context, boards[:1], check=False), begins=0.0, ends=0.10),
             choose_arm("choose arm", context, boards, asked.arm, choice),
-            Phase("hand", context, watched(context, chosen, mode=None), begins=0.10, ends=1.0),
+            Phase("hand", context, watched(context, chosen, boards, mode=None), begins=0.10, ends=1.0),
         ],
     )
 

@@ -55,7 +55,9 @@ def build(asked: PickBothHandsRequest, context: TreeContext) -> Behaviour:
         children=[
             Phase("request", context, take_up(context, board.hands), begins=0.0, ends=0.10),
             within_reach("grasp points are within reach", context, board.hands),
-            Phase("pick", context, watched(context, pick, mode=asked.mode), begins=0.10, ends=1.0),
+            Phase(
+                "pick", context, watched(context, pick, board.hands, mode=asked.mode), begins=0.10, ends=1.0
+            ),
         ],
     )
 

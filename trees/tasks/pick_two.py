@@ -76,7 +76,7 @@ def build(asked: PickTwoRequest, context: TreeContext) -> Behaviour:
         children=[
             Phase("request", context, take_up(context, boards), begins=0.0, ends=0.10),
             within_reach("items are within reach", context, boards),
-            Phase("pick", context, watched(context, picks, mode=asked.mode), begins=0.10, ends=1.0),
+            Phase("pick", context, watched(context, picks, boards, mode=asked.mode), begins=0.10, ends=1.0),
         ],
     )
 

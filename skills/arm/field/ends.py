@@ -120,7 +120,10 @@ class Ends:
         near = self._live.proximity
         if near.hits(self._live.full(q[0]), np.where(near.of_group, 0.002, CLEARANCE)) is not None:
             return None
-        return End(before.grasp, q[0], target)
+        # What could be reached in a straight line from there may not be any more where the item is now.
+        moment = self._live.moment(q[0])
+        goes_on = yield from self._planner.goes_on(target.as_move(self._goal), moment, before.grasp, q[0])
+        return End(before.grasp, q[0], target) if goes_on else None
 
 
 def gone(where: str, item: int) -> Failure:

@@ -155,6 +155,10 @@ class Episode:
             why = ride.interrupted()
             if why is not None:
                 return why
+            if self._parts.tracker.hidden:  # stand: the hand would hide what is looked for
+                self._motion.brake(periods)
+                self._course.reset()
+                continue
             target = ride.target
             assert target is not None  # not interrupted
             self._ends.think(target, self._motion.state.q)
@@ -169,7 +173,7 @@ class Episode:
             step = self._course.step(periods, target, end)
             ride.distance, ride.at = step.distance, self._motion.record.samples - 1
             phase = Phase.ESCAPING if step.escaping else Phase.FIELD
-            if step.stuck or (step.arrived and not self._parts.tracker.hidden):
+            if step.stuck or step.arrived:
                 return Why.DONE if step.arrived else Why.STUCK
 
     def _verify(self, began: float) -> Parting:
@@ -190,6 +194,7 @@ class Episode:
                 grasp=end.grasp,
                 positions=tuple(map(float, q)),
                 error=error,
+                item_in_map=self._parts.tracker.item_in_map,
                 duration=robot_seconds(self._parts.clocks) - began,
                 escapes=self._course.escapes,
                 planned=self._planned,

@@ -2,26 +2,22 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from skills.ports.actions.approach import ApproachGoal
 from skills.ports.actions.arm import Candidate, MoveGoal
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.geometry import Pose, about, angle_between, compose, distance, invert, multiply, to_pose
-from skills.ports.grasping import item_in_map
+from skills.ports.geometry import Pose, angle_between, compose, distance, invert, to_pose
+from skills.ports.grasping import item_in_map, turned_like
 from skills.ports.keys import Latest
-from skills.ports.message import Vector3
 from skills.ports.world import ROBOT_POSE, WORLD
 
-QUARTER = math.pi / 2.0
-HIDDEN_FOR = 6.0
-"""Robot seconds for which an item that has disappeared counts where it was last seen (002, Algorithm 1).
+HIDDEN_FOR = 2.5
+"""Robot seconds for which the arm stands and waits when its item has disappeared.
 
-It was moved, and may now stand where the other arm hides it until that one has picked.
+It was moved, and the head looks for it; not found by then, it may be that this arm hides it.
 """
-_UP: Vector3 = (0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True)
@@ -101,16 +97,15 @@ class TargetTracker:
 
     def _steady(self, frame: Pose) -> Pose:
         if self._before is not None:
-            turns = [
-                Pose(
-                    position=frame.position, orientation=multiply(frame.orientation, about(_UP, k * QUARTER))
-                )
-                for k in range(4)
-            ]
-            known = self._before.orientation
-            frame = min(turns, key=lambda each: round(angle_between(each.orientation, known), 6))
+            frame = turned_like(frame, self._before)
         self._before = frame
         return frame
+
+    @property
+    def item_in_map(self) -> Pose:
+        """The item's frame, in the map, that the grasps are told in; there has been a target."""
+        assert self._before is not None, "asked for only after a target"
+        return self._before
 
     def close(self) -> None:
         """End the subscriptions."""

@@ -65,6 +65,8 @@ class ApproachResult(Message):
     grasp: int
     positions: tuple[float, ...]
     error: float
+    item_in_map: Pose
+    """The item's centre frame in which the grasp is told: another of its faces may have been seen since."""
     duration: float
     """Robot seconds."""
     escapes: int = 0

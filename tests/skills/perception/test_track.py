@@ -40,6 +40,17 @@ def showing(*tags: Pose | None) -> Painter:
     return painter
 
 
+def in_view(at: Pose) -> Painter:
+    """Paint item 29 where it stands, wherever the camera looks."""
+    rng = np.random.default_rng(1)
+
+    def painter(camera_in_map: Pose, now: RobotTime) -> RgbdImage:
+        face = Face(29, compose(invert(camera_in_map), at), 0.056)
+        return picture((face,), rng, samples=3, seconds=now.seconds)
+
+    return painter
+
+
 class Tracking:
     """One run, stepped by hand."""
 
@@ -53,6 +64,17 @@ class Tracking:
         )
         self.stage.step()
         next(self._run)
+
+    def believe(self, at: Pose) -> None:
+        fact = ItemFact(
+            item=29,
+            size=(0.07, 0.07, 0.07),
+            tag_in_map=at,
+            seen=RobotTime(boot="b", seconds=0.5),
+            quality=0.5,
+            position_sigma=0.001,
+        )
+        WORLD.publish(self.stage.bus, WorldState(stamp=self.stage.now, version=1, items=(fact,)))
 
     def step(self, command: Command = Command.GO_ON) -> object:
         self.stage.step()
@@ -132,16 +154,39 @@ def test_what_an_arm_hides_is_not_gone_and_what_left_is(*, hidden: bool, absent:
         return scene(header(now.seconds), camera_in_map, (table, arm) if hidden else (table,), rng)
 
     tracking = Tracking(painter)
-    fact = ItemFact(
-        item=29,
-        size=(0.07, 0.07, 0.07),
-        tag_in_map=HERE,
-        seen=RobotTime(boot="b", seconds=0.5),
-        quality=0.5,
-        position_sigma=0.001,
-    )
-    WORLD.publish(tracking.stage.bus, WorldState(stamp=tracking.stage.now, version=1, items=(fact,)))
-    assert [each.absent for each in tracking.messages(GONE_AFTER)] == [(), (), absent]
+    tracking.believe(HERE)
+    assert [each.absent for each in tracking.messages(GONE_AFTER)] == [(), absent]
+
+
+ASIDE = tag(0.75, -0.6)
+
+
+def test_the_head_turns_to_an_item_that_is_out_of_the_picture_and_no_picture_is_read_meanwhile() -> None:
+    tracking = Tracking(in_view(ASIDE), TrackGoal(gaze=(29,)))
+    tracking.believe(ASIDE)
+    first, second = tracking.messages(2)
+    assert first.sightings == ()
+    assert distance(second.sightings[0].tag_in_map, ASIDE) < 0.005
+    assert second.stamp.seconds > first.stamp.seconds + 0.3
+
+
+def test_without_a_gaze_the_head_stays_as_it_is() -> None:
+    tracking = Tracking(in_view(ASIDE))
+    tracking.believe(ASIDE)
+    tracking.messages(3)
+    assert tracking.stage.goals == []
+
+
+def test_a_cancel_while_the_head_turns_ends_when_that_is_at_rest() -> None:
+    tracking = Tracking(in_view(ASIDE), TrackGoal(gaze=(29,)))
+    tracking.believe(ASIDE)
+    while not tracking.stage.speed.any():
+        tracking.step()
+    tracking.step(Command.CANCEL)
+    while tracking.outcome is None:
+        tracking.step()
+    assert tracking.outcome.canceled
+    assert np.allclose(tracking.stage.speed, 0.0)
 
 
 def test_an_item_that_shows_two_faces_does_not_seem_to_spin() -> None:

@@ -7,8 +7,17 @@ import math
 import numpy as np
 import pytest
 
-from skills.ports.geometry import Pose, about, compose, from_axes, multiply, rotate, transform
-from skills.ports.grasping import face, face_towards, grasp, item_in_map, outward, place, proximity_poses
+from skills.ports.geometry import Pose, about, angle_between, compose, from_axes, multiply, rotate, transform
+from skills.ports.grasping import (
+    face,
+    face_towards,
+    grasp,
+    item_in_map,
+    outward,
+    place,
+    proximity_poses,
+    turned_like,
+)
 
 FACES_SOUTH = from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0))
 TAG = Pose(position=(1.0, 2.0, 0.74), orientation=FACES_SOUTH)
@@ -97,3 +106,11 @@ def test_from_every_stand_the_target_is_where_the_hand_works() -> None:
     assert transform(base, (0.6, 0.2, 0.7)) == pytest.approx((1.0, 2.0, 0.7))
     pointing = first.yaw - 0.8
     assert math.remainder(pointing - math.pi / 2, 2 * math.pi) == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("quarters", range(4))
+def test_whichever_face_is_seen_the_frame_is_like_the_known_one(quarters: int) -> None:
+    known = item_in_map(TAG, DEPTH)
+    seen = item_in_map(face(TAG, DEPTH, quarters), DEPTH)
+    assert angle_between(turned_like(seen, known).orientation, known.orientation) < 1e-6
+    assert turned_like(seen, known).position == pytest.approx(known.position)

@@ -27,6 +27,7 @@ def approach_item(
 
     def judge(result: ApproachResult) -> Failure | None:
         board.choose(result.grasp)
+        board.frame = result.item_in_map
         return None
 
     return Act(

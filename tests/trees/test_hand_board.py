@@ -1,0 +1,29 @@
+"""What one hand's leaves hand to each other."""
+
+from __future__ import annotations
+
+import pytest
+
+from executive.hand_worlds import ITEMS, LEFT
+from executive.testing import TreeBench
+from skills.ports.failure import Failure
+from skills.ports.geometry import angle_between
+from skills.ports.grasping import face, item_in_map
+from skills.site import load
+from trees.hand_board import HandBoard
+
+SIZE = 0.07
+
+
+@pytest.mark.parametrize("quarters", range(4))
+def test_a_grasp_is_told_in_the_same_frame_whichever_face_was_seen_last(quarters: int) -> None:
+    seen = face(ITEMS[LEFT], SIZE, quarters)
+    bench = TreeBench(load("bimanual"), items={LEFT: seen}, seen_at_look=1)
+    bench.start("pick", {"item": LEFT})
+    while bench.context.knowledge.world is None or bench.context.knowledge.world.item(LEFT) is None:
+        bench.step()
+    board = HandBoard("left", LEFT, frame=item_in_map(ITEMS[LEFT], SIZE))
+    stands = board.standing(bench.context)
+    assert not isinstance(stands, Failure)
+    assert board.frame is not None
+    assert angle_between(stands.orientation, board.frame.orientation) < 1e-6
