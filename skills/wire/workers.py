@@ -50,10 +50,12 @@ class ProcessCompute:
         return ProcessJob(future)
 
     def close(self) -> None:
-        """End the worker."""
+        """End the worker, whatever it is at: a process that is told to end must not wait for its work."""
         if self._pool is not None:
             self._pool.shutdown(wait=False, cancel_futures=True)
             self._pool = None
+            for child in multiprocessing.active_children():  # the pool's worker: this process starts no other
+                child.terminate()
 
 
 @dataclass(frozen=True)
