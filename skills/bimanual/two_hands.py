@@ -16,7 +16,7 @@ from skills.bimanual.landing import Landing
 from skills.bimanual.middle import HandsApartError, tilt
 from skills.bimanual.ready import STRAIGHT, between, ready_tools, swing, ways_back
 from skills.bimanual.squeeze import TOUCH, agree
-from skills.kinematics.transforms import Array
+from skills.bimanual.trial import SLICE, OutOfReach, try_way
 from skills.ports.actions.bimanual import (
     TWO_HANDS,
     TwoHands,
@@ -56,20 +56,10 @@ WITHIN: Final = 8.0
 """Robot seconds in which the squeeze must stand."""
 EASE: Final = 0.4
 """Robot seconds in which the squeeze is taken back before the hands open."""
-REACHED: Final = 0.004
-"""Metres and radians by which joint positions may miss a hand's pose before it is out of reach."""
 STRAYED: Final = 0.12
 """Radians by which an arm may be off what it was told before it is said to have failed."""
 LEVEL: Final = 0.0524
 """Radians (3 degrees) by which what is held may lean."""
-QUICK: Final = 0.5
-"""Share of the joints' speed limits that a way may take."""
-SWING: Final = 0.25
-"""Seconds of an arm's full speed between two tried poses beyond which it would have to swing round."""
-SAMPLES: Final = 24
-"""Poses of a way that are tried beforehand."""
-SLICE: Final = 4
-"""Of them, between two chances to be stopped: about 1 ms."""
 TRY_COST: Final = 2.5e-4
 """Robot seconds that lockstep charges for a pose that is tried on both arms."""
 HEARD_WITHIN: Final = 2.0
@@ -239,35 +229,24 @@ class HoldWithTwo:
         return succeeded(self._result())
 
     def _tried(self, way: Callable[[float], tuple[Pose, Pose]], duration: float) -> Steps[float]:
-        """Try a whole way on both arms before anything moves; return the time that their joints need for it.
-
-        Args:
-            way: both tools' poses after a share of the time.
-            duration: seconds that the hands need for it.
-        """
-        q, slowest = [arm.q for arm in self._arms.arms], 0.0
-        for k in range(1, SAMPLES + 1):
-            share = k / SAMPLES
-            further = self._try(q, way(share), share)
-            spent = max(arm.seconds(a, b) for arm, a, b in zip(self._arms.arms, q, further, strict=True))
-            slowest, q = max(slowest, spent * SAMPLES / (QUICK * duration)), further
-            if k % SLICE == 0 and (yield Slice(SLICE * TRY_COST)) is Command.CANCEL:
+        """Try a whole way before anything moves; return the time that the joints need for it."""
+        trial = try_way(self._arms.arms, way, duration)
+        while True:
+            try:
+                next(trial)
+            except StopIteration as stop:
+                found: float | OutOfReach = stop.value
+                break
+            if (yield Slice(SLICE * TRY_COST)) is Command.CANCEL:
                 raise _StoppedError(None)
-        return duration * max(1.0, slowest)
-
-    def _try(self, q: list[Array], poses: tuple[Pose, Pose], share: float) -> list[Array]:
-        found = []
-        for arm, known, pose in zip(self._arms.arms, q, poses, strict=True):
-            there = arm.ahead(known, pose)
-            if there.metres > REACHED or there.radians > REACHED or arm.seconds(known, there.q) > SWING:
-                raise self._stopped(
-                    FailureKind.NO_IK,
-                    f"the {arm.side} hand is {there.metres:.3f} m off after {share:.0%} of the way",
-                    arm=arm.side,
-                    distance_m=round(there.metres, 4),
-                    share=round(share, 2),
-                )
-            found.append(there.q)
+        if isinstance(found, OutOfReach):
+            raise self._stopped(
+                FailureKind.NO_IK,
+                f"the {found.side} hand is {found.metres:.3f} m off after {found.share:.0%} of the way",
+                arm=found.side,
+                distance_m=round(found.metres, 4),
+                share=round(found.share, 2),
+            )
         return found
 
     def _together(self, start: tuple[Pose, Pose], end: tuple[Pose, Pose]) -> Steps[None]:
