@@ -27,7 +27,7 @@ STRAIGHT: Final[Quaternion] = (0.0, 0.0, 0.0, 1.0)
 
 
 def ready_tools(
-    item_in_base: Pose, item: SiteItem, tools: tuple[Pose, Pose], before: float, kept: float = 0.0
+    item_in_base: Pose, item: SiteItem, tools: tuple[Pose, Pose], before: float, lean: float = 0.0
 ) -> tuple[Pose, Pose]:
     """Return both tools in the base, ``before`` metres before the item's surface, left first.
 
@@ -38,7 +38,7 @@ def ready_tools(
         item: says where its grasp points are.
         tools: both tools now.
         before: metres between the surface and the tool's origin.
-        kept: share of the angle to inwards by which they are not swung.
+        lean: radians by which they may go on pointing past inwards.
     """
     made = []
     for side, tool in zip(SIDES, tools, strict=True):
@@ -47,18 +47,18 @@ def ready_tools(
         size = math.sqrt(sum(part * part for part in inwards))
         inwards = scale(inwards, 1.0 / size)
         position = add(transform(item_in_base, point.position), scale(inwards, -before))
-        made.append(Pose(position=position, orientation=pointing(tool.orientation, inwards, kept)))
+        made.append(Pose(position=position, orientation=pointing(tool.orientation, inwards, lean)))
     left, right = made
     return left, right
 
 
-def pointing(orientation: Quaternion, along: Vector3, kept: float = 0.0) -> Quaternion:
-    """Return the attitude swung by the smallest turn that brings its x to a unit direction, or by less.
+def pointing(orientation: Quaternion, along: Vector3, lean: float = 0.0) -> Quaternion:
+    """Return the attitude swung by the smallest turn that brings its x to a unit direction, or near enough.
 
     Args:
         orientation: the attitude.
         along: the unit direction.
-        kept: share of the angle between the two that is left.
+        lean: radians between the two that are near enough.
     """
     x = rotate(orientation, (1.0, 0.0, 0.0))
     axis = (
@@ -72,7 +72,7 @@ def pointing(orientation: Quaternion, along: Vector3, kept: float = 0.0) -> Quat
     )
     if sine < 1e-9:  # noqa: PLR2004 - there already, or the other way round, which no hand is
         return orientation
-    return multiply(about(axis, (1.0 - kept) * math.atan2(sine, cosine)), orientation)
+    return multiply(about(axis, max(0.0, math.atan2(sine, cosine) - lean)), orientation)
 
 
 def between(item_in_base: Pose, middle_in_base: Pose) -> Pose:

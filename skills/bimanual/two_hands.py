@@ -7,6 +7,7 @@ names the arm.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Generator, Sequence
 from typing import Final, TypeVar
 
@@ -42,11 +43,11 @@ A carton of 0.5 kg held 4 cm off its middle leaned by 1.9 degrees at 40 N after 
 """
 BEFORE: Final = 0.025
 """Metres between the thing's surface and the tool's origin from which on the hands close in."""
-LEANS: Final = (0.0, 0.25, 0.5)
-"""Shares of the lean with which the hands came that they may keep, the best first.
+LEANS: Final = tuple(math.radians(degrees) for degrees in (0.0, 7.5, 15.0, 22.5))
+"""Radians by which the hands may lean while they press, the best first.
 
-Where a wrist is bent to its limit a hand does not get straight, but nearly so: it came with up to 45 degrees,
-the half of that is well within the cone of friction, and within what counts as pointing at each other.
+Where a wrist is bent to its limit a hand does not get straight, but nearly so. They come with up to 45
+degrees; half of that is well within the cone of friction, and within what counts as pointing at each other.
 """
 MISSED: Final = 0.05
 """Metres further than to the surface after which a hand that feels nothing has missed the thing."""
@@ -143,7 +144,7 @@ class HoldWithTwo:
         arms.engage()
         try:
             start = arms.tools()
-            ways = [ready_tools(item_in_base, known, start, BEFORE, kept) for kept in LEANS]
+            ways = [ready_tools(item_in_base, known, start, BEFORE, lean) for lean in LEANS]
             ready = yield from self._first_within_reach(start, ways)
             yield from self._wait(0.1)
             self._embrace()
