@@ -13,8 +13,10 @@ import sys
 import threading
 import time
 from collections import deque
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import FrameType
 from typing import IO, Final, Self
 
 from executive.parts import OBSERVER, ROLES
@@ -110,13 +112,15 @@ class Supervisor:
         role = settings.role
         log = self.folder / f"{role}.log"
         stream = log.open("ab")
-        process = self._spares.pop(role, None)
-        if process is None or not _tell_settings(process, settings):
-            process = _launch([settings.model_dump_json()], stream, subprocess.DEVNULL)
+        told = settings.model_copy(update={"parent": os.getpid()})
+        with _signals_later():
+            process = self._spares.pop(role, None)
+            if process is None or not _tell_settings(process, told):
+                process = _launch([told.model_dump_json()], stream, subprocess.DEVNULL)
+            child = Child(settings, log, process, stream)
+            self.children.append(child)
         if role in self._spare_at:
             self._spare_at[role] = time.monotonic() + SPARE_AFTER
-        child = Child(settings, log, process, stream)
-        self.children.append(child)
         return child
 
     def keep_spare(self, role: str) -> None:
@@ -127,7 +131,7 @@ class Supervisor:
         now = time.monotonic()
         for role, at in self._spare_at.items():
             if now >= at and role not in self._spares:
-                with (self.folder / f"{role}.log").open("ab") as stream:
+                with (self.folder / f"{role}.log").open("ab") as stream, _signals_later():
                     self._spares[role] = _launch([WAIT, role], stream, subprocess.PIPE)
 
     def child(self, role: str) -> Child:
@@ -196,6 +200,30 @@ class Supervisor:
         for group in self._orphans:
             _end_group(group)
         self._orphans.clear()
+
+
+@contextlib.contextmanager
+def _signals_later() -> Iterator[None]:
+    """Have Ctrl-C and SIGTERM wait: a process that was just started, and is not noted yet, would be left."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    came: list[tuple[int, FrameType | None]] = []
+    numbers = (signal.SIGINT, signal.SIGTERM)
+    handlers = [signal.getsignal(number) for number in numbers]
+    caught = [number for number, known in zip(numbers, handlers, strict=True) if callable(known)]
+    for number in caught:
+        signal.signal(number, lambda which, frame: came.append((which, frame)))
+    try:
+        yield
+    finally:
+        for number, known in zip(numbers, handlers, strict=True):
+            if number in caught:
+                signal.signal(number, known)
+        for which, frame in came:
+            known = signal.getsignal(which)
+            if callable(known):
+                known(which, frame)
 
 
 def _launch(words: list[str], stream: IO[bytes], stdin: int) -> subprocess.Popen[bytes]:

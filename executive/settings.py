@@ -51,6 +51,8 @@ class WorkerSettings(Message):
     """Folder of keys, with which every process shows who it is; None: nobody asks."""
     holder: str = ""
     """The robot's name in that folder."""
+    parent: int | None = None
+    """Process id of who starts it, and without whom it ends; None: whoever is its parent when it begins."""
 
 
 WAIT: Final = "--wait"

@@ -57,7 +57,7 @@ def main(argv: list[str]) -> int:
     # zenoh's callbacks wait until the loop's thread lets them go on. At Python's 5 ms a message, a loop
     # that is busy would hear 200 of them in a second.
     sys.setswitchinterval(SWITCH_INTERVAL)
-    ending = Ending()
+    ending = Ending() if settings.parent is None else Ending(parent=settings.parent)
     ending.listen()
     try:
         roles.play(settings, ending)
