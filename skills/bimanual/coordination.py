@@ -27,6 +27,8 @@ from skills.ports.world import SIDES, Side
 
 WORSE: Final = 0.01
 """Metres by which the clearance must have shrunk to be worse."""
+CORNERED_AFTER: Final = 2.0
+"""Robot seconds without a sample further back after which a follower that is sent back is cornered."""
 CLEAR_FOR: Final = 0.2
 """Robot seconds for which the follower's way must have been clear before it goes on (eager)."""
 
@@ -117,6 +119,12 @@ class Coordination:
     """Metres between the arms when the leader went on."""
     clear_since: float | None = None
     patience: float = CLEAR_FOR
+    at: int = 0
+    """The farthest sample back at which the follower has been since it was sent there."""
+    since: float = 0.0
+    """Robot seconds: since when."""
+    cornered: bool = False
+    """Whether the follower could not get back."""
 
     @property
     def follower(self) -> Side:
@@ -162,17 +170,22 @@ class Coordination:
         leader = _leader(seen)
         opened = replace(self, episode=self.episode + 1, leader=leader, counter=0, patience=CLEAR_FOR)
         recorded = seen.of(opened.follower).recorded if seen.of(opened.follower).approaching else 0
-        return replace(opened, stage=Stage.BACKING, recorded=recorded, clear_since=None)
+        return _sent_back(replace(opened, recorded=recorded, clear_since=None), seen)
 
     def _backing(self, seen: Situation) -> Coordination:
         follower = seen.of(self.follower)
-        if seen.of(self.leader).moving or follower.moving:
-            return self
-        if follower.approaching and follower.at > self.sample:
-            return self
-        if seen.risk and follower.approaching and self.sample > 0:
-            return replace(self, counter=self.counter + 1)
-        return replace(self, stage=Stage.LEADING, risky=seen.risk, clearance=seen.clearance, clear_since=None)
+        further = follower.at < self.at
+        state = replace(self, at=follower.at, since=seen.now) if further else self
+        if seen.of(self.leader).moving:
+            return state
+        under_way = follower.moving or (follower.approaching and follower.at > self.sample)
+        cornered = under_way and follower.approaching and seen.now - state.since > CORNERED_AFTER
+        if under_way and not cornered:
+            return state
+        if seen.risk and follower.approaching and self.sample > 0 and not cornered:
+            return _sent_back(replace(self, counter=self.counter + 1), seen)
+        leading = replace(self, stage=Stage.LEADING, risky=seen.risk, cornered=cornered)
+        return replace(leading, clearance=seen.clearance, clear_since=None)
 
     def _going(self, seen: Situation) -> Coordination:
         if seen.of(self.leader).back_home:
@@ -186,10 +199,11 @@ class Coordination:
 
     def _again(self, seen: Situation) -> Coordination:
         """A new risk: the follower goes further back, if it can."""
-        if self.risky and (self.sample == 0 or not seen.of(self.follower).approaching):
+        no_further = self.sample == 0 or self.cornered or not seen.of(self.follower).approaching
+        if self.risky and no_further:
             return replace(self, stage=Stage.GIVEN_UP)
         patience = 2.0 * self.patience if self.stage is Stage.SHARING else self.patience
-        return replace(self, stage=Stage.BACKING, counter=self.counter + 1, patience=patience)
+        return _sent_back(replace(self, counter=self.counter + 1, patience=patience), seen)
 
     def _let_go(self, seen: Situation) -> Coordination:
         if not seen.way_is_clear:
@@ -210,6 +224,11 @@ _ORDERS: Final = {
     Stage.GIVEN_UP: (Order.STOP, Order.STOP),
 }
 """The leader's order and the follower's."""
+
+
+def _sent_back(state: Coordination, seen: Situation) -> Coordination:
+    at = seen.of(state.follower).at
+    return replace(state, stage=Stage.BACKING, at=at, since=seen.now, cornered=False)
 
 
 def _leader(seen: Situation) -> Side:

@@ -132,6 +132,31 @@ def test_what_gets_worse_with_the_follower_at_its_start_ends_for_both() -> None:
     assert trace.see(GRASPS, GRASPS, risk=True)[0][0] is not GO
 
 
+def cornered(trace: Trace, left: ArmNow, right: ArmNow, *, risk: bool) -> list[tuple[Order, int]]:
+    """Send the right arm back, which gets one sample back and no further; return the left arm's orders."""
+    trace.see(left, right, risk=True, clearance=0.03)
+    trace.see(stands(left), stands(right, 4), risk=risk, clearance=0.03)
+    barred = replace(right, at=4)  # it sets out again and again
+    return [trace.see(stands(left), barred, risk=risk, clearance=0.03)[0] for _ in range(250)]
+
+
+@pytest.mark.parametrize("risk", [True, False])
+def test_a_follower_whose_way_back_is_barred_does_not_hold_the_leader_for_ever(*, risk: bool) -> None:
+    trace, left, right = Trace(), field(0.2), field(0.4, recorded=4)
+    told = cornered(trace, left, right, risk=risk)
+    assert told[190] == (HOLD, 0), "it has some time"
+    assert told[-1] == (GO, 0)
+    assert trace.state.cornered
+
+
+def test_what_gets_worse_with_the_follower_cornered_ends_for_both() -> None:
+    trace, left, right = Trace(), field(0.2), field(0.4, recorded=4)
+    cornered(trace, left, right, risk=True)
+    barred = replace(right, at=4)
+    assert trace.see(left, barred, risk=True, clearance=0.025)[0] == (GO, 0)
+    assert trace.see(left, barred, risk=True, clearance=0.015) == ((STOP, 0), (STOP, 0))
+
+
 def test_a_risk_during_the_leaders_grasp() -> None:
     """Both stop, the follower goes further back, the leader goes on."""
     trace, right = Trace(), field(0.4)
