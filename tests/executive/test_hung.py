@@ -36,6 +36,10 @@ def test_nobody_is_blamed_while_the_looker_stood() -> None:
     assert not any(looks.look(30.0, "a") for _ in range(5))
 
 
-def test_who_is_not_announced_is_not_looked_for() -> None:
-    hung = Hung(iter(range(100)).__next__, 0.0)
-    assert not any(hung.look((), ()) for _ in range(9))
+def test_the_silence_of_one_who_has_gone_is_forgotten() -> None:
+    looks = Looks(1.0)
+    looks.look(0.1)
+    assert not any(looks.look(0.1, "a") for _ in range(8))
+    looks.now += 0.1
+    assert looks.hung.look(("b",), ("b",)) == ()
+    assert not any(looks.look(0.1, "a") for _ in range(8))

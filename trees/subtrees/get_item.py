@@ -70,7 +70,7 @@ def get_item(context: TreeContext, board: FetchBoard) -> Behaviour:
 
 
 def _search(context: TreeContext, board: FetchBoard) -> Behaviour:
-    """Search; a task of a higher priority may take over meanwhile: no hand holds or touches anything."""
+    """Search; a task of a higher priority may take over meanwhile: the item is in no hand yet."""
     return Interruptible("searching may wait", context, search(context, board))
 
 
