@@ -18,7 +18,7 @@ from tests.acceptance.live import go_on, own_bus
 pytestmark = [pytest.mark.processes, pytest.mark.xdist_group("processes")]
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def live() -> Iterator[ProcessSystem]:
     with ProcessSystem(RunOptions(bus=own_bus(), scenario="Defaults")) as system:
         yield system
@@ -26,7 +26,7 @@ def live() -> Iterator[ProcessSystem]:
 
 @pytest.mark.parametrize("role", ["executive", "arm_left"])
 def test_the_arm_stands_while_it_hangs_and_gets_there_afterwards(live: ProcessSystem, role: Role) -> None:
-    moving = Moving(live, f"{role}/hangs/1", "carry" if role == "executive" else "home")
+    moving = Moving(live, f"{role}/hangs/1", "carry")
     go_on(live, moving.moves, within=30.0, seen=lambda: (moving.status(), moving.joints.refresh()))
     process = live.pids()[role]
     os.kill(process, signal.SIGSTOP)

@@ -13,6 +13,7 @@ from executive.campaigns.from_schema import from_schema
 from executive.campaigns.fuzz import Target, fuzz
 from executive.campaigns.fuzz_inputs import TASK_HERE, Input
 from executive.schemas import separate_schemas
+from skills.ports.tasks import REQUEST
 from trees.registry import discover
 
 SCHEMAS = separate_schemas(discover())
@@ -31,10 +32,10 @@ def test_the_same_seed_sends_the_same() -> None:
 
 
 class Careless(Target):
-    """Falls over when somebody asks to pause."""
+    """Falls over at the first request."""
 
     def feed(self, each: Input) -> None:
-        if each.key == "task/pause":
+        if each.key == REQUEST:
             raise KeyError("task")
         super().feed(each)
 
@@ -42,7 +43,7 @@ class Careless(Target):
 def test_an_input_that_breaks_something_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("executive.campaigns.fuzz.Target", Careless)
     broken = fuzz(200, 1).broken
-    assert broken.startswith("task/pause b'")
+    assert broken.startswith("task/request b")
     assert broken.endswith("KeyError: 'task'")
 
 
