@@ -80,7 +80,7 @@ def pick_two_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
     world = partial(_world, "pick_two", {"left": LEFT, "right": RIGHT})
     together = partial(_world, "pick_two", {"left": LEFT, "right": RIGHT, "parallel_pick": True})
     corners: dict[str, Make] = {**_common(world)}
-    for side in ("left", "right"):
+    for side in SIDES:
         corners |= _of_hand(world, side)
     return MappingProxyType({"in turns": partial(world), "together": partial(together)}), MappingProxyType(
         {
@@ -104,6 +104,15 @@ def pick_two_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
                 )
                 for side in SIDES
             },
+            # The first is back long before the second, which then takes the last steps alone.
+            "left item falls out while the right is picked": partial(
+                world, events={"right arm: to safety": partial(_drop, "left")}
+            ),
+            "right item falls out while the left is picked": partial(
+                world,
+                faults={"left arm: approach": Fault(late=2.0)},
+                events={"left arm: to safety": partial(_drop, "right")},
+            ),
             "out of reach": partial(world, items=FAR),
         }
     )
@@ -174,7 +183,7 @@ def _common(world: Callable[..., TreeBench]) -> dict[str, Make]:
     }
 
 
-def _of_hand(world: Callable[..., TreeBench], side: str) -> dict[str, Make]:
+def _of_hand(world: Callable[..., TreeBench], side: Side) -> dict[str, Make]:
     """Return what befalls one arm: its item moves, its way is barred, it can't get back."""
     who = f"{side} arm"
     fails = partial(_always, world)
@@ -195,6 +204,14 @@ def _of_hand(world: Callable[..., TreeBench], side: str) -> dict[str, Make]:
             world,
             faults={(f"{who}: grasp", 1): _GONE, f"{who}: show the item": _NO_WAY},
             events={f"{who}: grasp": _lose},
+        ),
+        f"{who}: falls out on the way to safety": partial(
+            world, events={f"{who}: to safety": partial(_drop, side)}
+        ),
+        f"{who}: has it, and it falls out": partial(
+            world,
+            faults={(f"{who}: lift", 1): _BUSY},
+            events={f"{who}: has it: to safety": partial(_drop, side)},
         ),
         f"{who}: nothing to grasp": fails(f"{who}: close"),
         f"{who}: no way to the item": fails(f"{who}: approach"),
@@ -280,6 +297,12 @@ def _find(robot: MockRobot) -> None:
         for item in (LEFT, RIGHT)
     ]
     robot.believe(items=tuple(facts))
+
+
+def _drop(side: Side, robot: MockRobot) -> None:
+    """Let what the hand holds fall back to where it stood."""
+    robot.hands[side] = None
+    robot.believe(held=tuple(each for each in robot.world.held if each.side != side))
 
 
 def _hold(side: Side, item: int, robot: MockRobot) -> None:

@@ -47,7 +47,8 @@ class ArmsClearance:
         self.joints: tuple[str, ...] = tuple(joint for group in groups for joint in group.joints)
         """Left arm's joints, then the right arm's: the order of every array (n,) here."""
         limits = [limit for group in groups for limit in group.limits]
-        self._braking = np.array([limit.acceleration for limit in limits])
+        self._acceleration = np.array([limit.acceleration for limit in limits])
+        self._jerk = np.array([limit.jerk for limit in limits])
         moving = {robot.joint_index(joint) + 1 for joint in self.joints}
         locked = [i for i in range(1, robot.model.njoints) if i not in moving]
         self._model, self._geometry = pin.buildReducedModel(
@@ -103,7 +104,24 @@ class ArmsClearance:
             velocity: rad/s (n,).
             late: seconds in which the joints go on as they do.
         """
-        way = velocity * late + 0.5 * velocity * np.abs(velocity) / self._braking
+        way = np.sign(velocity) * braking_way(np.abs(velocity), self._acceleration, self._jerk)
+        way += velocity * late
         if float(np.max(np.abs(way))) < 1e-3:  # noqa: PLR2004 - a thousandth of a radian: at rest
             return self.at(q)
         return min((self.at(q + share * way) for share in AHEAD), key=lambda each: each.distance)
+
+
+def braking_way(speed: Array, acceleration: Array, jerk: Array) -> Array:
+    """Return the radians (n,) in which joints come to rest with bounded deceleration and jerk.
+
+    From a steady speed v, in a time that is mirrored about its middle: so v / 2 over all of it. That is
+    v / a + a / j where the greatest deceleration a is reached, else 2 sqrt(v / j).
+
+    Args:
+        speed: rad/s (n,), not below 0.
+        acceleration: rad/s2 (n,).
+        jerk: rad/s3 (n,).
+    """
+    reached = speed >= acceleration**2 / jerk
+    time = np.where(reached, speed / acceleration + acceleration / jerk, 2.0 * np.sqrt(speed / jerk))
+    return np.asarray(0.5 * speed * time)

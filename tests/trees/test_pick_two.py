@@ -15,9 +15,9 @@ from skills.ports.actions.bimanual import TwoHands, TwoHandsGoal
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import IDENTITY, Pose
 from skills.ports.site import Site
-from skills.ports.world import HeldItem
+from skills.ports.world import HeldItem, Side
 from skills.site import load
-from skills.testing.mock_robot import STRETCHED
+from skills.testing.mock_robot import STRETCHED, MockRobot
 from skills.testing.mock_skill import Fault
 from trees.registry import discover
 
@@ -264,3 +264,34 @@ def test_what_is_between_two_hands_is_not_dropped(leaf: str, kind: FailureKind, 
     assert failure.kind is kind
     assert ("both hands: at last: put down" in run.path()) is puts_down
     assert ("both hands: at last: let go" in run.path()) is puts_down
+
+
+def falls_out(run: TreeBench, side: Side, *, at: str) -> None:
+    """Have a hand lose its item, once, when a leaf begins; it falls back to where it stood."""
+
+    def happens(robot: MockRobot) -> None:
+        del run.events[at]
+        robot.hands[side] = None
+        robot.believe(held=tuple(each for each in robot.world.held if each.side != side))
+
+    run.events[at] = happens
+
+
+def test_what_falls_out_on_the_way_to_safety_is_picked_again() -> None:
+    run = bench()
+    falls_out(run, "left", at="left arm: to safety")
+    assert run.run("pick_two", TWO) is Status.SUCCESS
+    assert sorted(hand.item for hand in run.robot.world.held) == [LEFT, RIGHT]
+    assert run.path().count("left arm: close") == 2
+
+
+def test_what_falls_out_while_the_other_arm_picks_is_told() -> None:
+    run = bench()
+    run.robot.leaf_faults["right arm: approach"] = LATE
+    falls_out(run, "left", at="right arm: to safety")
+    assert run.run("pick_two", TWO) is Status.FAILURE
+    failure = run.failure()
+    assert failure is not None
+    assert failure.kind is K.GRASP_LOST
+    assert failure.where == "left arm: in hand at the end?"
+    assert [hand.item for hand in run.robot.world.held] == [RIGHT]

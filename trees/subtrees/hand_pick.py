@@ -28,6 +28,7 @@ from trees.leaves.hand.go_safe import go_safe
 from trees.leaves.hand.grip_item import close_on_item, hand_is_full, open_for_item
 from trees.leaves.hand.lift_item import lift_item
 from trees.leaves.hand.reach_item import plan_before_item, reach_item
+from trees.leaves.hand.still_held import still_held
 from trees.subtrees.bring_safe import bring_safe
 from trees.subtrees.rungs import wait_back
 
@@ -66,7 +67,14 @@ def hand_pick(
             grasp overlaps it (the eager mode).
     """
     who = board.who
-    to_safety = go_safe("to safety", context, board)
+    to_safety = Sequence(
+        f"{who}: bring it to safety",
+        memory=True,
+        children=[
+            go_safe("to safety", context, board),
+            still_held("still in hand?", context, board),
+        ],
+    )
     grasp = _grasp(context, board, follows=method != "rrtconnect")
     if not retreat_apart:
         grasp.add_child(to_safety)
@@ -80,6 +88,7 @@ def hand_pick(
                 children=[
                     Check(f"{who}: item held?", lambda: board.held(context)),
                     bring_safe(context, board, "has it", full=True),
+                    still_held("has it: still in hand?", context, board),
                 ],
             ),
             Sequence(

@@ -25,6 +25,7 @@ from trees.context import TreeContext
 from trees.hand_board import HandBoard
 from trees.hand_requests import hand_problems, item_problems
 from trees.leaves.coordinate import Mode
+from trees.leaves.hand.still_held import still_held
 from trees.leaves.within_reach import within_reach
 from trees.subtrees.hand_pick import Method, hand_pick
 from trees.subtrees.two_arms import take_up, watched, where_hands_are
@@ -77,6 +78,8 @@ def build(asked: PickTwoRequest, context: TreeContext) -> Behaviour:
             Phase("request", context, take_up(context, boards), begins=0.0, ends=0.10),
             within_reach("items are within reach", context, boards),
             Phase("pick", context, watched(context, picks, boards, mode=asked.mode), begins=0.10, ends=1.0),
+            # The first has waited for the second with its item in the hand.
+            *(still_held("in hand at the end?", context, board) for board in boards),
         ],
     )
 

@@ -134,7 +134,7 @@ class Course:
         if distance > LAND_WITHIN or angle > LAND_TURN or not _fresh(target, end):
             return False
         ways = [state.q + share * (end.q - state.q) for share in LAND_LOOKS]
-        return self._guard.free(self._live.full(state.q), ways, FIELD)
+        return self._guard.free(self._live.cases(state.q), ways, FIELD)
 
 
 def _fresh(target: Target, end: End) -> bool:

@@ -3,7 +3,7 @@
 A set-point is sent only when the whole braking that could begin in it is free. So at each moment there is a
 free way to rest, which is taken as soon as no other step is free (a "braking trajectory" as a safe state:
 Fraichard and Asama, "Inevitable collision states", Advanced Robotics 18(10), 2004). The other arm is looked
-at where it would be in a moment at its present speed.
+at where it is, and where it would be in a moment at its present speed: it may go on, or be stopped.
 """
 
 from __future__ import annotations
@@ -74,13 +74,13 @@ class Guard:
         """Return what is near the set-point; ``full`` are the positions of all joints."""
         return self.proximity.look(full, self.floors(INFLUENCE))
 
-    def free(self, full: Array, ways: Sequence[Array], kept: Floors) -> bool:
-        """Say whether the group can be at all of the positions (n,).
+    def free(self, cases: Sequence[Array], ways: Sequence[Array], kept: Floors) -> bool:
+        """Say whether the group can be at all of the positions (n,), wherever the others are then.
 
         What is nearer than its floor already may stay so, but not come nearer: a hand must be able to leave.
 
         Args:
-            full: positions of all joints; the group's own are replaced.
+            cases: positions of all joints, for each place of the others; the group's own are replaced.
             ways: positions of the group.
             kept: the floors.
         """
@@ -88,8 +88,9 @@ class Guard:
         for q in ways:
             if bool(np.any(q < self._limits.lower - WITHIN) or np.any(q > self._limits.upper + WITHIN)):
                 return False
-            there = full.copy()
-            there[self._columns] = q
-            if self.proximity.hits(there, floors) is not None:
-                return False
+            for full in cases:
+                there = full.copy()
+                there[self._columns] = q
+                if self.proximity.hits(there, floors) is not None:
+                    return False
         return True

@@ -24,6 +24,8 @@ from skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
 
 AHEAD: Final = 0.15
 """Seconds by which all other joints are looked at ahead, at their present speeds: what braking takes."""
+STANDS: Final = 0.002
+"""Radians (or metres) that no joint goes in that time when it stands."""
 SHIFTED: Final = 0.002
 """Metres by which the base is believed elsewhere before obstacles are placed anew."""
 TURNED: Final = 0.002
@@ -69,6 +71,7 @@ class Live:
         self._obstacles: tuple[Obstacle, ...] = ()
         self._index: Array | None = None
         self._full: Array = np.zeros(0)
+        self._now: Array = np.zeros(0)
 
     def refresh(self) -> None:
         """Take what has come."""
@@ -76,7 +79,7 @@ class Live:
         self._stop.refresh()
         self._group.refresh()
         if joints is not None:
-            self._full = self._ahead(joints)
+            self._full, self._now = self._configuration(joints, AHEAD), self._configuration(joints, 0.0)
         if scene is not None and pose is not None:
             self._place(scene, pose.base_in_map)
 
@@ -118,6 +121,16 @@ class Live:
         everything[self.columns] = q
         return everything
 
+    def cases(self, q: Array) -> tuple[Array, ...]:
+        """Return all joints' positions: the group's at q, the others where they are about to be, or stop now.
+
+        One that is on its way out may be stopped in the way.
+        """
+        coming = self.full(q)
+        here = self._now.copy()
+        here[self.columns] = q
+        return (coming,) if bool(np.abs(coming - here).max() < STANDS) else (coming, here)
+
     def moment(self, q: Array) -> Moment:
         """Return what is believed now, with the group standing at q."""
         joints, scene, pose = self._joints.value, self._scene.value, self._pose.value
@@ -138,10 +151,10 @@ class Live:
                 return told.goal_in_base
         return None
 
-    def _ahead(self, joints: JointStates) -> Array:
+    def _configuration(self, joints: JointStates, ahead: float) -> Array:
         robot = self._arm.hulls.robot
         positions = {
-            name: at + AHEAD * speed
+            name: at + ahead * speed
             for name, at, speed in zip(joints.names, joints.positions, joints.velocities, strict=True)
         }
         hand = self._arm.hand

@@ -102,12 +102,13 @@ class Motion:
     def go_to(self, state: State, kept: Floors, *, recorded: bool) -> None:
         """Go to the next state of a motion that was made before, or brake where that is not free."""
         self.blocked = False
+        # What has just come, or moved, is at an unknown distance until it is looked at.
+        self._guard.look(self._live.full(self.state.q))
         self._step(state, kept, recorded=recorded)
         self._send()
 
     def _step(self, wished: State, kept: Floors, *, recorded: bool) -> None:
-        full = self._live.full(wished.q)
-        if not self._guard.free(full, self.stepper.braking(wished), kept):
+        if not self._guard.free(self._live.cases(wished.q), self.stepper.braking(wished), kept):
             self.blocked = True
             wished = self.stepper.brake(self.state)
         moves = bool(np.abs(wished.q - self.state.q).max() > MOVING)

@@ -1,0 +1,23 @@
+"""Is the item still in the hand that has brought it to safety? What was lost on the way is not in hand."""
+
+from __future__ import annotations
+
+from skills.ports.failure import Failure, FailureKind
+from trees.behaviours.decide import Decide
+from trees.context import TreeContext
+from trees.hand_board import HandBoard
+
+
+def still_held(what: str, context: TreeContext, board: HandBoard) -> Decide:
+    """Return the leaf: FAILURE with GRASP_LOST when the hand is no longer believed to hold its item."""
+
+    def decide() -> str | Failure:
+        if board.held(context):
+            return f"item {board.item} is in the {board.side} hand"
+        return Failure(
+            kind=FailureKind.GRASP_LOST,
+            message=f"item {board.item} is no longer in the {board.side} hand",
+            evidence={"item": board.item, "side": board.side},
+        )
+
+    return Decide(f"{board.who}: {what}", context, decide)
