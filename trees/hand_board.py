@@ -86,8 +86,8 @@ class HandBoard:
             ways = side_grasps(point, base_heading - turned)
         else:
             ways = cube_grasps(known.size, hand.work_heading + base_heading - turned)
-        untried = tuple(way for way in ways if (way.face, way.pitch) not in self.avoid)
-        self.ways = untried or ways
+        # What was tried in vain comes last: it may still be all that there is.
+        self.ways = tuple(sorted(ways, key=lambda way: (way.face, way.pitch) in self.avoid))
         return None
 
     def choose(self, number: int) -> None:
@@ -107,10 +107,10 @@ class HandBoard:
         return known.size[1] + 2 * FINGER_ROOM
 
     def give_up_way(self) -> str:
-        """Note that the way that was taken is not tried again; return so in words."""
+        """Note that the way that was taken is tried again only when no other helps; return so in words."""
         if self.way is not None:
             self.avoid.append((self.way.face, self.way.pitch))
-        return f"{len(self.avoid)} ways to take hold are not tried again"
+        return f"{len(self.avoid)} ways to take hold are tried last"
 
     def in_base(self, context: TreeContext) -> tuple[float, float, float] | None:
         """Return the item's centre in the base (m), or None while it is not known."""

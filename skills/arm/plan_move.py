@@ -112,12 +112,14 @@ class MovePlanner:
         start, motions, hand = self._arm.start(moment), self._motions(checker), self._hand(checker)
         poses = [to_base(each.pose, goal.frame, moment.base_in_map) for each in goal.candidates]
         refused: list[_Refusal] = []
-        for number, pose in enumerate(poses):
-            answers = yield from hand.solver.solve(hand.chain, [to_se3(pose)], start, LOOKS[0])
-            ends = yield from self._ends(goal, moment, motions, goal.candidates[number], answers[0])
-            if not isinstance(ends, _Refusal):
-                return number, ends[0]
-            refused.append(ends)
+        for starts in LOOKS:
+            refused = []
+            for number, pose in enumerate(poses):
+                answers = yield from hand.solver.solve(hand.chain, [to_se3(pose)], start, starts)
+                ends = yield from self._ends(goal, moment, motions, goal.candidates[number], answers[0])
+                if not isinstance(ends, _Refusal):
+                    return number, ends[0]
+                refused.append(ends)
         failures = [self._explain(each, checker) for each in refused]
         return failures[0].model_copy(update={"causes": tuple(failures)})
 

@@ -254,9 +254,9 @@ class Episode:
         """Stand, or go back along the record, until the coordination lets the arm go on."""
         self._stops += 1
         ride = self._ride
-        if self._parts.gate.gives_up():
-            return ride.fail(FailureKind.ARMS_CROSSING, "both arms were stopped before they met")
         while True:
+            if self._parts.gate.gives_up():
+                return ride.fail(FailureKind.ARMS_CROSSING, "both arms were stopped before they met")
             why = yield from ride.rest(Phase.HELD, obeying=True)
             if why is not Why.DONE:
                 return why
