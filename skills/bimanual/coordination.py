@@ -12,8 +12,9 @@ back and stands, the leader goes on: if there is still a risk, only after the fo
 as long as there is a further back. From there on the leader goes on nevertheless, as long as it makes
 nothing worse: its way out is the only one. What is worse even then ends in STOP for both.
 
-``eager`` lets the follower go on beside the leader as soon as its way has been clear for a while; each
-time that this was wrong, the while doubles.
+``eager`` lets the leader go on as soon as its way to its goal is clear of the follower that goes back, and
+the follower go on beside the leader as soon as its way has been clear for a while; each time that this
+was wrong, the while doubles.
 """
 
 from __future__ import annotations
@@ -69,7 +70,8 @@ class ArmNow:
 class Situation:
     """What is seen at one moment: robot seconds, the reflex's verdict, metres between the arms, both arms.
 
-    ``way_is_clear``: whether the follower could go all its way beside the leader; asked for in eager mode.
+    ``way_is_clear``: whether the one that waits could go all its way beside the other: the leader while the
+    follower goes back, the follower while the leader leads; asked for in eager mode.
     """
 
     now: float
@@ -180,7 +182,8 @@ class Coordination:
             return state
         under_way = follower.moving or (follower.approaching and follower.at > self.sample)
         cornered = under_way and follower.approaching and seen.now - state.since > CORNERED_AFTER
-        if under_way and not cornered:
+        past_it = self.mode == "eager" and seen.way_is_clear and not seen.risk
+        if under_way and not cornered and not past_it:
             return state
         if seen.risk and follower.approaching and self.sample > 0 and not cornered:
             return _sent_back(replace(self, counter=self.counter + 1), seen)

@@ -51,7 +51,7 @@ class Coordinator:
         self._looked_at: float | None = None
         self._told: RightOfWay | None = None
         self._sweep: Generator[None, None, bool] | None = None
-        self._clear = False
+        self._clear, self._swept_in = False, Stage.CLEAR
 
     @property
     def _eager(self) -> bool:
@@ -131,24 +131,35 @@ class Coordinator:
     def _way_is_clear(self, joints: JointStates) -> bool:
         """Return the last sweep's verdict, and go on with the one that runs."""
         state = self.coordination
-        if not self._eager or state.stage is not Stage.LEADING:
+        if self._swept_in is not state.stage:
+            self._sweep, self._clear, self._swept_in = None, False, state.stage
+        if not self._eager or not self._waits_for_a_way(state):
             self._sweep, self._clear = None, False
             return False
         if self._sweep is None:
-            self._sweep = self._new_sweep(joints, state.leader, state.follower)
+            self._sweep = self._new_sweep(joints, state)
         try:
             next(self._sweep)
         except StopIteration as stop:
             self._sweep, self._clear = None, stop.value
         return self._clear
 
-    def _new_sweep(self, joints: JointStates, leader: Side, follower: Side) -> Generator[None, None, bool]:
+    def _waits_for_a_way(self, state: Coordination) -> bool:
+        """Say whether one of the arms waits, and has told which way it would go."""
+        leads = self._arms[state.leader].approach
+        told = leads is not None and leads.active
+        return state.stage is Stage.LEADING or (state.stage is Stage.BACKING and told)
+
+    def _new_sweep(self, joints: JointStates, state: Coordination) -> Generator[None, None, bool]:
         scene = self._scene.refresh()
         positions = by_name(joints.names, joints.positions)
         held = () if scene is None else carried(scene, self._description)
         bodies = ArmsClearance(self._hulls, self._description, positions, held)
         yield
-        ways = {leader: self._announced(joints, leader), follower: self._remaining(joints, follower)}
+        follower = self._arms[state.follower]
+        # One that goes back gets no nearer to the leader's way than it is.
+        stays = [follower.q] if state.stage is Stage.BACKING else self._remaining(joints, state.follower)
+        ways = {state.leader: self._announced(joints, state.leader), state.follower: stays}
         yield
         return (yield from clear(bodies, ways["left"], ways["right"]))
 

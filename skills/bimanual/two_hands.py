@@ -47,8 +47,8 @@ LEANS: Final = tuple(math.radians(degrees) for degrees in (0.0, 7.5, 15.0, 22.5,
 """Radians by which the hands may lean while they press, the best first.
 
 Where a wrist is bent to its limit a hand does not get straight, but nearly so. They come with up to 45
-degrees. 30 is what still counts as pointing at each other (``middle.span``), and less than the cone of friction
-of rubber fingertips; a carton 8 cm aside needs more than 22.5 of the arm on that side.
+degrees. They press straight inwards however they lean, and 30 degrees is what still counts as pointing at
+each other (``middle.span``).
 """
 MISSED: Final = 0.05
 """Metres further than to the surface after which a hand that feels nothing has missed the thing."""

@@ -224,6 +224,25 @@ def test_eager_goes_on_once_its_way_has_been_clear_for_a_while() -> None:
     assert until_it_goes(leading("eager")) == pytest.approx(0.21, abs=0.02)
 
 
+@pytest.mark.parametrize(
+    ("mode", "clear", "risk", "goes"),
+    [
+        ("eager", True, False, True),
+        ("eager", False, False, False),
+        ("eager", True, True, False),
+        ("faithful", True, False, False),
+    ],
+)
+def test_eager_the_leader_goes_on_while_the_follower_goes_back_once_its_way_is_clear(
+    mode: Mode, *, clear: bool, risk: bool, goes: bool
+) -> None:
+    trace, left, right = Trace(mode), field(0.2), field(0.4)
+    trace.see(left, right, risk=True)
+    assert trace.see(left, right, risk=risk, clear=clear) == ((HOLD, 0), (BACK, 5)), "it still moves"
+    orders = trace.see(stands(left), right, risk=risk, clear=clear)
+    assert orders == (((GO, 0) if goes else (HOLD, 0)), (BACK, 5))
+
+
 def test_faithful_waits_however_clear_the_way_is() -> None:
     trace = leading("faithful")
     for _ in range(500):

@@ -33,6 +33,8 @@ class Rig:
         self._cancels = {side: self.bus.serve(group_cancel(f"arm_{side}").key) for side in SIDES}
         self.risk = self.near = False
         self.moving, self.approaching = True, True
+        self.still: set[str] = set()
+        self.goals = dict(GOALS)
         self.at = {"left": 5, "right": 5}
 
     def round(self) -> RightOfWay:
@@ -40,7 +42,7 @@ class Rig:
         self.seconds += PERIOD
         stamp = RobotTime(boot="test", seconds=self.seconds)
         speed = 0.5 if self.moving else 0.0
-        speeds = {f"arm_{side}_3_joint": speed for side in SIDES}
+        speeds = {f"arm_{side}_3_joint": 0.0 if side in self.still else speed for side in SIDES}
         crossing = Crossing(
             stamp=stamp, risk=self.risk, distance=0.1, threshold=0.2, clearance=0.03, near=self.near
         )
@@ -51,7 +53,7 @@ class Rig:
                 side=side,
                 active=self.approaching,
                 distance=distance,
-                goal_in_base=GOALS[side],
+                goal_in_base=self.goals[side],
                 recorded=6,
                 at=self.at[side],
             )
@@ -122,6 +124,19 @@ def test_eager_the_follower_goes_on_once_its_way_has_been_clear_for_a_while(rig:
     told = [orders(rig.round()) for _ in range(200)]
     assert (GO, BACK) in told
     assert told[-1] == (GO, GO), "each to its own side: they never come near"
+
+
+@pytest.mark.parametrize(("y", "goes"), [(0.3, True), (-0.5, False)], ids=["own side", "across the other"])
+def test_eager_the_leader_goes_on_once_the_follower_is_out_of_its_way(
+    rig: Rig, y: float, *, goes: bool
+) -> None:
+    rig.node.begin("eager")
+    rig.risk = rig.near = True
+    rig.goals["left"] = (0.6, y, 0.8)
+    rig.round()
+    rig.risk, rig.near, rig.still = False, False, {"left"}
+    told = [orders(rig.round()) for _ in range(60)]
+    assert ((GO, BACK) in told) is goes, "the follower is still on its way back"
 
 
 def test_the_stops_are_counted_on_when_the_coordination_begins_and_ends(rig: Rig) -> None:
