@@ -95,11 +95,13 @@ def _offsets(options: Options, runs: Sequence[ExperimentRun]) -> tuple[Row, ...]
 def _besides(runs: Sequence[ExperimentRun]) -> tuple[Row, ...]:
     touches = [touch for run in runs for touch in run.touches]
     arms = sum(touch.second == "right arm" for touch in touches)
+    table = sum(touch.second == "table" for touch in touches)
     return (
         ("whole routine (s)", _mean([run.total_s for run in runs]), NONE),
         ("stops by the coordination", str(sum(run.stops for run in runs)), NONE),
         ("items followed at the grasp", str(sum(arm.follows for run in runs for arm in run.arms)), NONE),
         ("contacts arm with arm", str(arms), NONE),
-        ("contacts arm with table", str(len(touches) - arms), NONE),
+        ("contacts arm with table", str(table), NONE),
+        ("contacts with what the other holds", str(len(touches) - arms - table), NONE),
         ("largest tilt (rad)", f"{max((run.tilt for run in runs), default=0.0):.4f}", NONE),
     )

@@ -16,6 +16,8 @@ from skills.ports.world import SIDES, Side
 if TYPE_CHECKING:
     from sim.station import Station
 
+CLEAR: Final = 0.02
+"""Metres above where it stood from which on a thing is off the table: beyond what a push may raise it."""
 PATH_EVERY: Final = 10
 """Steps between two points of a hand's path: 0.1 s."""
 ARM_LINKS: Final = {side: (f"arm_{side}_", f"gripper_{side}_", f"wrist_{side}_") for side in SIDES}
@@ -65,7 +67,7 @@ class Witness:
             pose = self.pose(each.item)
             height = pose.position[2] - self._stood[each.item]
             self.heights[each.item] = max(self.heights.get(each.item, 0.0), height)
-            if height > 0.02:  # noqa: PLR2004 - clear of the table, beyond what a push may raise
+            if height > CLEAR:
                 self.tilts[each.item] = max(self.tilts.get(each.item, 0.0), tilt(pose))
         if self._steps % PATH_EVERY == 0:
             for side in SIDES:
@@ -110,6 +112,11 @@ class Witness:
     def _contacts(self) -> None:
         body, names = self.station.body.body, self.station.world.names_by_id()
         now: set[tuple[str, str]] = set()
+        in_hand = {
+            item_name(each.item): each.hands[0]
+            for each in self.items
+            if len(each.hands) == 1 and self.pose(each.item).position[2] - self._stood[each.item] > CLEAR
+        }
         for contact in self.station.physics.contacts(body):
             arm = self._arm_of.get(contact.link_a)
             if arm is None or contact.force <= 0.0:
@@ -120,6 +127,8 @@ class Witness:
                     now.add(("left arm", "right arm"))
             elif names.get(contact.body_b, "").startswith("table"):
                 now.add((f"{arm} arm", "table"))
+            elif (held := in_hand.get(names.get(contact.body_b, ""))) not in {None, arm}:
+                now.add((f"{arm} arm", f"what is in the {held} hand"))
         seconds = round(self.station.hardware.now.seconds, 2)
         self.touches += [
             Touch(first=first, second=second, at=seconds) for first, second in sorted(now - self._under_way)
