@@ -26,7 +26,9 @@ from skills.ports.message import Vector3
 from skills.ports.world import Box
 
 GAIN: Final = 0.5
-"""By how much more another view must be worth for the head to turn."""
+"""By how much more another view must be worth for the head to turn ..."""
+LITTLE: Final = 0.1
+"""... from one that is worth nothing: there is nothing to lose. From there on it rises with that worth."""
 LONGING: Final = 0.5
 """Worth a second by which an item that is out of view is missed more."""
 LOST: Final = 2.0
@@ -127,7 +129,12 @@ class Gaze:
     def lacks(self, camera_in_map: Pose, now: float) -> bool:
         """Say whether some view may be worth clearly more than that from there."""
         most = sum(_wanted(each, now) + _sought(each, now) for each in self._items.values())
-        return bool(most > self._worth(_stacked((camera_in_map,)), now)[0] + GAIN)
+        here = float(self._worth(_stacked((camera_in_map,)), now)[0])
+        return most > here + _clearly(here)
+
+    def clearly(self, camera_in_map: Pose, now: float) -> float:
+        """Return by how much more than the view from there another one must be worth."""
+        return _clearly(float(self._worth(_stacked((camera_in_map,)), now)[0]))
 
     def best(self, views: Sequence[View], here: View, now: float) -> tuple[float, Joints]:
         """Return the head positions of the best of some views, and by how much more it is worth than ours."""
@@ -199,6 +206,10 @@ def _stacked(cameras: Sequence[Pose]) -> _Cameras:
     """Return the rotations (v, 3, 3) and positions (v, 3) of cameras in the map."""
     rotations = np.array([rotation_of(each) for each in cameras])
     return rotations, np.array([each.position for each in cameras])
+
+
+def _clearly(worth: float) -> float:
+    return min(GAIN, LITTLE + worth)
 
 
 def _wanted(each: _Followed, now: float) -> float:

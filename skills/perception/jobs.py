@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from skills.perception import clutter, tags
+from skills.perception.open_view import in_the_open, tag_on
 from skills.perception.rigid import Matrix
 from skills.ports.geometry import FloorPose, Pose, compose, conjugate, rotate, to_pose
 from skills.ports.image import decode
@@ -33,10 +34,15 @@ class TagJob:
 
 @dataclass(frozen=True)
 class TagsFound:
-    """The picture's tags, and the items believed in it where the depth shows that nothing is."""
+    """The picture's tags, and the items believed in it that are not where they were.
+
+    ``absent``: the depth shows that nothing is there. ``unread``: something is, but their tag, which would be
+    in plain view, is not.
+    """
 
     sightings: tuple[Sighting, ...]
     absent: tuple[int, ...]
+    unread: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -81,13 +87,15 @@ def find_tags(job: TagJob) -> TagsFound:
             )
         )
     camera_in_map = compose(base_in_map, job.shot.camera_in_base)
-    seen_items = {each.item for each in found}
-    absent = tuple(
+    seen_items, sizes = {each.item for each in found}, dict(job.sizes)
+    missing = [(item, box) for item, box in job.believed if item not in seen_items]
+    absent = tuple(item for item, box in missing if clutter.seen_through(image, camera_in_map, box))
+    unread = tuple(
         item
-        for item, box in job.believed
-        if item not in seen_items and clutter.seen_through(image, camera_in_map, box)
+        for item, box in missing
+        if item not in absent and in_the_open(image, camera_in_map, tag_on(box), sizes[item])
     )
-    return TagsFound(tuple(found), absent)
+    return TagsFound(tuple(found), absent, unread)
 
 
 def warm_up(edge: int) -> int:

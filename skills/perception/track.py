@@ -1,8 +1,8 @@
 """Track: tell the tags of each picture while others move, until cancelled.
 
 The object recorder (document 002, Algorithm 1) is the keeper's: here a tag that is not seen is simply not
-told, and an item is absent only where several pictures in a row look through the place where it stood. An
-arm before it ends the look through; so it is hidden then, and not gone.
+told, and an item is absent only where several pictures in a row look through the place where it stood, or
+show that in the open without the tag. An arm before it ends that; so it is hidden then, and not gone.
 
 The head follows with its gaze what the goal says (``gaze.py``). While it moves, no picture is read: a real
 camera's pictures smear, and its stamp and that of the joints never agree wholly.
@@ -19,7 +19,7 @@ from skills.perception.aim import Aim
 from skills.perception.camera import Camera
 from skills.perception.eye import Eye, Steps, View
 from skills.perception.frames import JointHistory, RobotPoseHistory
-from skills.perception.gaze import GAIN, Gaze
+from skills.perception.gaze import Gaze
 from skills.perception.head import SETTLE, Head
 from skills.perception.jobs import Shot, TagsFound
 from skills.perception.session import Canceled, LookError, Session
@@ -38,7 +38,7 @@ from skills.ports.world import SIGHTINGS, Sighting, Sightings
 
 WHERE: Final = "perception/track"
 GONE_AFTER: Final = 2
-"""Pictures in a row that look through an item's place before it is told to be absent."""
+"""Pictures in a row that miss an item at its place before it is told to be absent."""
 VIEWS: Final = 54
 """Head positions that are weighed in one slice, and the robot seconds that it is charged."""
 VIEWS_COST: Final = 0.002
@@ -53,7 +53,7 @@ class _Tracking(View):
     goal: TrackGoal
     head: Head
     gaze: Gaze
-    looked_through: Counter[int] = field(default_factory=Counter)
+    missed: Counter[int] = field(default_factory=Counter)
 
     def refresh(self) -> None:
         super().refresh()
@@ -136,9 +136,10 @@ class Track:
             stamp, shot = yield from self._eye.shot(view, after)
             after = stamp.seconds + 1e-6
             found = yield from self._eye.read(view, shot, self._eye.standing())
-            through = view.looked_through
-            view.looked_through = Counter({item: through[item] + 1 for item in found.absent})
-            gone = tuple(item for item, pictures in view.looked_through.items() if pictures >= GONE_AFTER)
+            before = view.missed
+            missing = (*found.absent, *found.unread)
+            view.missed = Counter({item: before[item] + 1 for item in missing})
+            gone = tuple(item for item, pictures in view.missed.items() if pictures >= GONE_AFTER)
             found = TagsFound(found.sightings, gone)
             self._tell(view, stamp, found)
             if view.goal.gaze and (yield from self._turned(view, stamp, shot, found)):
@@ -168,7 +169,7 @@ class Track:
             return False
         joints = dict(zip(newest.names, newest.positions, strict=True))
         here = tuple(joints[name] for name in self._aim.group.joints), camera_in_map
-        best, end, lattice = GAIN, here[0], self._aim.lattice()
+        best, end, lattice = gaze.clearly(camera_in_map, now), here[0], self._aim.lattice()
         for first in range(0, len(lattice), VIEWS):
             views = [
                 (head, compose(to_pose(shot.base_in_map), self._aim.camera_in_base(head, joints)))
