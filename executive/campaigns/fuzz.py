@@ -112,7 +112,8 @@ def fuzz(count: int, start: int, say: Callable[[int], None] = lambda _: None) ->
 
     Args:
         count: how many.
-        start: the seed.
+        start: the seed. It draws the same inputs for the same code only: hypothesis also draws from the
+            constants of the modules that are loaded.
         say: told how many there have been, now and then.
     """
     fed, counts, reasons = 0, Counter[str](), Counter[str]()

@@ -27,3 +27,17 @@ def test_a_grasp_is_told_in_the_same_frame_whichever_face_was_seen_last(quarters
     assert not isinstance(stands, Failure)
     assert board.frame is not None
     assert angle_between(stands.orientation, board.frame.orientation) < 1e-6
+
+
+def test_what_was_tried_in_vain_is_offered_last() -> None:
+    bench = TreeBench(load("bimanual"), items=dict(ITEMS), seen_at_look=1)
+    bench.start("pick", {"item": LEFT})
+    while bench.context.knowledge.world is None or bench.context.knowledge.world.item(LEFT) is None:
+        bench.step()
+    board = HandBoard("left", LEFT)
+    board.offer(bench.context)
+    before = board.ways
+    board.choose(0)
+    board.give_up_way()
+    board.offer(bench.context)
+    assert board.ways == (*before[1:], before[0])

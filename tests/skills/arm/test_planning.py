@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Generator, Sequence
 
 import numpy as np
+import pinocchio as pin
 import pytest
 
-from skills.arm.plan_move import MovePlanner
+from skills.arm.plan_move import LOOKS, MovePlanner
 from skills.arm.planning.motions import Motions, Space, halving, weigh
 from skills.arm.planning.ompl_planner import search
 from skills.arm.planning.path import find_path
@@ -18,8 +20,11 @@ from skills.kinematics.bodies import BoxShape, Obstacle
 from skills.kinematics.collision import CollisionChecker
 from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
+from skills.kinematics.ik import IkAnswer, Solver
+from skills.kinematics.model import Chain
 from skills.kinematics.transforms import Array
-from skills.ports.actions.arm import MoveGoal
+from skills.ports.actions.arm import Candidate, MoveGoal
+from skills.ports.failure import Failure
 from skills.ports.geometry import Pose
 from tests.fakes.arm_rig import PANDA_HOME, ArmRig, box, drive, panda
 
@@ -130,3 +135,23 @@ def test_a_straight_line_into_the_wall_ends_there(hulls: RobotHulls) -> None:
     line = drive(follow(hand(hulls), checker, START, there))
     assert line.broken is Broken.IN_COLLISION
     assert 0.0 < line.travelled < 1.0
+
+
+def test_a_pose_that_few_starts_do_not_lead_to_is_looked_for_from_many(
+    hulls: RobotHulls, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    solve = Solver.solve
+
+    def few_lead_nowhere(
+        self: Solver, chain: Chain, targets: Sequence[pin.SE3], reference: Array, starts: int
+    ) -> Generator[int, None, tuple[IkAnswer, ...]]:
+        answers = yield from solve(self, chain, targets, reference, starts)
+        return answers if starts > LOOKS[0] else tuple(IkAnswer((), 0.01) for _ in answers)
+
+    monkeypatch.setattr(Solver, "solve", few_lead_nowhere)
+    rig = ArmRig(panda(), "arm", hulls=hulls)
+    planner = MovePlanner(Arm(hulls, panda(), "arm"), PlannerSettings(), "arm/move")
+    there = Candidate(pose=hulls.robot.pose("panda_hand_tcp", HOME))
+    reached = drive(planner.reach(MoveGoal(candidates=(there,), frame="base"), rig.moment()))
+    assert not isinstance(reached, Failure)
+    assert reached[0] == 0

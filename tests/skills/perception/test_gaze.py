@@ -7,7 +7,7 @@ import math
 import pytest
 
 from skills import site
-from skills.perception.gaze import AGAIN, GAIN, HIDDEN, Gaze, View
+from skills.perception.gaze import AGAIN, GAIN, HIDDEN, LITTLE, Gaze, View
 from skills.ports.chain import Chain
 from skills.ports.geometry import Pose
 from tests.skills.perception.stage import DESCRIPTION, URDF
@@ -66,6 +66,15 @@ def test_an_item_that_is_gone_is_looked_for_where_the_picture_does_not_reach() -
     gain, head = gaze.best(VIEWS, AHEAD, 0.2)
     assert gain > GAIN
     assert head[0] < -0.1
+
+
+def test_a_view_that_is_worth_nothing_is_left_for_little() -> None:
+    gaze = watching(tag(0.75, 0.0))
+    assert gaze.clearly(AHEAD[1], 0.2) == GAIN, "it shows the item"
+    gaze.look(AHEAD[1], (0,), 0.2)
+    assert gaze.clearly(AHEAD[1], 0.2) == pytest.approx(LITTLE, abs=0.02), (
+        "it has just been looked at in vain"
+    )
 
 
 def test_where_it_was_just_looked_for_in_vain_is_not_looked_at_again_for_a_while() -> None:

@@ -158,6 +158,26 @@ def test_what_an_arm_hides_is_not_gone_and_what_left_is(*, hidden: bool, absent:
     assert [each.absent for each in tracking.messages(GONE_AFTER)] == [(), absent]
 
 
+@pytest.mark.parametrize(("hidden", "absent"), [(True, ()), (False, (29,))])
+def test_what_stands_where_the_tag_should_be_in_plain_view_is_not_the_item(
+    *, hidden: bool, absent: tuple[int, ...]
+) -> None:
+    """A thing as near as the item was: nothing is seen through its place."""
+    table = TABLE.furniture[1].boxes[0].box()
+    plain = Box(size=(0.07, 0.2, 0.07), pose=Pose(position=(0.785, 0.1, 0.745)))
+    arm = Box(size=(0.1, 0.3, 0.2), pose=Pose(position=(0.45, 0.06, 0.91)))
+    rng = np.random.default_rng(1)
+
+    def painter(camera_in_map: Pose, now: RobotTime) -> RgbdImage:
+        return scene(
+            header(now.seconds), camera_in_map, (table, plain, arm) if hidden else (table, plain), rng
+        )
+
+    tracking = Tracking(painter)
+    tracking.believe(HERE)
+    assert [each.absent for each in tracking.messages(GONE_AFTER)] == [(), absent]
+
+
 ASIDE = tag(0.75, -0.6)
 
 

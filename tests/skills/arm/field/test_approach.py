@@ -180,8 +180,14 @@ def test_an_open_episode_of_which_nothing_is_heard_any_more_holds(rig: FieldRig)
     arrived(rig, run(rig, once))
 
 
-def test_told_to_stop_it_comes_to_rest_and_gives_up(rig: FieldRig) -> None:
-    status = run(rig, lambda number: rig.order("left", Order.STOP) if number >= 80 else None)
+@pytest.mark.parametrize("sent_back", [False, True])
+def test_told_to_stop_it_comes_to_rest_and_gives_up(rig: FieldRig, *, sent_back: bool) -> None:
+    def order(number: int) -> None:
+        if number >= 80 and number % 5 == 0:
+            back = sent_back and number < 250
+            rig.order("left", Order.BACK if back else Order.STOP, 1 if back else 0)
+
+    status = run(rig, order)
     assert status.failure is not None
     assert status.failure.kind is FailureKind.ARMS_CROSSING
     stood = rig.tool()

@@ -1,16 +1,22 @@
-"""The record, the progress, the velocities and the set-points of an approach, each alone."""
+"""The record, the progress, velocities, set-points and surroundings of an approach, each alone."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
+from skills.arm.field.live import AHEAD, Live
 from skills.arm.field.progress import WINDOW, Progress
 from skills.arm.field.record import Record
 from skills.arm.field.reference import State, Stepper, standing
 from skills.arm.field.velocities import Dampers, VelocitySolver
+from skills.arm.problem import Arm
 from skills.arm.trajectory import MotionLimits
 from skills.kinematics.model import Limits
+from skills.ports.keys import JOINT_STATES
+from skills.wire.clocks import SteppedClocks
+from skills.wire.memory import MemoryBus
+from tests.skills.reflex.two_arms import joint_states, positions, robot
 
 LIMITS = MotionLimits(np.full(2, 2.0), np.full(2, 5.0), np.full(2, 50.0))
 RANGE = Limits(np.full(2, -1.0), np.full(2, 1.0), np.full(2, 2.0))
@@ -107,3 +113,18 @@ def test_a_hand_slides_along_what_it_can_not_pass() -> None:
     found = solver.solve(np.zeros(2), np.zeros(2), JACOBIAN, twist, twist[:2], wall)
     assert found[0] <= 1e-3
     assert found[1] > 0.1
+
+
+@pytest.mark.parametrize("speed", [0.0, 0.5])
+def test_another_arm_is_looked_at_where_it_is_about_to_be_and_where_it_may_be_stopped(speed: float) -> None:
+    description, hulls = robot()
+    bus, clocks = MemoryBus(), SteppedClocks("test")
+    live = Live(bus, clocks, Arm(hulls, description, "arm_left"))
+    at, joint = positions(), "arm_right_1_joint"
+    JOINT_STATES.publish(bus, joint_states(1.0, at, {joint: speed}))
+    live.refresh()
+    cases = live.cases(live.measured()[0])
+    column = hulls.robot.joint_index(joint)
+    assert sorted(case[column] - at[joint] for case in cases) == pytest.approx(
+        [0.0, AHEAD * speed] if speed else [0.0]
+    )
