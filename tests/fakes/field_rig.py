@@ -21,7 +21,7 @@ from skills.ports.action import (
 )
 from skills.ports.actions.approach import ApproachGoal, ApproachPhase, ApproachStatus, approach_status
 from skills.ports.actions.bimanual import RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
-from skills.ports.geometry import FloorPose, Pose, about, compose
+from skills.ports.geometry import Pose, about, compose
 from skills.ports.grasping import tool_orientation
 from skills.ports.hardware import (
     CancelMotion,
@@ -50,13 +50,13 @@ from skills.ports.world import (
     Box,
     ItemFact,
     PlanningScene,
-    RobotPose,
     SceneObject,
     Side,
     WorldState,
 )
 from skills.wire.clocks import SteppedClocks
 from skills.wire.memory import MemoryBus
+from tests.fakes.robot_pose import localised
 
 PERIOD = 0.01
 CUBE: Vector3 = (0.07, 0.07, 0.07)
@@ -212,19 +212,7 @@ class FieldRig:
         )
         scene = PlanningScene(stamp=stamp, version=self._version, objects=(*self.others, *cubes))
         SCENE.publish(self.bus, scene)
-        here = FloorPose(x=0.0, y=0.0, yaw=0.0)
-        ROBOT_POSE.publish(
-            self.bus,
-            RobotPose(
-                stamp=stamp,
-                localised=True,
-                base_in_map=here,
-                odom_in_map=here,
-                position_sigma=0.0,
-                yaw_sigma=0.0,
-                moving=False,
-            ),
-        )
+        ROBOT_POSE.publish(self.bus, localised(stamp))
 
     def order(self, side: Side, order: Order, sample: int = 0, *, opened: bool = True) -> None:
         """Tell an order of the coordination."""

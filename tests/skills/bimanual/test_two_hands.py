@@ -11,15 +11,16 @@ from skills.bimanual.hold import TwoArms
 from skills.bimanual.two_hands import HoldWithTwo
 from skills.ports.actions.bimanual import TwoHands, TwoHandsFeedback, TwoHandsGoal, TwoHandsResult
 from skills.ports.failure import FailureKind
-from skills.ports.geometry import FloorPose, Pose, conjugate, from_axes, rotate
+from skills.ports.geometry import Pose, conjugate, from_axes, rotate
 from skills.ports.hardware import Wrench
 from skills.ports.keys import JOINT_STATES, Latest, group_setpoint, wrench
 from skills.ports.message import RobotTime, Vector3
 from skills.ports.skill import Command, Outcome
-from skills.ports.world import ROBOT_POSE, SIDES, WORLD, ItemFact, RobotPose, WorldState
+from skills.ports.world import ROBOT_POSE, SIDES, WORLD, ItemFact, WorldState
 from skills.site import load
 from skills.wire.clocks import SteppedClocks
 from skills.wire.memory import MemoryBus
+from tests.fakes.robot_pose import localised
 from tests.skills.reflex.two_arms import joint_states, positions, robot
 
 SITE = load("bimanual")
@@ -57,17 +58,7 @@ class Rig:
             item=0, size=(0.3, 0.4, 0.4), tag_in_map=tag, seen=stamp, quality=1.0, position_sigma=0.001
         )
         WORLD.publish(self.bus, WorldState(stamp=stamp, version=1, items=(fact,)))
-        here = FloorPose(x=0.0, y=0.0, yaw=0.0)
-        pose = RobotPose(
-            stamp=stamp,
-            localised=True,
-            base_in_map=here,
-            odom_in_map=here,
-            position_sigma=0.0,
-            yaw_sigma=0.0,
-            moving=False,
-        )
-        ROBOT_POSE.publish(self.bus, pose)
+        ROBOT_POSE.publish(self.bus, localised(stamp))
         self._place_hands()
         self.period()
 

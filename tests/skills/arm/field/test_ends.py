@@ -13,13 +13,14 @@ from skills.arm.field.live import Live
 from skills.arm.field.target import Target
 from skills.arm.problem import Arm
 from skills.kinematics.transforms import Array
-from skills.ports.geometry import FloorPose, Pose
+from skills.ports.geometry import Pose
 from skills.ports.keys import JOINT_STATES
 from skills.ports.message import RobotTime
-from skills.ports.world import ROBOT_POSE, SCENE, PlanningScene, RobotPose
+from skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
 from skills.wire.clocks import SteppedClocks
 from skills.wire.memory import MemoryBus
 from tests.fakes.field_rig import goal
+from tests.fakes.robot_pose import localised
 from tests.skills.reflex.two_arms import joint_states, positions, robot
 
 if TYPE_CHECKING:
@@ -53,21 +54,9 @@ class Case:
         self.description, self.hulls = robot()
         bus, arm = MemoryBus(), Arm(self.hulls, self.description, "arm_left")
         live = Live(bus, SteppedClocks("test"), arm)
-        here = FloorPose(x=0.0, y=0.0, yaw=0.0)
         JOINT_STATES.publish(bus, joint_states(1.0, positions(left=tuple(BEFORE_IT))))
         SCENE.publish(bus, PlanningScene(stamp=NOW, version=1, objects=()))
-        ROBOT_POSE.publish(
-            bus,
-            RobotPose(
-                stamp=NOW,
-                localised=True,
-                base_in_map=here,
-                odom_in_map=here,
-                position_sigma=0.0,
-                yaw_sigma=0.0,
-                moving=False,
-            ),
-        )
+        ROBOT_POSE.publish(bus, localised(NOW))
         live.refresh()
         self.ends = Ends(arm, cast("MovePlanner", planner), live, goal())
         self.think(0.0)
