@@ -7,7 +7,7 @@ import math
 from skills.ports.actions.arm import MoveGoal
 from skills.ports.bus import Bus
 from skills.ports.failure import Failure, FailureKind
-from skills.ports.grasping import item_in_map
+from skills.ports.grasping import upright_in_map
 from skills.ports.keys import Latest
 from skills.ports.message import Vector3
 from skills.ports.world import WORLD, WorldState
@@ -52,7 +52,8 @@ class FollowedItem:
         fact = None if world is None or self._item is None else world.item(self._item)
         if fact is None or fact.held is not None:
             return None
-        return item_in_map(fact.tag_in_map, fact.size[0]).position
+        stands = upright_in_map(fact.tag_in_map, fact.size[0])
+        return None if stands is None else stands.position
 
     def _gone(self, message: str, moved: float = 0.0) -> Failure:
         evidence: dict[str, str | float | bool] = {"moved_m": round(moved, 4)}

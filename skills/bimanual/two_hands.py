@@ -29,7 +29,7 @@ from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import FloorPose, Pose, compose, invert, to_pose
-from skills.ports.grasping import item_in_map
+from skills.ports.grasping import upright_in_map
 from skills.ports.keys import Latest
 from skills.ports.message import Quaternion
 from skills.ports.site import Site
@@ -353,7 +353,10 @@ class HoldWithTwo:
         fact = None if world is None else world.item(item)
         if fact is None:
             raise self._stopped(FailureKind.ITEM_GONE, f"item {item} is not believed to be anywhere")
-        return compose(invert(base), item_in_map(fact.tag_in_map, known.size[0]))
+        stands = upright_in_map(fact.tag_in_map, known.size[0])
+        if stands is None:
+            raise self._stopped(FailureKind.ITEM_UNREACHABLE, f"item {item} has fallen over")
+        return compose(invert(base), stands)
 
     def _base(self) -> Steps[FloorPose]:
         until = robot_seconds(self._clocks) + HEARD_WITHIN

@@ -91,6 +91,14 @@ def item_in_map(tag_in_map: Pose, depth: float) -> Pose:
     return Pose(position=centre, orientation=about(_Z, math.atan2(out[1], out[0])))
 
 
+def upright_in_map(tag_in_map: Pose, depth: float) -> Pose | None:
+    """Return ``item_in_map``, or None for an item that has fallen over: its tag lies flat."""
+    try:
+        return item_in_map(tag_in_map, depth)
+    except ValueError:
+        return None
+
+
 def turned_like(frame: Pose, known: Pose) -> Pose:
     """Return an item's frame, turned by quarters about its vertical until it is nearest to a known one.
 

@@ -295,3 +295,14 @@ def test_what_falls_out_while_the_other_arm_picks_is_told() -> None:
     assert failure.kind is K.GRASP_LOST
     assert failure.where == "left arm: in hand at the end?"
     assert [hand.item for hand in run.robot.world.held] == [RIGHT]
+
+
+def test_an_item_that_has_fallen_over_is_told() -> None:
+    tag = ITEMS[LEFT]
+    lies = Pose(position=tag.position, orientation=IDENTITY.orientation)
+    run = bench({**ITEMS, LEFT: lies})
+    assert run.run("pick_two", TWO) is Status.FAILURE
+    failure = run.failure()
+    assert failure is not None
+    assert failure.kind is K.ITEM_UNREACHABLE
+    assert "item 29 has fallen over" in failure.message

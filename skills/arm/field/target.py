@@ -9,7 +9,7 @@ from skills.ports.actions.arm import Candidate, MoveGoal
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.geometry import Pose, angle_between, compose, distance, invert, to_pose
-from skills.ports.grasping import item_in_map, turned_like
+from skills.ports.grasping import turned_like, upright_in_map
 from skills.ports.keys import Latest
 from skills.ports.world import ROBOT_POSE, WORLD
 
@@ -75,16 +75,17 @@ class TargetTracker:
         self._goal, self._before, self._last = goal, None, None
 
     def refresh(self) -> Target | None:
-        """Return the target; None when the item is in a hand, or for long not believed to be anywhere."""
+        """Return the target; None when the item is in a hand, has fallen over, or is for long nowhere."""
         world, robot, goal = self._world.refresh(), self._robot.refresh(), self._goal
         if world is None or robot is None or goal is None:
             return None
         self.heard, self.localised = True, robot.localised
         fact = world.item(goal.item)
         now = robot_seconds(self._clocks)
-        if fact is not None and fact.held is None:
+        stands = None if fact is None or fact.held else upright_in_map(fact.tag_in_map, fact.size[0])
+        if stands is not None:
             self.hidden = False
-            self._last = (now, self._steady(item_in_map(fact.tag_in_map, fact.size[0])))
+            self._last = (now, self._steady(stands))
         elif fact is not None or self._last is None or now - self._last[0] > HIDDEN_FOR:
             return None
         else:
