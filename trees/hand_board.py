@@ -6,11 +6,12 @@ from dataclasses import dataclass, field
 
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import Pose, compose, invert, to_pose, yaw_of
-from skills.ports.grasping import FINGER_ROOM, turned_like, upright_in_map
+from skills.ports.grasping import FINGER_ROOM, item_in_map, turned_like
 from skills.ports.hand_grasps import HandGrasp, cube_grasps, side_grasps
 from skills.ports.site import SiteItem
 from skills.ports.world import ItemFact, Side
 from trees.context import TreeContext
+from trees.standing import fallen_over
 
 
 @dataclass(eq=False)
@@ -67,10 +68,10 @@ class HandBoard:
         fact = self.fact(context)
         if fact is None or fact.held is not None:
             return Failure(kind=FailureKind.ITEM_GONE, message=f"item {self.item} is not known to stand")
-        frame = upright_in_map(fact.tag_in_map, fact.size[0])
-        if frame is None:
-            lies = f"item {self.item} has fallen over: hands take hold of what stands upright"
-            return Failure(kind=FailureKind.ITEM_UNREACHABLE, message=lies, evidence={"item": self.item})
+        lies = fallen_over(fact)
+        if lies is not None:
+            return lies
+        frame = item_in_map(fact.tag_in_map, fact.size[0])
         return frame if self.frame is None else turned_like(frame, self.frame)
 
     def offer(self, context: TreeContext) -> Failure | None:

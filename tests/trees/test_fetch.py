@@ -255,3 +255,12 @@ def test_names_are_unique() -> None:
     it = bench()
     names = [node.name for node in it.start("fetch", {"item": 29}).iterate()]
     assert sorted(names) == sorted(set(names))
+
+
+def test_an_item_that_has_fallen_over_is_told() -> None:
+    run = bench(items={29: Pose(position=TAG.position)})
+    assert run.run("fetch", {"item": 29}) is Status.FAILURE
+    failure = run.failure()
+    assert failure is not None
+    assert failure.kind is FailureKind.ITEM_UNREACHABLE
+    assert "item 29 has fallen over" in failure.message

@@ -10,6 +10,7 @@ from trees.behaviours.act import Act
 from trees.board import FetchBoard
 from trees.context import TreeContext
 from trees.leaves.move_hand import move_hand
+from trees.standing import fallen_over
 
 
 def grasp_candidates(board: FetchBoard, tag_in_map: Pose, depth: float) -> tuple[Candidate, ...]:
@@ -33,6 +34,9 @@ def pre_grasp(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeed
         fact = board.fact(context)
         if fact is None or fact.held is not None:
             return Failure(kind=FailureKind.ITEM_GONE, message=f"item {board.item} is not known to stand")
+        lies = fallen_over(fact)
+        if lies is not None:
+            return lies
         board.grasps = _grasps(board, board.face_in_map(fact), fact.size[0])
         return MoveGoal(
             candidates=tuple(_candidate(each) for each in board.grasps),

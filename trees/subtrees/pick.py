@@ -20,6 +20,7 @@ from trees.leaves.pre_grasp import grasp_candidates, pre_grasp
 from trees.leaves.reach import reach
 from trees.leaves.retract import retract
 from trees.leaves.survey import Reach
+from trees.standing import fallen_over
 from trees.subtrees.arms_in import tuck
 from trees.subtrees.stand import stand_near, unknown
 
@@ -52,6 +53,9 @@ def approach_item(context: TreeContext, board: FetchBoard) -> Behaviour:
         fact, description = board.fact(context), context.knowledge.description
         if fact is None or fact.held is not None or description is None:
             return unknown(board.item)
+        lies = fallen_over(fact)
+        if lies is not None:
+            return lies
         tag, hand = face(fact.tag_in_map, fact.size[0], quarter_turns), description.end_effector(side)
         out = outward(tag)
         facing = math.atan2(out[1], out[0])
