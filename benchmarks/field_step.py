@@ -24,8 +24,8 @@ from skills.arm.planning.settings import PlannerSettings
 from skills.arm.problem import Arm
 from skills.kinematics.described import load_hulls
 from skills.ports.actions.approach import ApproachGoal
-from skills.ports.geometry import FloorPose, Pose, compose
-from skills.ports.grasping import tool_orientation
+from skills.ports.geometry import FloorPose, Pose
+from skills.ports.grasping import tag_of_item, tool_orientation
 from skills.ports.hardware import JointStates, RobotDescription
 from skills.ports.keys import JOINT_STATES
 from skills.ports.message import RobotTime, Vector3
@@ -47,7 +47,6 @@ CUBE: Vector3 = (0.07, 0.07, 0.07)
 PLACES = ((0.65, 0.12), (0.50, 0.45), (0.62, 0.42), (0.75, 0.30), (0.80, 0.0), (0.50, -0.25), (0.65, -0.35),
           (0.80, -0.25), (0.90, 0.20))  # fmt: skip
 """Of nine cubes on a table, which is the tenth obstacle; the first is approached."""
-TAG_ON_ITEM = Pose(position=(0.035, 0.0, 0.0), orientation=(0.5, 0.5, 0.5, 0.5))
 
 
 class _Table:
@@ -85,7 +84,7 @@ class _Table:
             for k, pose in enumerate(cubes)
         ]
         SCENE.publish(self.bus, PlanningScene(stamp=stamp, version=1, objects=tuple(things)))
-        tag = compose(cubes[0], TAG_ON_ITEM)
+        tag = tag_of_item(cubes[0], CUBE[0])
         fact = ItemFact(item=0, size=CUBE, tag_in_map=tag, seen=stamp, quality=1.0, position_sigma=0.0)
         WORLD.publish(self.bus, WorldState(stamp=stamp, version=1, items=(fact,)))
         here = FloorPose(x=0.0, y=0.0, yaw=0.0)

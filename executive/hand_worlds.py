@@ -13,8 +13,8 @@ from executive.worlds import Make, stop
 from skills.ports.actions.bimanual import COORDINATE
 from skills.ports.actions.perception import TRACK
 from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import IDENTITY, Pose, about, compose
-from skills.ports.hand_grasps import TAG_TURN
+from skills.ports.geometry import IDENTITY, Pose, about
+from skills.ports.grasping import tag_of_item
 from skills.ports.world import SIDES, HeldItem, ItemFact, Side
 from skills.site import load
 from skills.testing.mock_robot import STRETCHED, MockRobot
@@ -46,7 +46,7 @@ _NO_WAY: Final = Fault(failure=Failure(kind=FailureKind.NO_PATH, message="in thi
 def tag_at(x: float, y: float, size: float = 0.07, z: float = 0.745) -> Pose:
     """Return the tag of an item on the table that faces the robot; m, in the map."""
     item = Pose(position=(x, y, z), orientation=about((0.0, 0.0, 1.0), math.pi))
-    return compose(item, Pose(position=(size / 2.0, 0.0, 0.0), orientation=TAG_TURN))
+    return tag_of_item(item, size)
 
 
 ITEMS: Final = MappingProxyType(
@@ -106,12 +106,12 @@ def pick_two_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
             },
             # The first is back long before the second, which then takes the last steps alone.
             "left item falls out while the right is picked": partial(
-                world, events={"right arm: to safety": partial(_drop, "left")}
+                world, events={"right arm: to safety": partial(drop, "left")}
             ),
             "right item falls out while the left is picked": partial(
                 world,
                 faults={"left arm: approach": Fault(late=2.0)},
-                events={"left arm: to safety": partial(_drop, "right")},
+                events={"left arm: to safety": partial(drop, "right")},
             ),
             "out of reach": partial(world, items=FAR),
         }
@@ -206,12 +206,12 @@ def _of_hand(world: Callable[..., TreeBench], side: Side) -> dict[str, Make]:
             events={f"{who}: grasp": _lose},
         ),
         f"{who}: falls out on the way to safety": partial(
-            world, events={f"{who}: to safety": partial(_drop, side)}
+            world, events={f"{who}: to safety": partial(drop, side)}
         ),
         f"{who}: has it, and it falls out": partial(
             world,
             faults={(f"{who}: lift", 1): _BUSY},
-            events={f"{who}: has it: to safety": partial(_drop, side)},
+            events={f"{who}: has it: to safety": partial(drop, side)},
         ),
         f"{who}: nothing to grasp": fails(f"{who}: close"),
         f"{who}: no way to the item": fails(f"{who}: approach"),
@@ -299,8 +299,8 @@ def _find(robot: MockRobot) -> None:
     robot.believe(items=tuple(facts))
 
 
-def _drop(side: Side, robot: MockRobot) -> None:
-    """Let what the hand holds fall back to where it stood."""
+def drop(side: Side, robot: MockRobot) -> None:
+    """Let what a hand holds fall back to where it stood."""
     robot.hands[side] = None
     robot.believe(held=tuple(each for each in robot.world.held if each.side != side))
 

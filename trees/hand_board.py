@@ -11,7 +11,7 @@ from skills.ports.hand_grasps import HandGrasp, cube_grasps, side_grasps
 from skills.ports.site import SiteItem
 from skills.ports.world import ItemFact, Side
 from trees.context import TreeContext
-from trees.standing import fallen_over
+from trees.item_failures import fallen_over
 
 
 @dataclass(eq=False)

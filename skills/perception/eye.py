@@ -20,7 +20,7 @@ from skills.ports.bus import Bus
 from skills.ports.compute import Compute
 from skills.ports.failure import FailureKind
 from skills.ports.geometry import compose, to_pose
-from skills.ports.grasping import item_in_map
+from skills.ports.grasping import upright_in_map
 from skills.ports.hardware import RgbdHeader, RobotDescription
 from skills.ports.image import decode
 from skills.ports.keys import Latest
@@ -142,12 +142,9 @@ class Eye:
         boxes = []
         for number, tag_in_map in sorted(poses.items()):
             item = self._site.item(number)
-            if item is None:
-                continue
-            try:
-                boxes.append((number, Box(size=item.size, pose=item_in_map(tag_in_map, item.size[0]))))
-            except ValueError:
-                continue
+            stands = None if item is None else upright_in_map(tag_in_map, item.size[0])
+            if item is not None and stands is not None:
+                boxes.append((number, Box(size=item.size, pose=stands)))
         return tuple(boxes)
 
     def _placed(

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from skills.perception import clutter, tags
-from skills.perception.open_view import in_the_open, tag_on
+from skills.perception.open_view import in_the_open
 from skills.perception.rigid import Matrix
 from skills.ports.geometry import FloorPose, Pose, compose, conjugate, rotate, to_pose
+from skills.ports.grasping import tag_of_item
 from skills.ports.image import decode
 from skills.ports.world import Box, Sighting
 
@@ -93,7 +94,8 @@ def find_tags(job: TagJob) -> TagsFound:
     unread = tuple(
         item
         for item, box in missing
-        if item not in absent and in_the_open(image, camera_in_map, tag_on(box), sizes[item])
+        if item not in absent
+        and in_the_open(image, camera_in_map, tag_of_item(box.pose, box.size[0]), sizes[item])
     )
     return TagsFound(tuple(found), absent, unread)
 

@@ -17,10 +17,8 @@ from skills.perception import depth
 from skills.perception.gaze import BORDER, CLOSEST
 from skills.perception.rigid import Matrix, points_in, rotation_of
 from skills.ports.geometry import Pose, compose, invert
-from skills.ports.hand_grasps import TAG_TURN
 from skills.ports.hardware import RgbdHeader
 from skills.ports.image import RgbdImage
-from skills.ports.world import Box
 
 EDGE: Final = 8.0
 """Pixels that the tag must keep from the picture's edge: a robot's pose is some millimetres off."""
@@ -39,11 +37,6 @@ MEASURED: Final = 0.8
 """Share of the pixels that must have a depth."""
 SAMPLES: Final = 24
 """Points along an edge at which the depth is asked for."""
-
-
-def tag_on(box: Box) -> Pose:
-    """Return the tag on the face along the x of an item's box, in the frame that the box is told in."""
-    return compose(box.pose, Pose(position=(box.size[0] / 2.0, 0.0, 0.0), orientation=TAG_TURN))
 
 
 def in_the_open(image: RgbdImage, camera_in_map: Pose, tag_in_map: Pose, edge: float) -> bool:

@@ -93,7 +93,7 @@ KINDS: Final = MappingProxyType(
         _K.ITEM_UNKNOWN: KindFacts("the site file knows no such item", False, Helper.CLIENT),
         _K.ITEM_NOT_FOUND: KindFacts("all search spots seen, the tag was not", False, Helper.OPERATOR),
         _K.ITEM_GONE: KindFacts("the item is not where it was last seen", True, Helper.LOOK),
-        _K.ITEM_UNREACHABLE: KindFacts("seen, but no arm gets there", False, Helper.OPERATOR),
+        _K.ITEM_UNREACHABLE: KindFacts("seen, but out of reach or fallen over", False, Helper.OPERATOR),
         _K.DESTINATION_UNKNOWN: KindFacts("the site file knows no such depot", False, Helper.CLIENT),
         _K.DESTINATION_FULL: KindFacts("no slot of the depot is free", False, Helper.OPERATOR),
         _K.DESTINATION_UNREACHABLE: KindFacts(

@@ -32,6 +32,8 @@ from skills.ports.geometry import (
 )
 from skills.ports.message import Message, Quaternion, Vector3
 
+TAG_TURN: Final = from_axes((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
+"""The tag on the face along the item's x: x_tag = y_item, y_tag = z_item, z_tag = x_item."""
 APPROACH: Final = 0.10
 """Metres between pre-grasp and grasp, eq. 1."""
 AWAY: Final = 0.10
@@ -97,6 +99,14 @@ def upright_in_map(tag_in_map: Pose, depth: float) -> Pose | None:
         return item_in_map(tag_in_map, depth)
     except ValueError:
         return None
+
+
+def tag_of_item(item: Pose, depth: float) -> Pose:
+    """Return the tag on the face along an item's x, in the frame that the item's centre is told in.
+
+    ``depth``: the item's edge along x (m).
+    """
+    return compose(item, Pose(position=(depth / 2.0, 0.0, 0.0), orientation=TAG_TURN))
 
 
 def turned_like(frame: Pose, known: Pose) -> Pose:

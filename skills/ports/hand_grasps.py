@@ -9,13 +9,11 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from skills.ports.geometry import Pose, about, add, compose, from_axes, invert, multiply, rotate, scale
-from skills.ports.grasping import AWAY, PITCHES, UP, face, grasp
+from skills.ports.geometry import Pose, about, add, compose, invert, multiply, rotate, scale
+from skills.ports.grasping import AWAY, PITCHES, UP, face, grasp, tag_of_item
 from skills.ports.message import Message, Vector3
 from skills.ports.site import GraspPoint
 
-TAG_TURN: Final = from_axes((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
-"""The tag on the face along the item's x: x_tag = y_item, y_tag = z_item, z_tag = x_item."""
 FACES: Final = 4
 MOST_AWAY: Final = math.radians(100.0)
 """Of the hand's best heading; beyond it the hand would come from behind the item."""
@@ -48,7 +46,7 @@ def cube_grasps(size: Vector3, heading: float) -> tuple[HandGrasp, ...]:
         size: full edges (m).
         heading: in the item's frame (rad), in which the hand points when it works best.
     """
-    tag = Pose(position=(size[0] / 2.0, 0.0, 0.0), orientation=TAG_TURN)
+    tag = tag_of_item(Pose(), size[0])
     ways = []
     for turns in range(FACES):
         off = abs(math.remainder(math.pi + turns * math.pi / 2.0 - heading, 2.0 * math.pi))

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from skills.ports.geometry import Pose, about, compose, distance, from_axes, rotate
-from skills.ports.grasping import item_in_map
+from skills.ports.geometry import Pose, about, distance, rotate
+from skills.ports.grasping import tag_of_item, upright_in_map
 from skills.ports.message import RobotTime, Vector3
 from skills.ports.site import Site
 from skills.ports.world import (
@@ -39,7 +39,6 @@ PUT_DOWN_SIGMA: Final = 0.01
 """Metres: how well the place of an item that was put down is known."""
 
 # The tag on the item's face that looks along its x: x_tag = y_item, y_tag = z_item, z_tag = x_item.
-_TAG_TURN: Final = from_axes((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
 
 
 class Beliefs:
@@ -287,16 +286,11 @@ class Beliefs:
 
 def item_box(tag_in_map: Pose, size: Vector3) -> Box:
     """Return the item's box behind a tag; a tag that lies flat gives a cube that holds the item."""
-    try:
-        return Box(size=size, pose=item_in_map(tag_in_map, size[0]))
-    except ValueError:
-        edge = max(size)
-        out = rotate(tag_in_map.orientation, (0.0, 0.0, -edge / 2.0))
-        x, y, z = tag_in_map.position
-        middle = (x + out[0], y + out[1], z + out[2])
-        return Box(size=(edge, edge, edge), pose=Pose(position=middle, orientation=about((0, 0, 1), 0.0)))
-
-
-def tag_of_item(item_in_map_now: Pose, depth: float) -> Pose:
-    """Return the tag on the face along the item's x; ``depth`` is the item's edge along x (m)."""
-    return compose(item_in_map_now, Pose(position=(depth / 2.0, 0.0, 0.0), orientation=_TAG_TURN))
+    stands = upright_in_map(tag_in_map, size[0])
+    if stands is not None:
+        return Box(size=size, pose=stands)
+    edge = max(size)
+    out = rotate(tag_in_map.orientation, (0.0, 0.0, -edge / 2.0))
+    x, y, z = tag_in_map.position
+    middle = (x + out[0], y + out[1], z + out[2])
+    return Box(size=(edge, edge, edge), pose=Pose(position=middle, orientation=about((0, 0, 1), 0.0)))

@@ -14,6 +14,7 @@ from executive.experiments.mover import Moved
 from executive.experiments.run import ArmRun, ExperimentRun
 from executive.experiments.settings import FARTHEST, LEAST, REGIONS, Kind, Options
 from executive.experiments.tables import picked, tables
+from executive.experiments.witness import Touch
 from skills.ports.message import Vector3
 
 KINDS: tuple[Kind, ...] = ("uncoordinated", "crossing", "coordinated")
@@ -71,6 +72,15 @@ def test_the_rows_stand_beside_the_thesis_s() -> None:
     assert ("total time", "10.50", "238.74") in shown["Table 5.5: times (robot s)"]
     assert ("stops by the coordination", "1", "-") in shown["besides"]
     assert picked(runs) == 1
+
+
+def test_contacts_are_counted_by_what_was_touched() -> None:
+    others = ("right arm", "table", "what is in the right hand", "what is in the right hand")
+    touches = tuple(Touch(first="left arm", second=each, at=1.0) for each in others)
+    run = run_of(0, left=True, right=True).model_copy(update={"touches": touches})
+    rows = {row[0]: row[1] for row in dict(tables(Options(kind="crossing"), [run]))["besides"]}
+    assert [rows[f"contacts {what}"] for what in ("arm with arm", "arm with table")] == ["1", "1"]
+    assert rows["contacts with what the other holds"] == "2"
 
 
 def test_the_offset_is_told_signed_and_as_a_distance() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -188,6 +189,12 @@ class FieldRig:
         """Have an item be believed to stand on the table there (its centre, in the map and the base)."""
         centre = (x, y, TABLE_TOP + CUBE[2] / 2.0)
         self.items[item] = Pose(position=centre, orientation=about((0.0, 0.0, 1.0), yaw))
+        self.tell()
+
+    def topple(self, item: int) -> None:
+        """Have an item lie where it stood, its tag on top."""
+        over = about((0.0, 1.0, 0.0), -math.pi / 2.0)
+        self.items[item] = Pose(position=self.items[item].position, orientation=over)
         self.tell()
 
     def tell(self) -> None:

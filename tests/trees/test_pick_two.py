@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import pytest
 from py_trees.common import Status
 
-from executive.hand_worlds import CARTON, CROSSED, FAR, ITEMS, LEFT, RIGHT
+from executive.hand_worlds import CARTON, CROSSED, FAR, ITEMS, LEFT, RIGHT, drop
 from executive.testing import TreeBench
 from skills.ports.actions.arm import MoveGoal
 from skills.ports.actions.bimanual import TwoHands, TwoHandsGoal
@@ -271,8 +271,7 @@ def falls_out(run: TreeBench, side: Side, *, at: str) -> None:
 
     def happens(robot: MockRobot) -> None:
         del run.events[at]
-        robot.hands[side] = None
-        robot.believe(held=tuple(each for each in robot.world.held if each.side != side))
+        drop(side, robot)
 
     run.events[at] = happens
 

@@ -9,8 +9,8 @@ from skills.ports.grasping import PITCHES, Grasp, grasp
 from trees.behaviours.act import Act
 from trees.board import FetchBoard
 from trees.context import TreeContext
+from trees.item_failures import fallen_over
 from trees.leaves.move_hand import move_hand
-from trees.standing import fallen_over
 
 
 def grasp_candidates(board: FetchBoard, tag_in_map: Pose, depth: float) -> tuple[Candidate, ...]:

@@ -13,6 +13,7 @@ from skills.ports.grasping import face, outward, proximity_poses
 from skills.ports.world import Side
 from trees.board import FetchBoard
 from trees.context import TreeContext
+from trees.item_failures import fallen_over
 from trees.leaves.edit_scene import add_to_scene, attach
 from trees.leaves.grip import grip_with
 from trees.leaves.look_closely import look_closely
@@ -20,7 +21,6 @@ from trees.leaves.pre_grasp import grasp_candidates, pre_grasp
 from trees.leaves.reach import reach
 from trees.leaves.retract import retract
 from trees.leaves.survey import Reach
-from trees.standing import fallen_over
 from trees.subtrees.arms_in import tuck
 from trees.subtrees.stand import stand_near, unknown
 

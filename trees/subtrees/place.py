@@ -25,6 +25,7 @@ from trees.conditions.kinds.another_slot_helps import another_slot_helps
 from trees.conditions.kinds.another_stand_helps import another_stand_helps
 from trees.conditions.kinds.trying_again_helps import trying_again_helps
 from trees.context import TreeContext
+from trees.item_failures import no_longer_held
 from trees.leaves.bind_slot import bind_slot
 from trees.leaves.edit_scene import detach, remove_from_scene
 from trees.leaves.grip import grip_with
@@ -63,7 +64,7 @@ def place(context: TreeContext, board: FetchBoard) -> Behaviour:
             ],
         ),
         holds=lambda: _in_hand(context, board),
-        otherwise=lambda: _lost(board),
+        otherwise=lambda: no_longer_held(board.item, board.chosen_side()),
     )
     others = len(board.depot(context).slots) - 1
     rungs = (
@@ -193,14 +194,6 @@ def _in_hand(context: TreeContext, board: FetchBoard) -> bool:
     world = context.knowledge.world
     held = None if world is None else world.in_hand(board.chosen_side())
     return world is None or (held is not None and held.item == board.item)
-
-
-def _lost(board: FetchBoard) -> Failure:
-    return Failure(
-        kind=FailureKind.GRASP_LOST,
-        message=f"item {board.item} is no longer in the {board.chosen_side()} hand",
-        evidence={"item": board.item, "side": board.chosen_side()},
-    )
 
 
 def _unreachable(board: FetchBoard, failure: Failure) -> Failure:

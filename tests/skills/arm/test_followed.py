@@ -7,7 +7,7 @@ import pytest
 from skills.arm.followed import FollowedItem
 from skills.ports.actions.arm import MoveGoal
 from skills.ports.failure import FailureKind
-from skills.ports.geometry import Pose, about, compose
+from skills.ports.geometry import Pose, compose, from_rpy
 from skills.ports.message import RobotTime
 from skills.ports.world import WORLD, ItemFact, Side, WorldState
 from skills.wire.memory import MemoryBus
@@ -24,13 +24,15 @@ class Beliefs:
         self.tell(0.6)
         self.followed.begin(goal)
 
-    def tell(self, x: float | None, yaw: float = 0.0, held: Side | None = None) -> None:
+    def tell(
+        self, x: float | None, yaw: float = 0.0, held: Side | None = None, *, pitch: float = 0.0
+    ) -> None:
         """Have the item be believed to stand there, seen by the tag of whichever side ``yaw`` turns to us."""
         self._version += 1
         stamp = RobotTime(boot="test", seconds=float(self._version))
         facts = ()
         if x is not None:
-            centre = Pose(position=(x, 0.1, 0.745), orientation=about((0.0, 0.0, 1.0), yaw))
+            centre = Pose(position=(x, 0.1, 0.745), orientation=from_rpy(0.0, pitch, yaw))
             tag = compose(centre, TAG_ON_ITEM)
             facts = (
                 ItemFact(
@@ -76,3 +78,11 @@ def test_a_motion_that_follows_nothing_minds_nothing() -> None:
     beliefs = Beliefs(MoveGoal(posture="home"))
     beliefs.tell(None)
     assert beliefs.followed.moved() is None
+
+
+def test_an_item_that_has_fallen_over_does_not_stand_there_any_more() -> None:
+    beliefs = Beliefs()
+    beliefs.tell(0.6, pitch=-1.5708)
+    failure = beliefs.followed.moved()
+    assert failure is not None
+    assert failure.kind is FailureKind.ITEM_GONE

@@ -11,10 +11,10 @@ from skills.bimanual.hold import TwoArms
 from skills.bimanual.two_hands import HoldWithTwo
 from skills.ports.actions.bimanual import TwoHands, TwoHandsFeedback, TwoHandsGoal, TwoHandsResult
 from skills.ports.failure import FailureKind
-from skills.ports.geometry import Pose, conjugate, from_axes, rotate
+from skills.ports.geometry import IDENTITY, Pose, conjugate, from_axes, rotate
 from skills.ports.hardware import Wrench
 from skills.ports.keys import JOINT_STATES, Latest, group_setpoint, wrench
-from skills.ports.message import RobotTime, Vector3
+from skills.ports.message import Quaternion, RobotTime, Vector3
 from skills.ports.skill import Command, Outcome
 from skills.ports.world import ROBOT_POSE, SIDES, WORLD, ItemFact, WorldState
 from skills.site import load
@@ -49,18 +49,20 @@ class Rig:
         self.at = positions()
         self._points = {side: Latest(self.bus, group_setpoint(f"arm_{side}")) for side in SIDES}
         self.carton = Pose(position=(0.55, 0.0, 0.91))
-        tag = Pose(
-            position=(0.40, 0.0, 0.91),
-            orientation=from_axes((0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (-1.0, 0.0, 0.0)),
-        )
+        self.believe(from_axes((0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (-1.0, 0.0, 0.0)))
         stamp = RobotTime(boot="test", seconds=0.0)
+        ROBOT_POSE.publish(self.bus, localised(stamp))
+        self._place_hands()
+        self.period()
+
+    def believe(self, orientation: Quaternion) -> None:
+        """Have the carton's tag be believed before it, turned like that."""
+        stamp = RobotTime(boot="test", seconds=0.0)
+        tag = Pose(position=(0.40, 0.0, 0.91), orientation=orientation)
         fact = ItemFact(
             item=0, size=(0.3, 0.4, 0.4), tag_in_map=tag, seen=stamp, quality=1.0, position_sigma=0.001
         )
         WORLD.publish(self.bus, WorldState(stamp=stamp, version=1, items=(fact,)))
-        ROBOT_POSE.publish(self.bus, localised(stamp))
-        self._place_hands()
-        self.period()
 
     def _place_hands(self) -> None:
         """Put both hands 8 cm from the carton, fingers inwards, by the arms' own kinematics."""
@@ -210,3 +212,14 @@ def test_what_does_not_need_two_hands_is_refused() -> None:
     refused = Rig().skill.check(TwoHandsGoal(do=TwoHands.SQUEEZE, item=29))
     assert refused is not None
     assert refused.kind is FailureKind.INVALID_GOAL
+
+
+def test_a_carton_that_has_fallen_over_is_not_squeezed() -> None:
+    rig = Rig()
+    rig.believe(IDENTITY.orientation)
+    with pytest.raises(StopIteration) as at_once:
+        next(rig.skill.run(TwoHandsGoal(do=TwoHands.SQUEEZE, item=0), "t/two/1"))
+    outcome: Outcome[TwoHandsResult] = at_once.value.value
+    assert outcome.failure is not None
+    assert outcome.failure.kind is FailureKind.ITEM_UNREACHABLE
+    assert not rig.arms.leading

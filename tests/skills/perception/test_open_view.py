@@ -8,13 +8,13 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from skills.perception.open_view import in_the_open, tag_on
-from skills.ports.geometry import Pose, about, compose, distance, from_rpy
+from skills.perception.open_view import in_the_open
+from skills.ports.geometry import Pose, about, compose, from_rpy
+from skills.ports.grasping import tag_of_item
 from skills.ports.image import RgbdImage
 from skills.ports.world import Box
 from tests.skills.perception.pictures import header
 from tests.skills.perception.solids import scene
-from tests.skills.world.facts import tag
 
 CAMERA = compose(
     Pose(position=(0.0, 0.0, 1.0)), Pose(orientation=from_rpy(-math.pi / 2.0, 0.0, -math.pi / 2.0))
@@ -27,6 +27,10 @@ def carton(x: float = 1.0, y: float = 0.0, turned: float = 0.0) -> Box:
     """A carton whose tag, at the same height as the camera, faces it unless it is turned (rad)."""
     facing = about((0.0, 0.0, 1.0), math.pi + turned)
     return Box(size=(0.3, 0.4, 0.4), pose=Pose(position=(x, y, 1.0), orientation=facing))
+
+
+def tag_of(box: Box) -> Pose:
+    return tag_of_item(box.pose, box.size[0])
 
 
 def painted(*boxes: Box) -> RgbdImage:
@@ -68,19 +72,10 @@ def at(x: float, y: float, size: Sequence[float] = (0.05, 0.1, 0.2)) -> Box:
     ],
 )
 def test_the_place_of_a_tag_is_open(believed: Box, seen: tuple[Box, ...], *, open_: bool) -> None:
-    assert in_the_open(painted(*seen), CAMERA, tag_on(believed), EDGE) is open_
+    assert in_the_open(painted(*seen), CAMERA, tag_of(believed), EDGE) is open_
 
 
 def test_without_a_depth_nothing_is_known() -> None:
     image = painted(carton())
     image.depth[:] = 0
-    assert not in_the_open(image, CAMERA, tag_on(carton()), EDGE)
-
-
-def test_the_tag_is_on_the_face_that_tells_where_the_item_is() -> None:
-    seen = tag(0.75, 0.1)
-    box = Box(size=(0.07, 0.07, 0.07), pose=compose(seen, Pose(position=(0.0, 0.0, -0.035))))
-    upright = box.model_copy(
-        update={"pose": Pose(position=box.pose.position, orientation=about((0.0, 0.0, 1.0), math.pi))}
-    )
-    assert distance(tag_on(upright), seen) < 1e-9
+    assert not in_the_open(image, CAMERA, tag_of(carton()), EDGE)

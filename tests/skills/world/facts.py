@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 from skills.ports.geometry import Pose, about, multiply
+from skills.ports.grasping import TAG_TURN
 from skills.ports.message import RobotTime, Vector3
 from skills.ports.world import Box, Sighting
-from skills.world.beliefs import _TAG_TURN
 
 
 def at(seconds: float, boot: str = "b") -> RobotTime:
@@ -16,7 +16,7 @@ def at(seconds: float, boot: str = "b") -> RobotTime:
 
 def tag(x: float, y: float, facing: float = math.pi, z: float = 0.74) -> Pose:
     """An upright tag that looks along the heading ``facing``."""
-    return Pose(position=(x, y, z), orientation=multiply(about((0, 0, 1), facing), _TAG_TURN))
+    return Pose(position=(x, y, z), orientation=multiply(about((0, 0, 1), facing), TAG_TURN))
 
 
 def sighting(item: int, pose: Pose, seconds: float, quality: float = 0.8) -> Sighting:

@@ -6,8 +6,9 @@ import pytest
 
 from skills import site
 from skills.ports.geometry import Pose, rotate
+from skills.ports.grasping import tag_of_item
 from skills.ports.world import Clutter, Placed
-from skills.world.beliefs import Beliefs, item_box, tag_of_item
+from skills.world.beliefs import Beliefs, item_box
 from tests.skills.world.facts import at, cube, sighting, tag
 
 LAB = site.load("lab")

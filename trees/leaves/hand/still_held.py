@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from skills.ports.failure import Failure, FailureKind
+from skills.ports.failure import Failure
 from trees.behaviours.decide import Decide
 from trees.context import TreeContext
 from trees.hand_board import HandBoard
+from trees.item_failures import no_longer_held
 
 
 def still_held(what: str, context: TreeContext, board: HandBoard) -> Decide:
@@ -14,10 +15,6 @@ def still_held(what: str, context: TreeContext, board: HandBoard) -> Decide:
     def decide() -> str | Failure:
         if board.held(context):
             return f"item {board.item} is in the {board.side} hand"
-        return Failure(
-            kind=FailureKind.GRASP_LOST,
-            message=f"item {board.item} is no longer in the {board.side} hand",
-            evidence={"item": board.item, "side": board.side},
-        )
+        return no_longer_held(board.item, board.side)
 
     return Decide(f"{board.who}: {what}", context, decide)

@@ -130,7 +130,15 @@ def test_it_escapes_around_an_obstacle_and_keeps_clear_of_it(rig: FieldRig, hull
         assert near.hits(hulls.robot.configuration(positions), np.zeros(near.pairs)) is None
 
 
-def test_a_stuck_field_is_given_to_the_planner(rig: FieldRig, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ("x", "y", "plans"),
+    [(0.7, 0.3, 1), (0.65, 0.12, 2)],
+    ids=["and followed", "again where braking would graze"],
+)
+def test_a_stuck_field_is_given_to_the_planner(
+    rig: FieldRig, monkeypatch: pytest.MonkeyPatch, x: float, y: float, plans: int
+) -> None:
+    rig.put(ITEM, x, y)
     seek, times = Episode._seek, [0]
 
     def stuck_at_first(self: Episode):  # type: ignore[no-untyped-def]  # noqa: ANN202 - a generator of the skill's
@@ -141,7 +149,7 @@ def test_a_stuck_field_is_given_to_the_planner(rig: FieldRig, monkeypatch: pytes
         return (yield from seek(self))
 
     monkeypatch.setattr(Episode, "_seek", stuck_at_first)
-    assert arrived(rig, run(rig, lambda _: None)).planned >= 1
+    assert arrived(rig, run(rig, lambda _: None)).planned == plans
     assert Phase.PLANNED in rig.phases["arm_left"]
 
 
@@ -222,6 +230,7 @@ def test_a_pause_stands_and_a_resume_gets_there(rig: FieldRig) -> None:
     ("event", "kind"),
     [
         (lambda rig: rig.forget(), FailureKind.ITEM_GONE),
+        (lambda rig: rig.topple(ITEM), FailureKind.ITEM_GONE),
         (lambda rig: rig.hold_fast(), FailureKind.ARM_STOPPED),
         (lambda rig: rig.stop(), FailureKind.HARDWARE_STOPPED),
         (lambda rig: rig.put(ITEM, 1.4, 0.1), FailureKind.NO_IK),

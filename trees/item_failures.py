@@ -1,10 +1,10 @@
-"""Does an item stand? What has fallen over has its tag on top, and no hand takes hold of it like that."""
+"""What is told of an item that a hand has lost, or can't take hold of: the same in all trees."""
 
 from __future__ import annotations
 
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.grasping import upright_in_map
-from skills.ports.world import ItemFact
+from skills.ports.world import ItemFact, Side
 
 
 def fallen_over(fact: ItemFact) -> Failure | None:
@@ -15,4 +15,13 @@ def fallen_over(fact: ItemFact) -> Failure | None:
         kind=FailureKind.ITEM_UNREACHABLE,
         message=f"item {fact.item} has fallen over: hands take hold of what stands upright",
         evidence={"item": fact.item},
+    )
+
+
+def no_longer_held(item: int, side: Side) -> Failure:
+    """Return the failure of an item that was in a hand."""
+    return Failure(
+        kind=FailureKind.GRASP_LOST,
+        message=f"item {item} is no longer in the {side} hand",
+        evidence={"item": item, "side": side},
     )
