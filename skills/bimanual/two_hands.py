@@ -43,12 +43,11 @@ A carton of 0.5 kg held 4 cm off its middle leaned by 1.9 degrees at 40 N after 
 """
 BEFORE: Final = 0.025
 """Metres between the thing's surface and the tool's origin from which on the hands close in."""
-LEANS: Final = tuple(math.radians(degrees) for degrees in (0.0, 7.5, 15.0, 22.5, 30.0))
+LEANS: Final = tuple(math.radians(degrees) for degrees in (0.0, 7.5, 15.0, 22.5))
 """Radians by which the hands may lean while they press, the best first.
 
 Where a wrist is bent to its limit a hand does not get straight, but nearly so. They come with up to 45
-degrees. They press straight inwards however they lean, and 30 degrees is what still counts as pointing at
-each other (``middle.span``).
+degrees; half of that is well within the cone of friction, and within what counts as pointing at each other.
 """
 MISSED: Final = 0.05
 """Metres further than to the surface after which a hand that feels nothing has missed the thing."""
