@@ -12,13 +12,17 @@ back and stands, the leader goes on: if there is still a risk, only after the fo
 as long as there is a further back. From there on the leader goes on nevertheless, as long as it makes
 nothing worse: its way out is the only one. What is worse even then ends in STOP for both.
 
-``eager`` lets the leader go on as soon as its way to its goal is clear of the follower that goes back, and
-the follower go on beside the leader as soon as its way has been clear for a while; each time that this
-was wrong, the while doubles.
+``eager`` looks ahead. Ways that come near each other make one of the two give way before there is a risk:
+the leader goes on, the follower too, as far as it does not come into the leader's way; there it stands, and
+goes on when the next part of its own way has been clear for a while. After a risk the leader goes on as
+soon as its way is clear of the follower that goes back, and the follower as before; each time that this was
+wrong, the while doubles. A follower for which the leader stands, as it is in its way, is sent back as at a
+risk.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Final, Literal
@@ -30,8 +34,16 @@ WORSE: Final = 0.01
 """Metres by which the clearance must have shrunk to be worse."""
 CORNERED_AFTER: Final = 2.0
 """Robot seconds without a sample further back after which a follower that is sent back is cornered."""
-CLEAR_FOR: Final = 0.2
+CLEAR_FOR: Final = 0.1
 """Robot seconds for which the follower's way must have been clear before it goes on (eager)."""
+ROOM: Final = 0.05
+"""Metres that the follower keeps from the leader's way where it stops (eager): more than at a risk."""
+FIELD_ROOM: Final = 0.12
+"""The same while the leader's field runs, which turns aside for an arm that is near, and is slow there."""
+IN_THE_WAY: Final = 0.035
+"""Metres from its way within which a follower that stands bars the leader."""
+BARRED_AFTER: Final = 0.5
+"""Robot seconds for which the leader must have stood before the follower is sent back for that."""
 
 Mode = Literal["faithful", "eager"]
 
@@ -70,8 +82,10 @@ class ArmNow:
 class Situation:
     """What is seen at one moment: robot seconds, the reflex's verdict, metres between the arms, both arms.
 
-    ``way_is_clear``: whether the one that waits could go all its way beside the other: the leader while the
-    follower goes back, the follower while the leader leads; asked for in eager mode.
+    What follows is asked for in eager mode. ``ways_cross``: whether the ways that both have told come near
+    each other. ``way_is_clear``: whether the one that waits could go on beside the other: the leader all its
+    way while the follower goes back, the follower the next part of its way while the leader leads. ``room``:
+    metres between the leader's way and the place where the follower would come to rest.
     """
 
     now: float
@@ -80,6 +94,8 @@ class Situation:
     left: ArmNow
     right: ArmNow
     way_is_clear: bool = False
+    ways_cross: bool = False
+    room: float = math.inf
 
     def of(self, side: Side) -> ArmNow:
         """Return the arm of a side."""
@@ -96,7 +112,7 @@ class Stage(StrEnum):
     LEADING = "LEADING"
     """The leader goes on, the follower stands."""
     SHARING = "SHARING"
-    """Both go on (eager)."""
+    """The leader goes on, and the follower as far as it does not come into its way (eager)."""
     GIVEN_UP = "GIVEN_UP"
     """Both are told to give up."""
 
@@ -127,6 +143,12 @@ class Coordination:
     """Robot seconds: since when."""
     cornered: bool = False
     """Whether the follower could not get back."""
+    stopped: bool = False
+    """Whether both were stopped in this episode; ways that cross make one give way without that."""
+    waits: bool = False
+    """Whether the follower stands, as it would come into the leader's way (eager)."""
+    stood_since: float | None = None
+    """Robot seconds: since when the leader has stood with the follower in its way."""
 
     @property
     def follower(self) -> Side:
@@ -147,6 +169,7 @@ class Coordination:
     def orders(self) -> tuple[ArmOrder, ...]:
         """What each arm may do, left first."""
         leading, following = _ORDERS[self.stage]
+        following = Order.HOLD if self.stage is Stage.SHARING and self.waits else following
         return tuple(
             ArmOrder(side=side, order=leading)
             if side == self.leader
@@ -166,13 +189,20 @@ class Coordination:
 
     def _clear(self, seen: Situation) -> Coordination:
         if not seen.risk:
+            if self.mode == "eager" and seen.ways_cross:
+                beside = replace(self, leader=_leader(seen), armed=True, patience=CLEAR_FOR, stopped=False)
+                return _sharing(replace(beside, risky=False))
             return self if self.armed else replace(self, armed=True)
         if not self.armed or not (seen.left.under_way and seen.right.under_way):
             return self
-        leader = _leader(seen)
-        opened = replace(self, episode=self.episode + 1, leader=leader, counter=0, patience=CLEAR_FOR)
-        recorded = seen.of(opened.follower).recorded if seen.of(opened.follower).approaching else 0
-        return _sent_back(replace(opened, recorded=recorded, clear_since=None), seen)
+        return self._stop(replace(self, leader=_leader(seen), patience=CLEAR_FOR), seen)
+
+    @staticmethod
+    def _stop(state: Coordination, seen: Situation) -> Coordination:
+        """Stop both for the first time; the records count as they are now."""
+        follower = seen.of(state.follower)
+        opened = replace(state, episode=state.episode + 1, counter=0, clear_since=None, stopped=True)
+        return _sent_back(replace(opened, recorded=follower.recorded if follower.approaching else 0), seen)
 
     def _backing(self, seen: Situation) -> Coordination:
         follower = seen.of(self.follower)
@@ -188,7 +218,7 @@ class Coordination:
         if seen.risk and follower.approaching and self.sample > 0 and not cornered:
             return _sent_back(replace(self, counter=self.counter + 1), seen)
         leading = replace(self, stage=Stage.LEADING, risky=seen.risk, cornered=cornered)
-        return replace(leading, clearance=seen.clearance, clear_since=None)
+        return replace(leading, clearance=seen.clearance, clear_since=None, stood_since=None)
 
     def _going(self, seen: Situation) -> Coordination:
         if seen.of(self.leader).back_home:
@@ -198,10 +228,25 @@ class Coordination:
             return self._again(seen)
         if not seen.risk and self.risky:
             return replace(self, risky=False)
-        return self._let_go(seen) if self.mode == "eager" and self.stage is Stage.LEADING else self
+        if self.mode == "faithful":
+            return self
+        return self._share(seen) if self.stage is Stage.SHARING else self._let_go(seen)
+
+    def _share(self, seen: Situation) -> Coordination:
+        """Let the follower go as far as it may; one that bars the leader's way goes back."""
+        if not self.waits:
+            room = FIELD_ROOM if seen.of(self.leader).approaching else ROOM
+            return self if seen.room >= room else replace(self, waits=True, clear_since=None)
+        stands = not seen.of(self.leader).moving and seen.of(self.follower).approaching
+        if not stands or seen.room >= IN_THE_WAY:
+            return self._let_go(seen)
+        since = seen.now if self.stood_since is None else self.stood_since
+        return self._again(seen) if seen.now - since >= BARRED_AFTER else replace(self, stood_since=since)
 
     def _again(self, seen: Situation) -> Coordination:
         """A new risk: the follower goes further back, if it can."""
+        if not self.stopped:
+            return self._stop(self, seen)
         no_further = self.sample == 0 or self.cornered or not seen.of(self.follower).approaching
         if self.risky and no_further:
             return replace(self, stage=Stage.GIVEN_UP)
@@ -210,13 +255,13 @@ class Coordination:
 
     def _let_go(self, seen: Situation) -> Coordination:
         if not seen.way_is_clear:
-            return self if self.clear_since is None else replace(self, clear_since=None)
+            return replace(self, clear_since=None, stood_since=None)
         if self.clear_since is None:
-            return replace(self, clear_since=seen.now)
-        return replace(self, stage=Stage.SHARING) if seen.now - self.clear_since >= self.patience else self
+            return replace(self, clear_since=seen.now, stood_since=None)
+        return _sharing(self) if seen.now - self.clear_since >= self.patience else self
 
     def _closed(self, seen: Situation) -> Coordination:
-        return replace(self, stage=Stage.CLEAR, armed=not seen.risk, clear_since=None)
+        return replace(self, stage=Stage.CLEAR, armed=not seen.risk, clear_since=None, stopped=False)
 
 
 _ORDERS: Final = {
@@ -227,6 +272,10 @@ _ORDERS: Final = {
     Stage.GIVEN_UP: (Order.STOP, Order.STOP),
 }
 """The leader's order and the follower's."""
+
+
+def _sharing(state: Coordination) -> Coordination:
+    return replace(state, stage=Stage.SHARING, waits=False, clear_since=None, stood_since=None)
 
 
 def _sent_back(state: Coordination, seen: Situation) -> Coordination:

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Generator
+from dataclasses import dataclass
 from typing import Final
 
+import numpy as np
+
 from skills.bimanual.alone import Alone
-from skills.bimanual.coordination import Coordination, Mode, Situation, Stage
+from skills.bimanual.announced import Announced
+from skills.bimanual.coordination import FIELD_ROOM, Coordination, Mode, Situation, Stage
 from skills.bimanual.observer import ArmObserver
-from skills.bimanual.way import clear, joined, straight, thinned
+from skills.bimanual.way import MARGIN, clear
 from skills.kinematics.clearance import ArmsClearance
 from skills.kinematics.described import by_name, carried
-from skills.kinematics.follow import PoseFollower
 from skills.kinematics.hulls import RobotHulls
 from skills.kinematics.transforms import Array
-from skills.ports.actions.approach import GOAL_RADIUS
 from skills.ports.actions.bimanual import CROSSING, RIGHT_OF_WAY, Order, RightOfWay
 from skills.ports.bus import Bus
 from skills.ports.hardware import ArmsCrossing, CancelMotion, JointStates, RobotDescription
@@ -23,6 +26,19 @@ from skills.ports.world import SCENE, SIDES, Side
 
 PERIOD: Final = 0.05
 """Robot seconds between two messages without a change."""
+REACTION: Final = 0.03
+"""Robot seconds from a message of the joints to an arm's braking: three periods."""
+
+ALLOWANCE: Final = 0.01
+"""Metres more than the follower may keep, that the next part of its way must leave before it goes on."""
+
+
+@dataclass(frozen=True)
+class Leads:
+    """The leader's way, as joint positions (n,), and the bodies as they were when it was looked at."""
+
+    bodies: ArmsClearance
+    way: list[Array]
 
 
 class Coordinator:
@@ -51,7 +67,11 @@ class Coordinator:
         self._looked_at: float | None = None
         self._told: RightOfWay | None = None
         self._sweep: Generator[None, None, bool] | None = None
-        self._clear, self._swept_in = False, Stage.CLEAR
+        self._clear: bool | None = None
+        """The last sweep's verdict; None before there is one."""
+        self._swept_in = Stage.CLEAR
+        self._ways = Announced(description, hulls, self._arms)
+        self._leads: Leads | None = None
 
     @property
     def _eager(self) -> bool:
@@ -81,13 +101,16 @@ class Coordinator:
             return False
         self._looked_at = joints.stamp.seconds
         left, right = (self._arms[side].look(joints) for side in SIDES)
+        self._look_ahead(joints)
         self.seen = Situation(
             now=joints.stamp.seconds,
             risk=crossing.near if self._eager else crossing.risk,
             clearance=crossing.clearance,
             left=left,
             right=right,
-            way_is_clear=self._way_is_clear(joints),
+            way_is_clear=self._clear is True,
+            ways_cross=self.coordination.stage is Stage.CLEAR and self._clear is False,
+            room=self._room(self.coordination),
         )
         if self.coordinating:
             self.coordination = self.coordination.after(self.seen)
@@ -128,62 +151,62 @@ class Coordinator:
             RIGHT_OF_WAY.publish(self._bus, message)
             self._told = message
 
-    def _way_is_clear(self, joints: JointStates) -> bool:
-        """Return the last sweep's verdict, and go on with the one that runs."""
+    def _look_ahead(self, joints: JointStates) -> None:
+        """Go on with the sweep that runs; its verdict holds until the next one's, or the stage is another."""
         state = self.coordination
         if self._swept_in is not state.stage:
-            self._sweep, self._clear, self._swept_in = None, False, state.stage
-        if not self._eager or not self._waits_for_a_way(state):
-            self._sweep, self._clear = None, False
-            return False
+            self._sweep, self._clear, self._swept_in = None, None, state.stage
+        if not self._eager or not self._worth_looking(state):
+            self._sweep, self._clear, self._leads = None, None, None
+            return
         if self._sweep is None:
             self._sweep = self._new_sweep(joints, state)
         try:
             next(self._sweep)
         except StopIteration as stop:
             self._sweep, self._clear = None, stop.value
-        return self._clear
 
-    def _waits_for_a_way(self, state: Coordination) -> bool:
-        """Say whether one of the arms waits, and has told which way it would go."""
-        leads = self._arms[state.leader].approach
-        told = leads is not None and leads.active
-        return state.stage is Stage.LEADING or (state.stage is Stage.BACKING and told)
+    def _worth_looking(self, state: Coordination) -> bool:
+        """Say whether there are two ways, and somebody whom they would make wait or go on."""
+        left, right = (self._arms[side] for side in SIDES)
+        if state.stage is Stage.CLEAR:
+            told = [arm.goal_at is not None for arm in (left, right) if arm.approaching]
+            return bool(told) and all(told) and not any(arm.back_home for arm in (left, right))
+        if state.stage is Stage.BACKING:
+            return self._arms[state.leader].approaching
+        return state.stage in {Stage.LEADING, Stage.SHARING}
 
     def _new_sweep(self, joints: JointStates, state: Coordination) -> Generator[None, None, bool]:
+        """Look whether the one that asks could go on beside the other: see ``Situation``."""
         scene = self._scene.refresh()
         positions = by_name(joints.names, joints.positions)
         held = () if scene is None else carried(scene, self._description)
         bodies = ArmsClearance(self._hulls, self._description, positions, held)
+        full = set() if scene is None else {each.attached_to for each in scene.objects}
         yield
-        follower = self._arms[state.follower]
-        # One that goes back gets no nearer to the leader's way than it is.
-        stays = [follower.q] if state.stage is Stage.BACKING else self._remaining(joints, state.follower)
-        ways = {state.leader: self._announced(joints, state.leader), state.follower: stays}
+        leader, follower = state.leader, state.follower
+        leads = self._ways.whole(joints, leader, holds=leader in full)
         yield
-        return (yield from clear(bodies, ways["left"], ways["right"]))
+        if state.stage is Stage.CLEAR:
+            follows = self._ways.whole(joints, follower, holds=follower in full)
+        elif state.stage is Stage.BACKING:  # one that goes back gets no nearer to the leader's way than it is
+            follows = [self._arms[follower].q]
+        else:
+            self._leads = Leads(bodies, leads)
+            follows = self._ways.next(joints, follower)
+        yield
+        ways = {leader: leads, follower: follows}
+        margin = FIELD_ROOM + ALLOWANCE if self._arms[leader].approaching else MARGIN
+        return (yield from clear(bodies, ways["left"], ways["right"], margin))
 
-    def _announced(self, joints: JointStates, side: Side) -> list[Array]:
-        arm, told = self._arms[side], self._arms[side].approach
-        if told is not None and told.active and told.goal_in_base is not None:
-            way = straight(self._follower(joints, side), arm.q, told.goal_in_base, GOAL_RADIUS)
-            return [arm.q, *way[1::2], *way[-1:]]
-        return [arm.q, *joined(arm.q, arm.safe_at)]
-
-    def _remaining(self, joints: JointStates, side: Side) -> list[Array]:
-        arm, told = self._arms[side], self._arms[side].approach
-        recorded = thinned(arm.ahead())
-        way = [arm.q, *recorded]
-        if told is not None and told.goal_in_base is not None:
-            way += straight(self._follower(joints, side), way[-1], told.goal_in_base, GOAL_RADIUS)
-        return way
-
-    def _follower(self, joints: JointStates, side: Side) -> PoseFollower:
-        arm = self._arms[side]
-        return PoseFollower(
-            self._hulls.robot,
-            arm.joints,
-            by_name(joints.names, joints.positions),
-            frame=self._description.end_effector(side).frame,
-            limits=self._hulls.robot.limits(arm.joints),
-        )
+    def _room(self, state: Coordination) -> float:
+        """Return the metres between the leader's way and where the follower would stop."""
+        if self._leads is None or state.stage is not Stage.SHARING:
+            return math.inf
+        bodies, way = self._leads.bodies, self._leads.way
+        speeds = np.concatenate([self._arms[side].speeds for side in SIDES])
+        rest = bodies.to_rest(speeds, REACTION)
+        half = len(self._arms["left"].q)
+        follower = self._arms[state.follower].q + (rest[:half] if state.follower == "left" else rest[half:])
+        pairs = [(each, follower) if state.leader == "left" else (follower, each) for each in way]
+        return min(bodies.at(np.concatenate(pair)).distance for pair in pairs)

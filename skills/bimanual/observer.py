@@ -46,6 +46,12 @@ class ArmObserver:
         self.record: list[Array] = []
         """Positions (n,) of the approach that runs, from its start to the farthest that it got."""
         self._recorded_at = float("-inf")
+        self.now = ArmNow(safe=True)
+        """What was seen last."""
+        self.goal_at: Array | None = None
+        """Positions (n,) at the proximity pose of its approach, or of the last one until it is back."""
+        self.speeds: Array = np.zeros(len(self.joints))
+        """rad/s (n,)."""
         self.q: Array = self.safe_at
         hand = description.end_effector(side)
         self._safe_point = hand.safe_point
@@ -56,12 +62,23 @@ class ArmObserver:
         """What the arm last told of its approach."""
         return self._approach.value
 
+    @property
+    def approaching(self) -> bool:
+        """Whether its field runs."""
+        return self.now.approaching
+
+    @property
+    def back_home(self) -> bool:
+        """Whether it has done what it was at, and is in its safe place."""
+        return self.now.back_home
+
     def look(self, joints: JointStates) -> ArmNow:
         """Return what the arm does now."""
         told, now = self._approach.refresh(), joints.stamp
         q = np.array(joints.position_of(self.joints))
         speeds = dict(zip(joints.names, joints.velocities, strict=True))
-        moving = max(abs(speeds[joint]) for joint in self.joints) > STILL
+        self.speeds = np.array([speeds[joint] for joint in self.joints])
+        moving = float(np.max(np.abs(self.speeds))) > STILL
         active = (
             told is not None
             and told.active
@@ -71,7 +88,12 @@ class ArmObserver:
         self._remember(q, told if active else None, now.seconds)
         away = float(np.max(np.abs(q - self.safe_at)))
         self.q = q
-        if not active or told is None:
+        self._note_goal(told if active else None, away)
+        self.now = self._seen(joints, told if active else None, moving=moving, away=away)
+        return self.now
+
+    def _seen(self, joints: JointStates, told: ApproachStatus | None, *, moving: bool, away: float) -> ArmNow:
+        if told is None:
             safe = away < SAFE_WITHIN or (not moving and self._holds_aside(joints))
             return ArmNow(moving=moving, safe=safe, away=away)
         return ArmNow(
@@ -109,6 +131,12 @@ class ArmObserver:
         elif now - self._recorded_at >= EVERY - 1e-6 and not self._going_back(told):
             self.record.append(q)
             self._recorded_at = now
+
+    def _note_goal(self, told: ApproachStatus | None, away: float) -> None:
+        if told is not None:
+            self.goal_at = np.array(told.goal_positions) if told.goal_positions else None
+        elif away < SAFE_WITHIN:
+            self.goal_at = None
 
     def _going_back(self, told: ApproachStatus) -> bool:
         return told.phase in {ApproachPhase.BACK, ApproachPhase.HELD, ApproachPhase.STOPPING}

@@ -96,6 +96,11 @@ class ArmsClearance:
         metres = float(self._results.distanceResults[nearest].min_distance)
         return Clearance(metres, self.names[pair.first], self.names[pair.second])
 
+    def to_rest(self, velocity: Array, late: float) -> Array:
+        """Return the radians (n,) that the joints go to rest, if they brake after ``late`` seconds."""
+        way = np.sign(velocity) * braking_way(np.abs(velocity), self._acceleration, self._jerk)
+        return np.asarray(way + velocity * late)
+
     def ahead(self, q: Array, velocity: Array, late: float) -> Clearance:
         """Return the least clearance on the way to rest, if all joints began to brake after ``late`` seconds.
 
@@ -104,8 +109,7 @@ class ArmsClearance:
             velocity: rad/s (n,).
             late: seconds in which the joints go on as they do.
         """
-        way = np.sign(velocity) * braking_way(np.abs(velocity), self._acceleration, self._jerk)
-        way += velocity * late
+        way = self.to_rest(velocity, late)
         if float(np.max(np.abs(way))) < 1e-3:  # noqa: PLR2004 - a thousandth of a radian: at rest
             return self.at(q)
         return min((self.at(q + share * way) for share in AHEAD), key=lambda each: each.distance)

@@ -12,7 +12,7 @@ from skills.arm.field.course import Course
 from skills.arm.field.ends import End, Ends
 from skills.arm.field.parts import Parts
 from skills.arm.field.ride import LEFT, Ride, Steps, Why
-from skills.arm.field.target import HIDDEN_FOR
+from skills.arm.field.target import HIDDEN_FOR, Target
 from skills.arm.problem import Plan
 from skills.arm.timing import time_curve
 from skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachPhase, ApproachResult
@@ -132,13 +132,22 @@ class Episode:
             if why is not None:
                 return why
             assert ride.target is not None  # not interrupted
-            self._ends.think(ride.target, self._motion.state.q)
+            self._think(ride.target)
             failure = self._ends.failure
             if failure is not None and not (self._in_the_way(failure) and self._ends.failures < LOST_AFTER):
                 ride.failure = failure
                 return Why.FAILED
             self._motion.brake(periods)
         return Why.DONE
+
+    def _think(self, target: Target) -> None:
+        """Look on for the best end, and have it told."""
+        self._ends.think(target, self._motion.state.q)
+        self._tell_end()
+
+    def _tell_end(self) -> None:
+        end = self._ends.end
+        self._ride.goal_positions = () if end is None else tuple(map(float, end.q))
 
     def _in_the_way(self, failure: Failure) -> bool:
         """Say whether it is the other arm that would be touched: it moves on."""
@@ -161,7 +170,7 @@ class Episode:
                 continue
             target = ride.target
             assert target is not None  # not interrupted
-            self._ends.think(target, self._motion.state.q)
+            self._think(target)
             if self._ends.failures >= LOST_AFTER and self._ends.failure is not None:
                 ride.failure = self._ends.failure
                 return Why.FAILED
@@ -237,6 +246,7 @@ class Episode:
                 return Why.STUCK
             return self._no_way(plan)
         self._ends.take(End(plan.candidate, plan.trajectory.positions[-1], target))
+        self._tell_end()
         why = yield from ride.follow(plan.trajectory, Phase.PLANNED, target, None)
         if why is Why.STUCK and self._planned >= PLANS:
             return ride.fail(FailureKind.NO_PATH, "neither the field nor planned motions stay free")

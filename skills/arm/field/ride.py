@@ -63,6 +63,8 @@ class Ride:
         self.failure: Failure | None = None
         self.distance = 0.0
         """Metres from the hand to its proximity pose."""
+        self.goal_positions: tuple[float, ...] = ()
+        """The joints' where it will end, as things are; none before that is known."""
         self.at = 0
         """The sample at which the arm stands or to which it goes back."""
 
@@ -74,7 +76,9 @@ class Ride:
         """
         while True:
             goal = None if self.target is None else self.target.item.position
-            self.parts.teller.tell(phase, self.distance, goal, self.motion.record, self.at)
+            self.parts.teller.tell(
+                phase, self.distance, goal, self.goal_positions, record=self.motion.record, at=self.at
+            )
             self.hear((yield self.feedback(phase)))
             periods = self.motion.ticks()
             if not periods:

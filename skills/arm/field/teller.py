@@ -32,7 +32,14 @@ class Teller:
         self._told: ApproachPhase | None = None
 
     def tell(
-        self, phase: ApproachPhase, distance: float, goal_in_base: Vector3 | None, record: Record, at: int
+        self,
+        phase: ApproachPhase,
+        distance: float,
+        goal_in_base: Vector3 | None,
+        goal_positions: tuple[float, ...],
+        *,
+        record: Record,
+        at: int,
     ) -> None:
         """Tell, if there is something new or it is time."""
         now = self._clocks.robot()
@@ -46,6 +53,7 @@ class Teller:
             phase=phase,
             distance=distance,
             goal_in_base=goal_in_base,
+            goal_positions=goal_positions,
             recorded=record.samples,
             at=at,
         )

@@ -92,6 +92,8 @@ class ApproachStatus(Message):
     """Metres from the hand to its proximity pose."""
     goal_in_base: Vector3 | None = None
     """The item's centre."""
+    goal_positions: tuple[float, ...] = ()
+    """Of the group's joints, in its order, where it will end as things are; none before that is known."""
     recorded: int = 0
     """Samples of the record (002, Algorithm 3), thinned by phi: the safe start is sample 0."""
     at: int = 0

@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import pytest
 
-from skills.bimanual.coordination import ArmNow, Coordination, Mode, Situation, Stage
+from skills.bimanual.coordination import (
+    BARRED_AFTER,
+    CLEAR_FOR,
+    FIELD_ROOM,
+    IN_THE_WAY,
+    ROOM,
+    ArmNow,
+    Coordination,
+    Mode,
+    Situation,
+    Stage,
+)
 from skills.ports.actions.bimanual import Order
 from skills.ports.world import Side
 
@@ -38,10 +50,19 @@ class Trace:
         self.leaders: list[tuple[int, Side]] = []
 
     def see(
-        self, left: ArmNow, right: ArmNow, *, risk: bool = False, clearance: float = 0.2, clear: bool = False
+        self,
+        left: ArmNow,
+        right: ArmNow,
+        *,
+        risk: bool = False,
+        clearance: float = 0.2,
+        clear: bool = False,
+        cross: bool = False,
+        room: float = math.inf,
     ) -> tuple[tuple[Order, int], tuple[Order, int]]:
         self.seconds += 0.01
-        self.state = self.state.after(Situation(self.seconds, risk, clearance, left, right, clear))
+        seen = Situation(self.seconds, risk, clearance, left, right, clear, ways_cross=cross, room=room)
+        self.state = self.state.after(seen)
         if self.state.open:
             self.leaders.append((self.state.episode, self.state.leader))
         left_order, right_order = self.state.orders
@@ -221,7 +242,7 @@ def until_it_goes(trace: Trace) -> float:
 
 
 def test_eager_goes_on_once_its_way_has_been_clear_for_a_while() -> None:
-    assert until_it_goes(leading("eager")) == pytest.approx(0.21, abs=0.02)
+    assert until_it_goes(leading("eager")) == pytest.approx(CLEAR_FOR + 0.01, abs=0.02)
 
 
 @pytest.mark.parametrize(
@@ -262,6 +283,75 @@ def test_eager_does_not_flutter() -> None:
         waits.append(until_it_goes(trace))
         samples.append(trace.see(GRASPS, field(0.4), risk=True)[1][1])
         trace.see(stands(GRASPS), stands(field(0.4), 0))
-    assert waits == pytest.approx([0.21, 0.41, 0.81], abs=0.02)
+    assert waits == pytest.approx([CLEAR_FOR * 2**k + 0.01 for k in range(3)], abs=0.02)
     assert samples == [4, 3, 2]
     assert set(trace.leaders) == {(1, "left")}
+
+
+def beside() -> Trace:
+    """A trace in which left leads and right gives way, as their ways cross, without a stop."""
+    trace = Trace("eager")
+    assert trace.see(field(0.2), field(0.4), cross=True) == ((GO, 0), (GO, 0))
+    assert (trace.state.episode, trace.state.open, trace.state.leader) == (0, True, "left")
+    return trace
+
+
+@pytest.mark.parametrize(("mode", "opens"), [("eager", True), ("faithful", False)])
+def test_eager_one_gives_way_where_ways_cross_before_there_is_a_risk(mode: Mode, *, opens: bool) -> None:
+    trace = Trace(mode)
+    trace.see(field(0.2), field(0.4), cross=True)
+    assert trace.state.open is opens
+
+
+@pytest.mark.parametrize(
+    ("leader", "room", "waits"),
+    [
+        (field(0.2), FIELD_ROOM - 0.001, True),
+        (field(0.2), FIELD_ROOM, False),
+        (GRASPS, ROOM - 0.001, True),
+        (GRASPS, ROOM, False),
+    ],
+    ids=["near a field", "far enough from it", "near a planned way", "far enough from that"],
+)
+def test_the_follower_goes_until_it_would_stop_in_the_leaders_way(
+    leader: ArmNow, room: float, *, waits: bool
+) -> None:
+    assert beside().see(leader, field(0.4), room=room) == ((GO, 0), (HOLD if waits else GO, 0))
+
+
+def test_the_follower_goes_on_when_the_next_part_of_its_way_is_clear() -> None:
+    trace = beside()
+    trace.see(field(0.2), field(0.4), room=0.0)
+    for _ in range(200):
+        assert trace.see(GRASPS, stands(field(0.4)), room=0.2)[1][0] is HOLD, "its way is not clear"
+    assert until_it_goes(trace) == pytest.approx(CLEAR_FOR + 0.01, abs=0.02)
+
+
+def test_who_gives_way_does_so_until_the_leader_is_home() -> None:
+    trace = beside()
+    trace.see(field(0.2), field(0.4), room=0.0)
+    assert trace.see(HOME, stands(field(0.4)), room=0.0) == ((GO, 0), (GO, 0))
+    assert not trace.state.open
+
+
+def test_a_risk_beside_each_other_is_the_first_stop_and_the_leader_stays() -> None:
+    trace = beside()
+    farther = replace(field(0.4), distance=0.1)
+    assert trace.see(field(0.2), farther, risk=True) == ((HOLD, 0), (BACK, 5))
+    assert (trace.state.episode, trace.state.leader) == (1, "left")
+
+
+@pytest.mark.parametrize(
+    ("leader", "room", "goes_back"),
+    [(stands(field(0.2)), 0.0, True), (field(0.2), 0.0, False), (stands(field(0.2)), IN_THE_WAY, False)],
+    ids=["stands for it", "gets past it", "stands for something else"],
+)
+def test_a_follower_that_bars_the_leaders_way_goes_back(
+    leader: ArmNow, room: float, *, goes_back: bool
+) -> None:
+    trace = beside()
+    trace.see(field(0.2), field(0.4), room=0.0)
+    periods = round(BARRED_AFTER / 0.01) + 2
+    orders = [trace.see(leader, stands(field(0.4)), room=room)[1][0] for _ in range(periods)]
+    assert orders[-10] is HOLD
+    assert (orders[-1] is BACK) is goes_back

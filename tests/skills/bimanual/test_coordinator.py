@@ -13,7 +13,7 @@ from skills.ports.keys import JOINT_STATES, Latest, group_cancel
 from skills.ports.message import RobotTime, Vector3
 from skills.ports.world import SIDES
 from skills.wire.memory import MemoryBus
-from tests.skills.reflex.two_arms import ASIDE, joint_states, positions, robot
+from tests.skills.reflex.two_arms import ASIDE, IN_FRONT, joint_states, positions, robot
 
 PERIOD = 0.01
 GO, HOLD, BACK, STOP = Order.GO, Order.HOLD, Order.BACK, Order.STOP
@@ -34,7 +34,9 @@ class Rig:
         self.risk = self.near = False
         self.moving, self.approaching = True, True
         self.still: set[str] = set()
+        self.where: dict[str, tuple[float, ...]] = dict.fromkeys(SIDES, ASIDE)
         self.goals = dict(GOALS)
+        self.ends: dict[str, tuple[float, ...]] = dict.fromkeys(SIDES, ())
         self.at = {"left": 5, "right": 5}
 
     def round(self) -> RightOfWay:
@@ -54,11 +56,13 @@ class Rig:
                 active=self.approaching,
                 distance=distance,
                 goal_in_base=self.goals[side],
+                goal_positions=self.ends[side],
                 recorded=6,
                 at=self.at[side],
             )
             approach_status(f"arm_{side}").publish(self.bus, status)
-        JOINT_STATES.publish(self.bus, joint_states(self.seconds, positions(ASIDE, ASIDE), speeds))
+        where = positions(self.where["left"], self.where["right"])
+        JOINT_STATES.publish(self.bus, joint_states(self.seconds, where, speeds))
         self.node.step()
         told = self._heard.refresh()
         assert told is not None
@@ -137,6 +141,37 @@ def test_eager_the_leader_goes_on_once_the_follower_is_out_of_its_way(
     rig.risk, rig.near, rig.still = False, False, {"left"}
     told = [orders(rig.round()) for _ in range(60)]
     assert ((GO, BACK) in told) is goes, "the follower is still on its way back"
+
+
+@pytest.mark.parametrize(
+    ("mode", "ends", "leader"),
+    [
+        ("eager", IN_FRONT, "left"),
+        ("eager", ASIDE, None),
+        ("eager", (), None),
+        ("faithful", IN_FRONT, None),
+    ],
+    ids=["their ends are near each other", "each on its own side", "no end is known yet", "faithful"],
+)
+def test_eager_one_gives_way_as_soon_as_both_have_told_ways_that_cross(
+    rig: Rig, mode: Mode, ends: tuple[float, ...], leader: str | None
+) -> None:
+    rig.node.begin(mode)
+    rig.ends = dict.fromkeys(SIDES, ends)
+    rig.goals = dict.fromkeys(SIDES, (0.6, 0.0, 0.8)) if ends == IN_FRONT else GOALS
+    told = [rig.round() for _ in range(40)]
+    assert told[-1].leader == leader
+    assert {each.episode for each in told} == {0}, "nobody was stopped"
+
+
+def test_eager_who_gives_way_stands_where_it_would_come_into_the_leaders_way(rig: Rig) -> None:
+    rig.node.begin("eager")
+    rig.ends = dict.fromkeys(SIDES, IN_FRONT)
+    rig.goals = dict.fromkeys(SIDES, (0.6, 0.0, 0.8))
+    for _ in range(40):
+        rig.round()
+    rig.where["right"] = IN_FRONT
+    assert (GO, HOLD) in [orders(rig.round()) for _ in range(40)]
 
 
 def test_the_stops_are_counted_on_when_the_coordination_begins_and_ends(rig: Rig) -> None:

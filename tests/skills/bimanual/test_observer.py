@@ -26,10 +26,18 @@ class Watched:
         assert description.arms_crossing is not None
         self.observer = ArmObserver(self.bus, description, description.arms_crossing, "left")
 
-    def approaches(self, seconds: float, phase: Phase = Phase.FIELD, *, active: bool = True) -> None:
-        stamp = RobotTime(boot="test", seconds=seconds)
+    def approaches(
+        self, seconds: float, phase: Phase = Phase.FIELD, *, active: bool = True, end: tuple[float, ...] = ()
+    ) -> None:
         status = ApproachStatus(
-            stamp=stamp, side="left", active=active, phase=phase, distance=0.4, recorded=7, at=6
+            stamp=RobotTime(boot="test", seconds=seconds),
+            side="left",
+            active=active,
+            phase=phase,
+            distance=0.4,
+            recorded=7,
+            at=6,
+            goal_positions=end,
         )
         approach_status("arm_left").publish(self.bus, status)
 
@@ -94,3 +102,16 @@ def test_the_record_of_an_approach_that_has_ended_is_forgotten(arm: Watched) -> 
     arm.approaches(0.1, active=False)
     arm.look(0.1, ASIDE)
     assert arm.observer.ahead() == []
+
+
+def test_where_an_approach_ends_is_remembered_until_the_arm_is_back(arm: Watched) -> None:
+    """Then the grasp and the way out lie before it."""
+    assert arm.observer.goal_at is None
+    arm.approaches(0.0, end=IN_FRONT)
+    arm.look(0.0, ASIDE)
+    arm.approaches(0.1, active=False)
+    arm.look(0.1, IN_FRONT)
+    assert arm.observer.goal_at is not None
+    assert arm.observer.goal_at == pytest.approx(IN_FRONT)
+    arm.look(0.2)
+    assert arm.observer.goal_at is None
