@@ -126,6 +126,16 @@ def pick_both_hands_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
         {
             **_common(world),
             "never felt": fails("both hands: squeeze"),
+            **{
+                f"no way up, and the item in sight {where}": partial(
+                    world,
+                    faults={"both hands: lift together": _NO_WAY},
+                    events=dict.fromkeys(
+                        (f"both hands: {where}: let go", f"left arm: {where}: to safety"), _see
+                    ),
+                )
+                for where in _WHERE
+            },
             "no way up": fails("both hands: lift together"),
             "no way up or down": fails("both hands: lift together", "both hands: draw back: put down"),
             "stuck in the hands": fails(
@@ -214,6 +224,11 @@ def _of_hand(world: Callable[..., TreeBench], side: Side) -> dict[str, Make]:
             events={f"{who}: has it: to safety": partial(drop, side)},
         ),
         f"{who}: nothing to grasp": fails(f"{who}: close"),
+        f"{who}: item gone, and no way up": partial(
+            world,
+            faults={(f"{who}: grasp", 1): _GONE, f"{who}: show the item: rise": _NO_WAY},
+            events={f"{who}: grasp": _lose},
+        ),
         f"{who}: no way to the item": fails(f"{who}: approach"),
         **{
             f"{who}: {name}": fails(*(f"{who}: {leaf}" for leaf in leaves))
@@ -296,6 +311,11 @@ def _find(robot: MockRobot) -> None:
         )
         for item in (LEFT, RIGHT)
     ]
+    robot.believe(items=tuple(facts))
+
+
+def _see(robot: MockRobot) -> None:
+    facts = [each.model_copy(update={"seen": robot.now}) for each in robot.world.items]
     robot.believe(items=tuple(facts))
 
 

@@ -30,6 +30,9 @@ SETPOINT_GAIN: Final = 10.0
 SPEED_SLACK: Final = 1.05
 """A path may exceed a joint's speed limit by this before it is refused (rounding of time-optimal plans)."""
 
+HELD_FAST: Final = 0.03
+"""rad or m that a joint is off its reference when its motion ends, from which on something holds it fast."""
+
 REST_SPEED: Final = 0.02
 """rad/s or m/s below which a joint counts as at rest."""
 
@@ -225,6 +228,7 @@ class GroupController:
             return
         if run.ending is not None and run.rate <= 0.0:
             self._end(run.ending, worst if run.ending is MotionState.ABORTED else -1, 0.0)
+            self._let_up(error, measured)
             return
         if run.phase < run.path.duration or run.ending is not None:
             return
@@ -234,6 +238,13 @@ class GroupController:
         run.overtime += period
         if run.overtime > run.goal.goal_time + 1e-9:
             self._end(MotionState.ABORTED, worst, float(error[worst]))
+            self._let_up(error, measured)
+
+    def _let_up(self, error: Array, measured: Array) -> None:
+        """Hold where the joints are, and do not push on against what holds one fast."""
+        if float(error.max()) > HELD_FAST:
+            self.position = measured.copy()
+            self.velocity = np.zeros_like(self.position)
 
     def _end(self, state: MotionState, worst: int, error: float) -> None:
         assert self._run is not None

@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import Pose, compose, invert, to_pose, yaw_of
-from skills.ports.grasping import FINGER_ROOM, item_in_map, turned_like
+from skills.ports.grasping import FINGER_ROOM, standing_in_map, turned_like
 from skills.ports.hand_grasps import HandGrasp, cube_grasps, side_grasps
 from skills.ports.site import SiteItem
 from skills.ports.world import ItemFact, Side
 from trees.context import TreeContext
-from trees.item_failures import fallen_over
+from trees.item_failures import lies
 
 
 @dataclass(eq=False)
@@ -68,10 +68,9 @@ class HandBoard:
         fact = self.fact(context)
         if fact is None or fact.held is not None:
             return Failure(kind=FailureKind.ITEM_GONE, message=f"item {self.item} is not known to stand")
-        lies = fallen_over(fact)
-        if lies is not None:
-            return lies
-        frame = item_in_map(fact.tag_in_map, fact.size[0])
+        frame = standing_in_map(fact.tag_in_map, fact.size)
+        if frame is None:
+            return lies(fact)
         return frame if self.frame is None else turned_like(frame, self.frame)
 
     def offer(self, context: TreeContext) -> Failure | None:

@@ -8,9 +8,12 @@ from skills.ports.world import ItemFact, Side
 
 
 def fallen_over(fact: ItemFact) -> Failure | None:
-    """Return the failure of an item whose tag lies flat, or None for one that stands."""
-    if upright_in_map(fact.tag_in_map, fact.size[0]) is not None:
-        return None
+    """Return the failure of an item that is not upright, or None for one that is."""
+    return None if upright_in_map(fact.tag_in_map, fact.size[0]) is not None else lies(fact)
+
+
+def lies(fact: ItemFact) -> Failure:
+    """Return the failure of an item that has fallen over."""
     return Failure(
         kind=FailureKind.ITEM_UNREACHABLE,
         message=f"item {fact.item} has fallen over: hands take hold of what stands upright",

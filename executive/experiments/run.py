@@ -13,7 +13,7 @@ from executive.experiments.draws import Step, draw_run, scenario_of
 from executive.experiments.mover import Moved, Mover
 from executive.experiments.settings import CARTON, LEFT, RIGHT, Options
 from executive.experiments.timeline import Span, Timeline
-from executive.experiments.witness import Touch, Witness, tilt
+from executive.experiments.witness import Touch, Witness, lean, tilt
 from executive.systems import LockstepSystem, SystemFailure
 from skills.ports.actions.bimanual import RIGHT_OF_WAY
 from skills.ports.clocks import robot_seconds
@@ -35,7 +35,7 @@ STEADY: Final = 0.005
 LIFTED: Final = 0.05
 """Metres above where it stood."""
 LEVEL: Final = math.radians(3.0)
-"""Of the carton. A cube in two fingers may turn a little about them:"""
+"""Of the carton. A cube in two fingers may turn a little about them, and has no face that must be up:"""
 CUBE_LEVEL: Final = math.radians(10.0)
 
 
@@ -56,6 +56,8 @@ class ArmRun(Message):
     """How often the grasp was given up because the item had moved."""
     offset: Vector3 | None = None
     """The finger tips' place from the grasp point at the squeeze, in the item's axes (m)."""
+    lying: bool = False
+    """Whether a cube was picked as it lay: knocked over onto another face than it stood on."""
     path: tuple[Vector3, ...] = ()
     """Of the tool frame in the map (m), ten points a second."""
 
@@ -194,7 +196,7 @@ class _Running:
             and self._witness.held_by(side, each.item)
             and self._witness.heights.get(each.item, 0.0) >= LIFTED
             and math.dist(before[side].position, self._witness.pose(each.item).position) < STEADY
-            and tilt(self._witness.pose(each.item)) <= CUBE_LEVEL
+            and lean(self._witness.pose(each.item)) <= CUBE_LEVEL
             for side, each in self._items.items()
         }
 
@@ -216,6 +218,7 @@ class _Running:
             home_s=_between(safe, safe),
             follows=max(0, len(grasps) - 1),
             offset=self._offsets.get(side),
+            lying=pick and tilt(self._witness.pose(self._items[side].item)) > LYING,
             path=tuple((round(x, 4), round(y, 4), round(z, 4)) for x, y, z in self._witness.paths[side]),
         )
 
@@ -226,6 +229,7 @@ class _Running:
         return round(max(ends) - min(span.begin for span in arms), 2) if ends else 0.0
 
 
+LYING: Final = math.radians(45.0)
 STANDS: Final = 0.01
 """Metres by which the carton's underside may be off the table in the end."""
 TABLE: Final = 0.71

@@ -103,5 +103,6 @@ def _besides(runs: Sequence[ExperimentRun]) -> tuple[Row, ...]:
         ("contacts arm with arm", str(arms), NONE),
         ("contacts arm with table", str(table), NONE),
         ("contacts with what the other holds", str(len(touches) - arms - table), NONE),
+        ("cubes picked as they lay", str(sum(arm.lying for run in runs for arm in run.arms)), NONE),
         ("largest tilt (rad)", f"{max((run.tilt for run in runs), default=0.0):.4f}", NONE),
     )

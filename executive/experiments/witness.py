@@ -136,6 +136,12 @@ class Witness:
         self._under_way = now
 
 
+def lean(pose: Pose) -> float:
+    """Return the radians between the map's up and whichever axis of the body is nearest to it."""
+    axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), _UP)
+    return math.acos(min(1.0, max(abs(rotate(pose.orientation, axis)[2]) for axis in axes)))
+
+
 def tilt(pose: Pose) -> float:
     """Return the radians between the body's up and the map's."""
     return math.acos(max(-1.0, min(1.0, rotate(pose.orientation, _UP)[2])))

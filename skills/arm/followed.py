@@ -7,7 +7,7 @@ import math
 from skills.ports.actions.arm import MoveGoal
 from skills.ports.bus import Bus
 from skills.ports.failure import Failure, FailureKind
-from skills.ports.grasping import upright_in_map
+from skills.ports.grasping import standing_in_map
 from skills.ports.keys import Latest
 from skills.ports.message import Vector3
 from skills.ports.world import WORLD, WorldState
@@ -52,7 +52,7 @@ class FollowedItem:
         fact = None if world is None or self._item is None else world.item(self._item)
         if fact is None or fact.held is not None:
             return None
-        stands = upright_in_map(fact.tag_in_map, fact.size[0])
+        stands = standing_in_map(fact.tag_in_map, fact.size)
         return None if stands is None else stands.position
 
     def _gone(self, message: str, moved: float = 0.0) -> Failure:

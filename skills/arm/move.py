@@ -103,7 +103,7 @@ class Move:
                 self._arm.description.posture(self._arm.group.name, goal.posture)
             except KeyError as error:
                 return self._failure(FailureKind.INVALID_GOAL, str(error.args[0]))
-        if (goal.candidates or goal.by) and self._arm.hand is None:
+        if (goal.candidates or goal.retreats) and self._arm.hand is None:
             return self._failure(FailureKind.INVALID_GOAL, f"{self._arm.group.name} has no hand: joints only")
         if self._driver.stopped:
             return self._failure(FailureKind.HARDWARE_STOPPED, "the hardware's stop is set")

@@ -63,7 +63,7 @@ class MovePlanner:
         yield CHECKS_AT_ONCE  # making the checker took about as long
         start = self._arm.start(moment)
         # Only a straight approach or a retreat may touch items; on the way to where it begins, nothing may.
-        checker.touch(allowed=goal.straight or bool(goal.by))
+        checker.touch(allowed=goal.straight or goal.retreats)
         stuck = checker.let_rest(start, deepest=deepest(goal))
         yield CHECKS_AT_ONCE
         if stuck:
@@ -76,7 +76,7 @@ class MovePlanner:
                 at_start=True,
             )
         motions = self._motions(checker)
-        if goal.by:
+        if goal.retreats:
             return (yield from self._retreat(goal, motions, start))
         if goal.candidates and goal.straight:
             return (yield from self._straight(goal, moment, motions, start))
@@ -144,9 +144,9 @@ class MovePlanner:
         """Check a motion, from ``after`` seconds on, against another moment's world."""
         checker = self._arm.checker(moment, goal, padded=padded)
         yield CHECKS_AT_ONCE
-        checker.touch(allowed=goal.straight or bool(goal.by))
+        checker.touch(allowed=goal.straight or goal.retreats)
         checker.let_rest(trajectory.positions[0], deepest=deepest(goal))
-        if goal.touch_support or goal.by:
+        if goal.touch_support or goal.retreats:
             checker.let_rest(trajectory.positions[-1], carried_only=True)
         yield CHECKS_AT_ONCE
         graze = yield from self._check(self._motions(checker), trajectory, after)
@@ -285,7 +285,7 @@ class MovePlanner:
         hand = self._hand(motions.checker)
         parts: list[tuple[int, Line]] = []
         failures: list[Failure] = []
-        for number, target in enumerate(ways_back(hand.chain.pose(start, hand.frame), goal.by)):
+        for number, target in enumerate(ways_back(hand.chain.pose(start, hand.frame), goal)):
             yield from self._permit_support(motions.checker, start, target)
             line = yield from follow(hand, motions.checker, start, target)
             wrong = self._broken(line, FailureKind.NO_PATH, motions.checker)

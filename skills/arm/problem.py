@@ -120,7 +120,7 @@ class Arm:
             self.with_hand(moment, goal.hand_width),
             self.obstacles(moment.scene, moment.base_in_map, padded=padded),
             carried(moment.scene, self.description),
-            touchable=allowed(moment.scene, goal.touch_item, touch, every=bool(goal.by)),
+            touchable=allowed(moment.scene, goal.touch_item, touch, every=goal.retreats),
         )
 
     def obstacles(

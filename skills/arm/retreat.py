@@ -10,7 +10,6 @@ from skills.kinematics.collision import MAX_RESTING_DEPTH
 from skills.kinematics.transforms import Array
 from skills.ports.actions.arm import MoveGoal
 from skills.ports.geometry import IDENTITY, Pose, compose, distance
-from skills.ports.message import Vector3
 
 UP: Final = 0.10
 """Metres straight up in the map: what is tried after all ways of the goal."""
@@ -22,14 +21,15 @@ SHORTER: Final = 2
 
 def deepest(goal: MoveGoal) -> float:
     """Return how deep (m) a contact may be in which the motion begins: a retreat leads out of any."""
-    return float("inf") if goal.by else MAX_RESTING_DEPTH
+    return float("inf") if goal.retreats else MAX_RESTING_DEPTH
 
 
-def ways_back(tool_in_base: Pose, by: Sequence[Vector3]) -> tuple[Pose, ...]:
+def ways_back(tool_in_base: Pose, goal: MoveGoal) -> tuple[Pose, ...]:
     """Return where the tool ends, in the base's frame: by each displacement, and last straight up."""
     x, y, z = tool_in_base.position
-    ways = [compose(tool_in_base, Pose(position=each, orientation=IDENTITY.orientation)) for each in by]
-    return (*ways, Pose(position=(x, y, z + UP), orientation=tool_in_base.orientation))
+    ways = [compose(tool_in_base, Pose(position=each, orientation=IDENTITY.orientation)) for each in goal.by]
+    up = UP if goal.up is None else goal.up
+    return (*ways, Pose(position=(x, y, z + up), orientation=tool_in_base.orientation))
 
 
 def longest_first(hand: Hand, parts: Sequence[tuple[int, Line]]) -> Iterator[tuple[int, Array]]:

@@ -29,7 +29,7 @@ from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import FloorPose, Pose, compose, invert, to_pose
-from skills.ports.grasping import upright_in_map
+from skills.ports.grasping import standing_in_map
 from skills.ports.keys import Latest
 from skills.ports.message import Quaternion
 from skills.ports.site import Site
@@ -352,7 +352,7 @@ class HoldWithTwo:
         fact = None if world is None else world.item(item)
         if fact is None:
             raise self._stopped(FailureKind.ITEM_GONE, f"item {item} is not believed to be anywhere")
-        stands = upright_in_map(fact.tag_in_map, known.size[0])
+        stands = standing_in_map(fact.tag_in_map, known.size)
         if stands is None:
             raise self._stopped(FailureKind.ITEM_UNREACHABLE, f"item {item} has fallen over")
         return compose(invert(base), stands)

@@ -20,7 +20,7 @@ from skills.ports.bus import Bus
 from skills.ports.compute import Compute
 from skills.ports.failure import FailureKind
 from skills.ports.geometry import compose, to_pose
-from skills.ports.grasping import upright_in_map
+from skills.ports.grasping import standing_in_map
 from skills.ports.hardware import RgbdHeader, RobotDescription
 from skills.ports.image import decode
 from skills.ports.keys import Latest
@@ -142,7 +142,7 @@ class Eye:
         boxes = []
         for number, tag_in_map in sorted(poses.items()):
             item = self._site.item(number)
-            stands = None if item is None else upright_in_map(tag_in_map, item.size[0])
+            stands = None if item is None else standing_in_map(tag_in_map, item.size)
             if item is not None and stands is not None:
                 boxes.append((number, Box(size=item.size, pose=stands)))
         return tuple(boxes)

@@ -51,6 +51,12 @@ STAND_DISTANCES: Final = (0.0, 0.06, -0.06, 0.12)
 FINGER_ROOM: Final = 0.008
 """Metres on each side between an item and a finger before it closes."""
 
+UPRIGHT: Final = 0.6
+"""Cosine of the angle between a tag's up and the map's, to which a tag may be stuck on askew."""
+CUBE: Final = 0.001
+"""Metres by which the edges of a cube may differ."""
+
+_Y: Final[Vector3] = (0.0, 1.0, 0.0)
 _Z: Final[Vector3] = (0.0, 0.0, 1.0)
 
 
@@ -94,11 +100,26 @@ def item_in_map(tag_in_map: Pose, depth: float) -> Pose:
 
 
 def upright_in_map(tag_in_map: Pose, depth: float) -> Pose | None:
-    """Return ``item_in_map``, or None for an item that has fallen over: its tag lies flat."""
-    try:
-        return item_in_map(tag_in_map, depth)
-    except ValueError:
+    """Return ``item_in_map``, or None for an item that has fallen over: its tag lies flat, or on its side."""
+    if rotate(tag_in_map.orientation, _Y)[2] < UPRIGHT:
         return None
+    return item_in_map(tag_in_map, depth)
+
+
+def standing_in_map(tag_in_map: Pose, size: Vector3) -> Pose | None:
+    """Return the item's centre frame, its z up, or None for an item that has fallen over.
+
+    A cube stands on whichever face it lies: x is out of one of its sides then. ``size``: along x, y, z (m).
+    """
+    stands = upright_in_map(tag_in_map, size[0])
+    if stands is not None or max(size) - min(size) > CUBE:
+        return stands
+    try:
+        return item_in_map(tag_in_map, size[0])
+    except ValueError:  # the tag is on top, or below
+        x, y, _ = rotate(tag_in_map.orientation, (1.0, 0.0, 0.0))
+        middle = add(tag_in_map.position, scale(rotate(tag_in_map.orientation, _Z), -size[0] / 2.0))
+        return Pose(position=middle, orientation=about(_Z, math.atan2(y, x)))
 
 
 def tag_of_item(item: Pose, depth: float) -> Pose:

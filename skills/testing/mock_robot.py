@@ -66,7 +66,7 @@ from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import IDENTITY, FloorPose, Pose, wrap
-from skills.ports.grasping import item_in_map
+from skills.ports.grasping import standing_in_map
 from skills.ports.keys import DESCRIPTION
 from skills.ports.message import Message, RobotTime, Vector3
 from skills.ports.node import Node
@@ -233,9 +233,14 @@ class MockRobot:
             served.server.close()
         self._desk.close()
 
+    @property
+    def now(self) -> RobotTime:
+        """The robot's time, or that of the beliefs while there is none."""
+        return self._clocks.robot() or self.world.stamp
+
     def tell(self) -> None:
         """Publish all beliefs."""
-        stamp = self._clocks.robot() or self.world.stamp
+        stamp = self.now
         WORLD.publish(self.bus, self.world)
         scene = PlanningScene(stamp=stamp, version=self.world.version, objects=self._clutter)
         SCENE.publish(self.bus, scene)
@@ -258,7 +263,7 @@ class MockRobot:
 
     def cross(self, *, risk: bool) -> None:
         """Have the reflex tell that the arms come into each other's way, or that they no longer do."""
-        stamp = self._clocks.robot() or self.world.stamp
+        stamp = self.now
         distance = 0.1 if risk else 0.4
         message = Crossing(stamp=stamp, risk=risk, distance=distance, threshold=0.2, clearance=0.5 * distance)
         CROSSING.publish(self.bus, message)
@@ -418,7 +423,7 @@ class MockRobot:
             where = approach(f"arm_{side}").name
             return failed(Failure(kind=FailureKind.ITEM_GONE, message=message, where=where))
         self._extent[side], self._before[side] = STRETCHED, goal.item
-        at = item_in_map(fact.tag_in_map, fact.size[0])
+        at = standing_in_map(fact.tag_in_map, fact.size) or Pose(position=fact.tag_in_map.position)
         return succeeded(ApproachResult(grasp=0, positions=(0.0,), error=0.0, item_in_map=at, duration=0.0))
 
     def _two_hands(self, goal: TwoHandsGoal) -> Outcome[TwoHandsResult]:

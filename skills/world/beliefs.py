@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 from skills.ports.geometry import Pose, about, distance, rotate
-from skills.ports.grasping import tag_of_item, upright_in_map
+from skills.ports.grasping import standing_in_map, tag_of_item
 from skills.ports.message import RobotTime, Vector3
 from skills.ports.site import Site
 from skills.ports.world import (
@@ -285,8 +285,8 @@ class Beliefs:
 
 
 def item_box(tag_in_map: Pose, size: Vector3) -> Box:
-    """Return the item's box behind a tag; a tag that lies flat gives a cube that holds the item."""
-    stands = upright_in_map(tag_in_map, size[0])
+    """Return the item's box behind a tag; one that has fallen over is in a cube that holds it."""
+    stands = standing_in_map(tag_in_map, size)
     if stands is not None:
         return Box(size=size, pose=stands)
     edge = max(size)

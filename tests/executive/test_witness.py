@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, cast
 
 import pytest
 
-from executive.experiments.witness import Witness
+from executive.experiments.witness import Witness, lean, tilt
 from sim.physics import Contact
-from skills.ports.geometry import Pose
+from skills.ports.geometry import Pose, about
 from skills.site import load
 
 if TYPE_CHECKING:
@@ -64,3 +65,14 @@ def test_contacts(contact: Contact, lifted: float, said: tuple[str, str] | None)
     station.height, station.touching = lifted, [contact]
     witness._contacts()
     assert [(each.first, each.second) for each in witness.touches] == ([] if said is None else [said])
+
+
+@pytest.mark.parametrize(
+    ("turned", "leans", "tilted"),
+    [(0.0, 0.0, 0.0), (0.2, 0.2, 0.2), (1.4, 0.1708, 1.4), (math.pi, 0.0, math.pi)],
+)
+def test_a_cube_leans_from_its_nearest_face_and_is_tilted_from_the_one_it_stood_on(
+    turned: float, leans: float, tilted: float
+) -> None:
+    pose = Pose(position=(0.0, 0.0, 0.0), orientation=about((1.0, 0.0, 0.0), turned))
+    assert (lean(pose), tilt(pose)) == (pytest.approx(leans, abs=1e-4), pytest.approx(tilted))

@@ -127,6 +127,25 @@ def test_a_stop_aborts_the_goal() -> None:
     assert plant.speeds[-1] == 0.0
 
 
+@pytest.mark.parametrize(("stuck", "off"), [((0,), 0.0), ((), None)], ids=["held fast", "free"])
+def test_what_is_held_fast_is_not_pushed_on_when_its_motion_ends(
+    stuck: tuple[int, ...], off: float | None
+) -> None:
+    plant = Plant()
+    plant.controller.accept(goal(end=0.08))
+    plant.run(0.7)
+    plant.stuck = stuck
+    plant.position[0] -= 0.04 if stuck else 0.0
+    before = plant.position[0]
+    plant.controller.cancel("g")
+    plant.run(1.0)
+    assert plant.controller.report.at_rest
+    if off is not None:
+        assert plant.controller.position[0] == pytest.approx(before)
+    else:
+        assert plant.controller.position[0] > before, "it brakes along its path"
+
+
 def test_a_stream_is_followed_and_held_when_it_dries_up() -> None:
     plant = Plant()
     for _ in range(30):

@@ -36,6 +36,7 @@ def bench(items: dict[int, Pose] | None = None) -> TreeBench:
 
 GRASPS = ("left arm: grasp", "right arm: grasp")
 LATE = Fault(late=1.0)
+SHOWS = "show the item"
 
 
 @dataclass(frozen=True)
@@ -296,12 +297,31 @@ def test_what_falls_out_while_the_other_arm_picks_is_told() -> None:
     assert [hand.item for hand in run.robot.world.held] == [RIGHT]
 
 
-def test_an_item_that_has_fallen_over_is_told() -> None:
-    tag = ITEMS[LEFT]
-    lies = Pose(position=tag.position, orientation=IDENTITY.orientation)
-    run = bench({**ITEMS, LEFT: lies})
-    assert run.run("pick_two", TWO) is Status.FAILURE
-    failure = run.failure()
-    assert failure is not None
-    assert failure.kind is K.ITEM_UNREACHABLE
-    assert "item 29 has fallen over" in failure.message
+@pytest.mark.parametrize("up", [True, False], ids=["it can", "it can not"])
+def test_a_hand_rises_before_it_goes_when_its_item_is_out_of_sight(*, up: bool) -> None:
+    """What is gone may stand beside the hand; no way up is no reason to stay."""
+    run = bench()
+    run.robot.leaf_faults["left arm: grasp", 1] = failing(K.ITEM_GONE)
+    run.events["left arm: grasp"] = lambda robot: robot.believe(items=())
+    if not up:
+        run.robot.leaf_faults["left arm: show the item: rise"] = failing(K.NO_PATH)
+    run.run("pick_two", TWO)
+    path = run.path()
+    grasp, rises, shows = (
+        path.index(f"left arm: {leaf}") for leaf in ("grasp", "show the item: rise", SHOWS)
+    )
+    assert grasp < rises < shows
+
+
+def test_a_hand_whose_item_is_in_sight_goes_straight_to_safety() -> None:
+    run = bench()
+    run.robot.leaf_faults["left arm: approach", 1] = failing(K.NO_PATH)
+    assert run.run("pick_two", TWO) is Status.SUCCESS
+    assert not [leaf for leaf in run.path() if leaf.endswith("rise")]
+
+
+def test_a_cube_that_was_knocked_over_is_picked_as_it_lies() -> None:
+    x, y, z = ITEMS[LEFT].position
+    run = bench({**ITEMS, LEFT: Pose(position=(x, y, z + 0.035), orientation=IDENTITY.orientation)})
+    assert run.run("pick_two", TWO) is Status.SUCCESS
+    assert {hand.item for hand in run.robot.world.held} == {LEFT, RIGHT}

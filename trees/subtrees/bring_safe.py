@@ -12,6 +12,7 @@ from trees.hand_board import HandBoard
 from trees.leaves.hand.go_safe import go_safe
 from trees.leaves.hand.grip_item import let_go
 from trees.leaves.retreat import retreat
+from trees.subtrees.rise import rise
 
 
 def bring_safe(context: TreeContext, board: HandBoard, where: str, *, full: bool = False) -> Behaviour:
@@ -43,7 +44,14 @@ def bring_safe(context: TreeContext, board: HandBoard, where: str, *, full: bool
         memory=True,
         children=[
             Check(f"{who}: safe?", lambda: board.safe),
-            go_safe(f"{where}: to safety", context, board),
+            Sequence(
+                f"{who}: up and safe",
+                memory=True,
+                children=[
+                    *(() if full else (rise(context, board, where),)),
+                    go_safe(f"{where}: to safety", context, board),
+                ],
+            ),
             free,
         ],
     )

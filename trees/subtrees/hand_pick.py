@@ -30,6 +30,7 @@ from trees.leaves.hand.lift_item import lift_item
 from trees.leaves.hand.reach_item import plan_before_item, reach_item
 from trees.leaves.hand.still_held import still_held
 from trees.subtrees.bring_safe import bring_safe
+from trees.subtrees.rise import rise
 from trees.subtrees.rungs import wait_back
 
 Method = Literal["apf_rrtconnect", "rrtconnect", "rrtconnect_replan"]
@@ -140,7 +141,11 @@ def _rungs(context: TreeContext, board: HandBoard, method: Method) -> tuple[Rung
             Sequence(
                 f"{who}: out of the sight",
                 memory=True,
-                children=[go_safe("show the item", context, board), seen_again(context, board)],
+                children=[
+                    rise(context, board, "show the item"),
+                    go_safe("show the item", context, board),
+                    seen_again(context, board),
+                ],
             ),
         ],
     )
@@ -162,6 +167,9 @@ def seen_again(context: TreeContext, board: HandBoard) -> WaitFor:
     """Return the leaf that waits until the item is seen."""
 
     def otherwise() -> Failure:
+        known = board.standing(context)
+        if isinstance(known, Failure) and known.kind is FailureKind.ITEM_UNREACHABLE:
+            return known
         return Failure(
             kind=FailureKind.ITEM_GONE,
             message=f"item {board.item} was not seen again within {SEEN_WITHIN:.0f} s",

@@ -9,7 +9,7 @@ from skills.ports.actions.arm import Candidate, MoveGoal
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.geometry import Pose, angle_between, compose, distance, invert, to_pose
-from skills.ports.grasping import turned_like, upright_in_map
+from skills.ports.grasping import standing_in_map, turned_like
 from skills.ports.keys import Latest
 from skills.ports.world import ROBOT_POSE, WORLD
 
@@ -82,7 +82,7 @@ class TargetTracker:
         self.heard, self.localised = True, robot.localised
         fact = world.item(goal.item)
         now = robot_seconds(self._clocks)
-        stands = None if fact is None or fact.held else upright_in_map(fact.tag_in_map, fact.size[0])
+        stands = None if fact is None or fact.held else standing_in_map(fact.tag_in_map, fact.size)
         if stands is not None:
             self.hidden = False
             self._last = (now, self._steady(stands))

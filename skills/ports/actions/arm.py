@@ -41,7 +41,7 @@ class Candidate(Message):
 
 
 class MoveGoal(Message):
-    """Where the group shall go; exactly one of ``joints``, ``posture``, ``candidates``, ``by``.
+    """Where the group shall go; exactly one of ``joints``, ``posture``, ``candidates``, ``by``, ``up``.
 
     Candidates are tried in order: the first that has a collision-free position and path is taken. With
     ``straight`` the tool moves in a straight line. In straight lines the hand may touch
@@ -52,14 +52,16 @@ class MoveGoal(Message):
     map; then the longest part of any of them, of 2 cm at the least. On it the hand may touch every item, what
     it holds may touch what it stands on, and contacts in which it begins, however deep, may go on as long as
     they get no deeper. The result's ``candidate`` is the way's number (``len(by)``: up), and its error is
-    against where the way, or its part, ended. ``frame`` and ``straight`` mean nothing for it, and the robot
-    need not know where it is.
+    against where the way, or its part, ended. ``up`` is a retreat with one way: so many metres straight up in
+    the map, clear of what may stand unseen beside the hand. Neither needs ``frame``, ``straight``, or a robot
+    that knows where it is.
     """
 
     joints: tuple[float, ...] | None = None
     posture: str | None = None
     candidates: tuple[Candidate, ...] = ()
     by: tuple[Vector3, ...] = ()
+    up: Annotated[float, Field(gt=0.0, le=0.5)] | None = None
     frame: Literal["map", "base"] = "map"
     straight: bool = False
     touch_item: int | None = None
@@ -75,10 +77,15 @@ class MoveGoal(Message):
 
     @model_validator(mode="after")
     def _one_target(self) -> MoveGoal:
-        targets = (self.joints is not None, self.posture is not None, bool(self.candidates), bool(self.by))
-        if sum(targets) != 1:
-            raise ValueError("exactly one of joints, posture, candidates and by was expected")
+        targets = (self.joints is not None, self.posture is not None, bool(self.candidates), self.retreats)
+        if sum(targets) != 1 or (self.by and self.up is not None):
+            raise ValueError("exactly one of joints, posture, candidates, by and up was expected")
         return self
+
+    @property
+    def retreats(self) -> bool:
+        """Whether it leads away from whatever the hand is at."""
+        return bool(self.by) or self.up is not None
 
 
 class MovePhase(StrEnum):

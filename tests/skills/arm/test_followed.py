@@ -8,7 +8,7 @@ from skills.arm.followed import FollowedItem
 from skills.ports.actions.arm import MoveGoal
 from skills.ports.failure import FailureKind
 from skills.ports.geometry import Pose, compose, from_rpy
-from skills.ports.message import RobotTime
+from skills.ports.message import RobotTime, Vector3
 from skills.ports.world import WORLD, ItemFact, Side, WorldState
 from skills.wire.memory import MemoryBus
 from tests.fakes.field_rig import CUBE, TAG_ON_ITEM
@@ -25,7 +25,13 @@ class Beliefs:
         self.followed.begin(goal)
 
     def tell(
-        self, x: float | None, yaw: float = 0.0, held: Side | None = None, *, pitch: float = 0.0
+        self,
+        x: float | None,
+        yaw: float = 0.0,
+        held: Side | None = None,
+        *,
+        pitch: float = 0.0,
+        size: Vector3 = CUBE,
     ) -> None:
         """Have the item be believed to stand there, seen by the tag of whichever side ``yaw`` turns to us."""
         self._version += 1
@@ -37,7 +43,7 @@ class Beliefs:
             facts = (
                 ItemFact(
                     item=ITEM,
-                    size=CUBE,
+                    size=size,
                     tag_in_map=tag,
                     seen=stamp,
                     quality=1.0,
@@ -82,7 +88,7 @@ def test_a_motion_that_follows_nothing_minds_nothing() -> None:
 
 def test_an_item_that_has_fallen_over_does_not_stand_there_any_more() -> None:
     beliefs = Beliefs()
-    beliefs.tell(0.6, pitch=-1.5708)
+    beliefs.tell(0.6, pitch=-1.5708, size=(0.07, 0.07, 0.2))
     failure = beliefs.followed.moved()
     assert failure is not None
     assert failure.kind is FailureKind.ITEM_GONE

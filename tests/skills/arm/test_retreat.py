@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from pydantic import ValidationError
 
 from skills.kinematics.described import load_hulls
 from skills.kinematics.hulls import RobotHulls
@@ -78,6 +79,24 @@ def test_straight_up_in_the_map_comes_after_all_ways(rig: ArmRig) -> None:
     assert done.candidate == 1
     up = tuple(b - a for a, b in zip(before.position, tool(rig).position, strict=True))
     assert up == pytest.approx((0.0, 0.0, 0.10), abs=2e-3)
+
+
+def test_a_hand_rises_straight_up_in_the_map_by_as_much_as_it_is_told(rig: ArmRig) -> None:
+    before = tool(rig)
+    assert result(rig, rig.run(MoveGoal(up=0.07), "up")).candidate == 0
+    up = tuple(b - a for a, b in zip(before.position, tool(rig).position, strict=True))
+    assert up == pytest.approx((0.0, 0.0, 0.07), abs=2e-3)
+
+
+def test_a_hand_rises_from_among_items_whatever_it_touches(rig: ArmRig) -> None:
+    rig.set_scene(around(), version=2)
+    assert rig.run(MoveGoal(up=0.07), "up").state is GoalState.SUCCEEDED
+
+
+@pytest.mark.parametrize("also", [{"by": BACK}, {"posture": "home"}])
+def test_a_goal_says_one_thing_only(also: dict[str, object]) -> None:
+    with pytest.raises(ValidationError, match="exactly one"):
+        MoveGoal.model_validate({"up": 0.1, **also})
 
 
 def test_the_longest_part_is_taken_where_no_way_is_whole(rig: ArmRig) -> None:

@@ -7,7 +7,17 @@ import math
 import numpy as np
 import pytest
 
-from skills.ports.geometry import Pose, about, angle_between, compose, from_axes, multiply, rotate, transform
+from skills.ports.geometry import (
+    Pose,
+    about,
+    angle_between,
+    compose,
+    from_axes,
+    multiply,
+    rotate,
+    transform,
+    yaw_of,
+)
 from skills.ports.grasping import (
     face,
     face_towards,
@@ -16,7 +26,9 @@ from skills.ports.grasping import (
     outward,
     place,
     proximity_poses,
+    standing_in_map,
     turned_like,
+    upright_in_map,
 )
 
 FACES_SOUTH = from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0))
@@ -81,6 +93,34 @@ def test_what_is_put_down_stands_upright_in_its_slot() -> None:
     item = compose(put.place, held)
     assert item.position == pytest.approx((3.0, 1.0, 0.74))
     assert rotate(item.orientation, (0.0, 0.0, 1.0)) == pytest.approx((0.0, 0.0, 1.0))
+
+
+CUBE = (DEPTH, DEPTH, DEPTH)
+HALF = DEPTH / 2.0
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.4, math.pi / 2, math.pi, -math.pi / 2])
+def test_a_cube_that_was_rolled_about_its_tags_normal_stands_where_it_is(angle: float) -> None:
+    rolled = Pose(position=TAG.position, orientation=multiply(TAG.orientation, about((0, 0, 1), angle)))
+    stands = standing_in_map(rolled, CUBE)
+    assert stands is not None
+    assert stands.position == pytest.approx((1.0, 2.03, 0.74))
+    assert rotate(stands.orientation, (0.0, 0.0, 1.0)) == pytest.approx((0.0, 0.0, 1.0))
+
+
+@pytest.mark.parametrize("yaw", [0.0, 0.7, -2.0])
+def test_a_cube_with_its_tag_on_top_stands_below_it_with_its_sides_along_the_tag(yaw: float) -> None:
+    stands = standing_in_map(Pose(position=(1.0, 2.0, 0.78), orientation=about((0, 0, 1), yaw)), CUBE)
+    assert stands is not None
+    assert stands.position == pytest.approx((1.0, 2.0, 0.78 - HALF))
+    assert math.remainder(yaw_of(stands.orientation) - yaw, math.pi / 2) == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("angle", [math.pi / 2, math.pi, -math.pi / 2])
+def test_what_is_no_cube_and_was_rolled_has_fallen_over(angle: float) -> None:
+    rolled = Pose(position=TAG.position, orientation=multiply(TAG.orientation, about((0, 0, 1), angle)))
+    assert standing_in_map(rolled, (DEPTH, DEPTH, 0.2)) is None
+    assert upright_in_map(rolled, DEPTH) is None
 
 
 @pytest.mark.parametrize(
