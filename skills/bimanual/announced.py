@@ -26,7 +26,9 @@ from skills.ports.world import Side
 OUT: Final = 5
 """Positions that are looked at of the way out."""
 NEXT: Final = 3
-"""Positions of its way for which the follower goes on at once: 12 cm of its hand."""
+"""Positions of its way for which the follower goes on while the leader's field runs: 12 cm of its hand."""
+CREEP: Final = 1
+"""The same once the leader goes only where it has planned to go: nothing is slowed down by who comes near."""
 
 
 class Announced:
@@ -63,12 +65,12 @@ class Announced:
         way = [arm.q, *thinned(arm.ahead())]
         return [*way, *self._in(joints, arm, way[-1])]
 
-    def next(self, joints: JointStates, side: Side) -> list[Array]:
-        """Return the first of those that lie ahead; with the grasp when that is next."""
+    def next(self, joints: JointStates, side: Side, count: int) -> list[Array]:
+        """Return the first so many of those that lie ahead; with the grasp when that is next."""
         way = self.ahead(joints, side)
         arm = self._arms[side]
-        if len(way) > NEXT + 1 or arm.goal_at is None:
-            return way[: NEXT + 1]
+        if len(way) > count + 1 or arm.goal_at is None:
+            return way[: count + 1]
         return [*way, arm.goal_at, *self._grasp(joints, arm)[-1:]]
 
     def _in(self, joints: JointStates, arm: ArmObserver, q: Array | None = None) -> list[Array]:

@@ -10,7 +10,7 @@ from typing import Final
 import numpy as np
 
 from skills.bimanual.alone import Alone
-from skills.bimanual.announced import Announced
+from skills.bimanual.announced import CREEP, NEXT, Announced
 from skills.bimanual.coordination import FIELD_ROOM, Coordination, Mode, Situation, Stage
 from skills.bimanual.observer import ArmObserver
 from skills.bimanual.way import MARGIN, clear
@@ -193,7 +193,8 @@ class Coordinator:
             follows = [self._arms[follower].q]
         else:
             self._leads = Leads(bodies, leads)
-            follows = self._ways.next(joints, follower)
+            count = NEXT if self._arms[leader].approaching else CREEP
+            follows = self._ways.next(joints, follower, count)
         yield
         ways = {leader: leads, follower: follows}
         margin = FIELD_ROOM + ALLOWANCE if self._arms[leader].approaching else MARGIN

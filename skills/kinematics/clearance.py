@@ -49,6 +49,7 @@ class ArmsClearance:
         limits = [limit for group in groups for limit in group.limits]
         self._acceleration = np.array([limit.acceleration for limit in limits])
         self._jerk = np.array([limit.jerk for limit in limits])
+        self._left = len(groups[0].joints)
         moving = {robot.joint_index(joint) + 1 for joint in self.joints}
         locked = [i for i in range(1, robot.model.njoints) if i not in moving]
         self._model, self._geometry = pin.buildReducedModel(
@@ -98,8 +99,11 @@ class ArmsClearance:
 
     def to_rest(self, velocity: Array, late: float) -> Array:
         """Return the radians (n,) that the joints go to rest, if they brake after ``late`` seconds."""
-        way = np.sign(velocity) * braking_way(np.abs(velocity), self._acceleration, self._jerk)
-        return np.asarray(way + velocity * late)
+        ways = [
+            braking_way(velocity[arm], self._acceleration[arm], self._jerk[arm])
+            for arm in (slice(None, self._left), slice(self._left, None))
+        ]
+        return np.asarray(np.concatenate(ways) + velocity * late)
 
     def ahead(self, q: Array, velocity: Array, late: float) -> Clearance:
         """Return the least clearance on the way to rest, if all joints began to brake after ``late`` seconds.
@@ -115,17 +119,19 @@ class ArmsClearance:
         return min((self.at(q + share * way) for share in AHEAD), key=lambda each: each.distance)
 
 
-def braking_way(speed: Array, acceleration: Array, jerk: Array) -> Array:
-    """Return the radians (n,) in which joints come to rest with bounded deceleration and jerk.
+def braking_way(velocity: Array, acceleration: Array, jerk: Array) -> Array:
+    """Return the radians (n,) in which joints come to rest in step, with bounded deceleration and jerk.
 
     From a steady speed v, in a time that is mirrored about its middle: so v / 2 over all of it. That is
-    v / a + a / j where the greatest deceleration a is reached, else 2 sqrt(v / j).
+    v / a + a / j where the greatest deceleration a is reached, else 2 sqrt(v / j); the joint that needs
+    longest sets it for all.
 
     Args:
-        speed: rad/s (n,), not below 0.
+        velocity: rad/s (n,).
         acceleration: rad/s2 (n,).
         jerk: rad/s3 (n,).
     """
+    speed = np.abs(velocity)
     reached = speed >= acceleration**2 / jerk
     time = np.where(reached, speed / acceleration + acceleration / jerk, 2.0 * np.sqrt(speed / jerk))
-    return np.asarray(0.5 * speed * time)
+    return np.asarray(0.5 * velocity * np.max(time))

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from skills.arm.field.ends import End
-from skills.arm.field.guard import FIELD, Guard
+from skills.arm.field.guard import DAMPED, FIELD, Guard
 from skills.arm.field.live import Live
 from skills.arm.field.motion import Make, Motion
 from skills.arm.field.potential import Gains
@@ -128,7 +128,7 @@ class Course:
         return self._hand
 
     def _dampers(self, near: Nearby) -> Dampers:
-        return Dampers(near.gradient, near.distance, self._guard.floors(FIELD)[near.pair])
+        return Dampers(near.gradient, near.distance, self._guard.floors(DAMPED)[near.pair])
 
     def _may_land(self, state: State, distance: float, angle: float, target: Target, end: End) -> bool:
         if distance > LAND_WITHIN or angle > LAND_TURN or not _fresh(target, end):

@@ -97,13 +97,17 @@ class Ends:
 
     def _look(self, target: Target, q: Array) -> Generator[int, None, End | Failure]:
         before = self.end
-        if before is not None and self.failure is None:
+        if before is not None:  # if something was in its way: that may have gone
             followed = yield from self._follow(before, target)
             if followed is not None:
                 self.aside = False
                 return followed
         self.aside = True
-        reached = yield from self._planner.reach(target.as_move(self._goal), self._live.moment(q))
+        asked = target.as_move(self._goal)
+        reached = yield from self._planner.reach(asked, self._live.moment(q))
+        if isinstance(reached, Failure) and self._live.in_the_way(reached):
+            # Where to go does not depend on who is there now; the guard sees to it that nobody is met.
+            reached = yield from self._planner.reach(asked, self._live.moment(q, others_gone=True))
         return reached if isinstance(reached, Failure) else End(reached[0], reached[1], target)
 
     def _follow(self, before: End, target: Target) -> Generator[int, None, End | None]:

@@ -134,7 +134,9 @@ class Episode:
             assert ride.target is not None  # not interrupted
             self._think(ride.target)
             failure = self._ends.failure
-            if failure is not None and not (self._in_the_way(failure) and self._ends.failures < LOST_AFTER):
+            if failure is not None and not (
+                self._live.in_the_way(failure) and self._ends.failures < LOST_AFTER
+            ):
                 ride.failure = failure
                 return Why.FAILED
             self._motion.brake(periods)
@@ -148,11 +150,6 @@ class Episode:
     def _tell_end(self) -> None:
         end = self._ends.end
         self._ride.goal_positions = () if end is None else tuple(map(float, end.q))
-
-    def _in_the_way(self, failure: Failure) -> bool:
-        """Say whether it is the other arm that would be touched: it moves on."""
-        told = [str(each.evidence.get("contact", "")) for each in (failure, *failure.causes)]
-        return any(link in contact for contact in told for link in self._live.other_links)
 
     def _seek(self) -> Steps:
         """Go down the field until the set-points have arrived."""
@@ -242,7 +239,7 @@ class Episode:
             except StopIteration as stop:
                 plan = stop.value
         if isinstance(plan, Failure):
-            if self._planned < PLANS and self._in_the_way(plan):
+            if self._planned < PLANS and self._live.in_the_way(plan):
                 return Why.STUCK
             return self._no_way(plan)
         self._ends.take(End(plan.candidate, plan.trajectory.positions[-1], target))

@@ -35,7 +35,9 @@ class Floors:
     other: float
 
 
-FIELD: Final = Floors(world=0.004, body=0.008, own=0.002, other=0.03)
+FIELD: Final = Floors(world=0.002, body=0.003, own=0.001, other=0.03)
+DAMPED: Final = Floors(world=0.004, body=0.008, own=0.002, other=0.035)
+"""The field's own: its dampers slow the arm down there already, so that the guard seldom has to stop it."""
 PLANNED: Final = Floors(world=-0.002, body=-0.001, own=-0.001, other=0.02)
 """For motions that a planner has checked, or that have been made before: those come as near as they like."""
 INFLUENCE: Final = Floors(world=0.10, body=0.06, own=0.02, other=0.15)

@@ -10,12 +10,13 @@ import numpy as np
 from skills.arm.field.around import Around, split
 from skills.arm.problem import Arm, Moment
 from skills.kinematics.bodies import BoxShape, Obstacle
-from skills.kinematics.described import carried
+from skills.kinematics.described import carried, home_positions
 from skills.kinematics.proximity import Proximity
 from skills.kinematics.transforms import Array
 from skills.ports.actions.approach import approach_status
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.failure import Failure
 from skills.ports.geometry import FloorPose, floor_distance
 from skills.ports.hardware import JointStates
 from skills.ports.keys import JOINT_STATES, STOP_STATE, Latest, group_status
@@ -64,6 +65,9 @@ class Live:
         others = [hand for hand in arm.description.end_effectors if hand.group != arm.group.name]
         self._others = [Latest(bus, approach_status(hand.group)) for hand in others]
         self.other_links = _links_of(arm, [hand.group for hand in others])
+        moving = {joint for hand in others for joint in arm.description.group(hand.group).joints}
+        home = home_positions(arm.description)
+        self._home = {joint: at for joint, at in home.items() if joint in moving}
         self.proximity = Proximity(arm.hulls, arm.group.joints)
         self.around = Around((), ())
         self._placed: _Placed | None = None
@@ -131,13 +135,19 @@ class Live:
         here[self.columns] = q
         return (coming,) if bool(np.abs(coming - here).max() < STANDS) else (coming, here)
 
-    def moment(self, q: Array) -> Moment:
-        """Return what is believed now, with the group standing at q."""
+    def in_the_way(self, failure: Failure) -> bool:
+        """Say whether it is the other arm that would be touched: it moves on."""
+        told = [str(each.evidence.get("contact", "")) for each in (failure, *failure.causes)]
+        return any(link in contact for contact in told for link in self.other_links)
+
+    def moment(self, q: Array, *, others_gone: bool = False) -> Moment:
+        """Return what is believed now, the group standing at q, and the others at home if gone."""
         joints, scene, pose = self._joints.value, self._scene.value, self._pose.value
         assert joints is not None
         assert scene is not None
         assert pose is not None
-        mine = dict(zip(self._arm.group.joints, map(float, q), strict=True))
+        mine = dict(self._home) if others_gone else {}
+        mine |= dict(zip(self._arm.group.joints, map(float, q), strict=True))
         positions = tuple(mine.get(name, at) for name, at in zip(joints.names, joints.positions, strict=True))
         return Moment(joints.model_copy(update={"positions": positions}), scene, pose.base_in_map)
 

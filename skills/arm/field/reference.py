@@ -68,7 +68,9 @@ class Stepper:
         for each in (self._by_speed, self._to_rest):
             each.control_interface = ruckig.ControlInterface.Velocity
         self._out = ruckig.OutputParameter(count)
-        self._braking = ruckig.Trajectory(count)
+        self._rest, self._rest_at = ruckig.Trajectory(count), 0.0
+        self._braked: State | None = None
+        """What was last returned on a way to rest."""
 
     def to_velocity(self, state: State, velocity: Array) -> State:
         """Return the state one period later on the way to a velocity (n,)."""
@@ -83,17 +85,38 @@ class Stepper:
         return self._step(self._by_place, state, TOGETHER)
 
     def brake(self, state: State) -> State:
-        """Return the state one period later on the way to rest, each joint as fast as it can."""
-        return self._step(self._to_rest, state, ALONE)
+        """Return the state one period later on the way to rest, the joints in step.
+
+        Joints that each stopped as soon as they can would leave the way that they are on, and with it what it
+        was led around: one that makes room for another would stop before that. A way to rest that was begun
+        is gone to its end: one that was found anew on it would be another one.
+        """
+        if state is not self._braked:
+            self._rest, self._rest_at = self._way_to_rest(state), 0.0
+        self._rest_at += self._period
+        q, v, a = self._rest.at_time(min(self._rest_at, self._rest.duration))
+        ended = self._rest_at >= self._rest.duration
+        self._braked = standing(np.array(q)) if ended else State(np.array(q), np.array(v), np.array(a))
+        return self._braked
 
     def braking(self, state: State) -> tuple[Array, ...]:
         """Return positions on the way to rest from a state, the last is where it stands."""
-        begin = self._to_rest
-        begin.synchronization = ALONE[0]
-        self._put(begin, state)
-        self._otg.calculate(begin, self._braking)
-        rest = self._braking.duration
-        return tuple(np.array(self._braking.at_time(share * rest)[0]) for share in BRAKE_LOOKS)
+        begun = state is self._braked
+        rest, at = (self._rest, self._rest_at) if begun else (self._way_to_rest(state), 0.0)
+        left = max(0.0, rest.duration - at)
+        return tuple(np.array(rest.at_time(at + share * left)[0]) for share in BRAKE_LOOKS)
+
+    def _way_to_rest(self, state: State) -> ruckig.Trajectory:
+        found = ruckig.Trajectory(len(state.q))
+        self._put(self._to_rest, state)
+        for way in TOGETHER:
+            self._to_rest.synchronization = way
+            try:
+                self._otg.calculate(self._to_rest, found)
+            except ruckig.RuckigError:  # rare: rounding in its search for a common duration
+                continue
+            break
+        return found
 
     def _step(
         self, begin: ruckig.InputParameter, state: State, ways: Sequence[ruckig.Synchronization]

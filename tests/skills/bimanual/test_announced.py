@@ -88,11 +88,11 @@ def test_what_lies_ahead_ends_at_the_proximity_pose() -> None:
 
 def test_the_next_part_is_the_first_of_what_lies_ahead() -> None:
     told = Told()
-    way, part = told.ways.ahead(told.joints, "left"), told.ways.next(told.joints, "left")
+    way, part = told.ways.ahead(told.joints, "left"), told.ways.next(told.joints, "left", NEXT)
     assert len(way) > NEXT + 1 == len(part)
     assert np.allclose(part, way[: NEXT + 1])
 
 
 def test_the_last_part_leads_on_to_the_grasp() -> None:
     told = Told(at=tuple(0.9 * np.array(IN_FRONT) + 0.1 * np.array(ASIDE)))
-    assert told.reaches(told.ways.next(told.joints, "left"), told.grasp)
+    assert told.reaches(told.ways.next(told.joints, "left", NEXT), told.grasp)

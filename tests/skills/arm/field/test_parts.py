@@ -74,6 +74,18 @@ def test_set_points_stay_within_speed_acceleration_and_jerk_and_brake_where_it_w
     assert_within(states)
 
 
+def test_an_arm_that_brakes_stays_on_its_way() -> None:
+    """One joint is slow and could stop at once: then the other would go on without it."""
+    stepper, state = Stepper(LIMITS, 0.01), standing(np.zeros(2))
+    for _ in range(100):
+        state = stepper.to_velocity(state, np.array([2.0, -0.3]))
+    before = state.q
+    for _ in range(200):
+        state = stepper.brake(state)
+        assert (state.q - before)[1] == pytest.approx(-0.15 * (state.q - before)[0], abs=1e-6)
+    assert state.still
+
+
 def test_a_velocity_turns_into_a_landing_without_a_jerk() -> None:
     stepper, states = Stepper(LIMITS, 0.01), [standing(np.zeros(2))]
     for _ in range(30):
