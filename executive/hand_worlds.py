@@ -153,6 +153,7 @@ def pick_both_hands_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
                 for name, leaves in {
                     "a long way back": ("to safety",),
                     "can't draw back": ("to safety", "draw back"),
+                    "can't rise": ("to safety", "rise"),
                     "no way back": ("to safety", "to safety then"),
                 }.items()
             },
@@ -224,6 +225,11 @@ def _of_hand(world: Callable[..., TreeBench], side: Side) -> dict[str, Make]:
             events={f"{who}: has it: to safety": partial(drop, side)},
         ),
         f"{who}: nothing to grasp": fails(f"{who}: close"),
+        f"{who}: item is found on the way out, and bars it": partial(
+            world,
+            faults={(f"{who}: grasp", 1): _GONE, f"{who}: show the item": _NO_WAY},
+            events={f"{who}: grasp": _lose, f"{who}: show the item": _find},
+        ),
         f"{who}: item gone, and no way up": partial(
             world,
             faults={(f"{who}: grasp", 1): _GONE, f"{who}: show the item: rise": _NO_WAY},
@@ -240,6 +246,7 @@ def _of_hand(world: Callable[..., TreeBench], side: Side) -> dict[str, Make]:
                 "full and comes back the long way": ("lift", "draw back: to safety"),
                 "comes back the long way at last": ("close", *stuck, "draw back: let go", *at_last),
                 "stuck at last": ("close", *stuck, "draw back: let go", *at_last, "at last: let go"),
+                "can't rise": (*stuck, "draw back: rise", "draw back: let go", *at_last, "at last: rise"),
                 "no way back ever": (
                     *stuck,
                     "draw back: to safety then",

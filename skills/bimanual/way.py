@@ -1,10 +1,7 @@
-"""Could the follower go on beside the leader? The true clearance along its way (the eager mode's criterion).
+"""An arm's ways as joint positions, and the true clearance between two arms' ways: the eager criterion.
 
-The follower's way: its own record from where it stands to where it was when it turned back, then its hand
-straight to its goal, the attitude kept. The leader's: where it is, and where it has announced to go: its
-hand straight to its goal while it approaches, else its joints straight to its safe place. Each of the one
-is paired with each of the other: who goes when is not known. The way is clear when no pair is nearer than
-``MARGIN``.
+Each position of the one is paired with each of the other: who goes when is not known. Two ways are clear of
+each other when no pair is nearer than a margin. Which ways those are is in ``announced.py``.
 """
 
 from __future__ import annotations
@@ -21,7 +18,7 @@ from skills.ports.geometry import Pose, add, length, scale, subtract
 from skills.ports.message import Vector3
 
 MARGIN: Final = 0.06
-"""Metres between the arms that the follower's way must leave: twice what the reflex stops at."""
+"""Metres between the arms that ways must leave: twice what the reflex stops at."""
 STRIDE: Final = 0.04
 """Metres of the hand between two poses that are looked at."""
 MOST: Final = 20

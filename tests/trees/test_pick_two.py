@@ -313,6 +313,23 @@ def test_a_hand_rises_before_it_goes_when_its_item_is_out_of_sight(*, up: bool) 
     assert grasp < rises < shows
 
 
+def test_an_item_that_is_found_on_the_way_out_and_bars_it_is_picked_from_there() -> None:
+    run = bench()
+    run.robot.leaf_faults["left arm: grasp", 1] = failing(K.ITEM_GONE)
+    run.robot.leaf_faults["left arm: show the item"] = failing(K.PATH_IN_COLLISION)
+    known = run.robot.world.items
+
+    def lose(robot: MockRobot) -> None:
+        nonlocal known
+        del run.events["left arm: grasp"]
+        known = robot.world.items
+        robot.believe(items=())
+
+    run.events["left arm: grasp"] = lose
+    run.events["left arm: show the item"] = lambda robot: robot.believe(items=known)
+    assert run.run("pick_two", TWO) is Status.SUCCESS
+
+
 def test_a_hand_whose_item_is_in_sight_goes_straight_to_safety() -> None:
     run = bench()
     run.robot.leaf_faults["left arm: approach", 1] = failing(K.NO_PATH)

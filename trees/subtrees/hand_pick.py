@@ -133,11 +133,15 @@ def _rungs(context: TreeContext, board: HandBoard, method: Method) -> tuple[Rung
     patience = wait_back(who, context)
     if method == "rrtconnect":
         return (patience,)
+
+    def seen() -> bool:
+        return not isinstance(board.standing(context), Failure)
+
     in_sight = Selector(
         f"{who}: item in sight",
         memory=True,
         children=[
-            Check(f"{who}: item seen?", lambda: not isinstance(board.standing(context), Failure)),
+            Check(f"{who}: item seen?", seen),
             Sequence(
                 f"{who}: out of the sight",
                 memory=True,
@@ -147,6 +151,8 @@ def _rungs(context: TreeContext, board: HandBoard, method: Method) -> tuple[Rung
                     seen_again(context, board),
                 ],
             ),
+            # What is found on the way out may bar it.
+            Check(f"{who}: item seen by now?", seen),
         ],
     )
     follow = Rung(f"{who}: follow the item", looking_again_helps, FOLLOWS, in_sight)

@@ -80,7 +80,8 @@ class CoordinateGoal(Message):
     """Coordinate both arms until cancelled (002, Algorithm 3). Ends by a cancel only, at rest.
 
     ``faithful``: the arm that has stepped back goes on when the leader has picked and is back in its safe
-    place. ``eager``: as soon as the true clearance along its way allows.
+    place. ``eager``: arms whose announced ways come near each other do not wait for a risk: one goes as far
+    as it stays out of the other's way, and on as soon as the true clearance along its own allows.
     """
 
     mode: Literal["faithful", "eager"] = "eager"
