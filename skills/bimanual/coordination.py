@@ -17,7 +17,7 @@ the leader goes on, the follower too, as far as it does not come into the leader
 goes on when the next part of its own way has been clear for a while. After a risk the leader goes on as
 soon as its way is clear of the follower that goes back, and the follower as before; each time that this was
 wrong, the while doubles. A follower for which the leader stands, as it is in its way, is sent back as at a
-risk.
+risk; one that is before its item sooner than the leader leads from then on.
 """
 
 from __future__ import annotations
@@ -233,11 +233,18 @@ class Coordination:
         return self._share(seen) if self.stage is Stage.SHARING else self._let_go(seen)
 
     def _share(self, seen: Situation) -> Coordination:
-        """Let the follower go as far as it may; one that bars the leader's way goes back."""
+        """Let the follower go as far as it may; one that bars the leader's way goes back.
+
+        One that is before its item sooner, and grasps or goes home, leads from then on: the other one's hand
+        may have to wait until it has picked.
+        """
+        follower = seen.of(self.follower)
+        if seen.of(self.leader).approaching and not follower.approaching and not follower.back_home:
+            return _sharing(replace(self, leader=self.follower, stopped=False, risky=False))
         if not self.waits:
             room = FIELD_ROOM if seen.of(self.leader).approaching else ROOM
             return self if seen.room >= room else replace(self, waits=True, clear_since=None)
-        stands = not seen.of(self.leader).moving and seen.of(self.follower).approaching
+        stands = not seen.of(self.leader).moving and follower.approaching
         if not stands or seen.room >= IN_THE_WAY:
             return self._let_go(seen)
         since = seen.now if self.stood_since is None else self.stood_since

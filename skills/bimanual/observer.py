@@ -24,6 +24,8 @@ ASIDE: Final = 0.05
 """Metres by which a hand that holds something may be off its safe point."""
 SILENT_AFTER: Final = 0.5
 """Robot seconds after which an approach that tells nothing is taken for ended."""
+WAITS_AFTER: Final = 2.0
+"""Robot seconds for which an arm without a field must have stood to be waiting: more than it takes to grasp."""
 EVERY: Final = 0.1
 """Robot seconds between two positions that are remembered of an approach."""
 
@@ -46,6 +48,9 @@ class ArmObserver:
         self.record: list[Array] = []
         """Positions (n,) of the approach that runs, from its start to the farthest that it got."""
         self._recorded_at = float("-inf")
+        self._stands_since: float | None = None
+        self.waits = False
+        """Whether it has stood for long, and no field of its own runs: for something else than a way."""
         self.now = ArmNow(safe=True)
         """What was seen last."""
         self.goal_at: Array | None = None
@@ -89,6 +94,9 @@ class ArmObserver:
         away = float(np.max(np.abs(q - self.safe_at)))
         self.q = q
         self._note_goal(told if active else None, away)
+        if moving or active or self._stands_since is None:
+            self._stands_since = now.seconds
+        self.waits = now.seconds - self._stands_since > WAITS_AFTER
         self.now = self._seen(joints, told if active else None, moving=moving, away=away)
         return self.now
 

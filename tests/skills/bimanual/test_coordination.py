@@ -334,6 +334,21 @@ def test_who_gives_way_does_so_until_the_leader_is_home() -> None:
     assert not trace.state.open
 
 
+def test_a_follower_that_is_before_its_item_sooner_leads() -> None:
+    """Its grasp has the turn: if it waited for the leader, and that for its turn, neither would go on."""
+    trace = beside()
+    trace.see(field(0.2), field(0.4), room=0.0)
+    assert trace.see(field(0.1), GRASPS, room=0.0) == ((GO, 0), (GO, 0))
+    assert trace.state.leader == "right"
+    assert trace.see(field(0.1), GRASPS, room=0.0) == ((HOLD, 0), (GO, 0))
+
+
+def test_a_follower_that_has_not_set_out_yet_does_not_lead() -> None:
+    trace = beside()
+    trace.see(field(0.1), HOME)
+    assert trace.state.leader == "left"
+
+
 def test_a_risk_beside_each_other_is_the_first_stop_and_the_leader_stays() -> None:
     trace = beside()
     farther = replace(field(0.4), distance=0.1)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from skills.bimanual.coordination import ArmNow
-from skills.bimanual.observer import EVERY, SILENT_AFTER, ArmObserver
+from skills.bimanual.observer import EVERY, SILENT_AFTER, WAITS_AFTER, ArmObserver
 from skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
 from skills.ports.message import RobotTime
 from skills.wire.memory import MemoryBus
@@ -58,6 +58,17 @@ def test_an_arm_at_home_is_safe_and_does_nothing(arm: Watched) -> None:
 def test_an_arm_that_is_out_is_not_safe_whether_it_moves_or_not(arm: Watched) -> None:
     assert not arm.look(1.0, IN_FRONT).safe
     assert arm.look(1.1, IN_FRONT, speed=0.5).under_way
+
+
+def test_an_arm_that_stands_for_long_without_a_field_waits(arm: Watched) -> None:
+    told = []
+    for seconds in np.arange(0.0, 2.0 * WAITS_AFTER, 0.1):
+        arm.look(float(seconds), IN_FRONT, speed=0.5 if seconds < WAITS_AFTER / 2 else 0.0)
+        told.append(arm.observer.waits)
+    assert (told[0], told[-1], told.index(True)) == (False, True, pytest.approx(15 * WAITS_AFTER, abs=1))
+    arm.approaches(2.0 * WAITS_AFTER)
+    arm.look(2.0 * WAITS_AFTER, IN_FRONT)
+    assert not arm.observer.waits
 
 
 def test_an_approach_tells_how_far_it_is(arm: Watched) -> None:
