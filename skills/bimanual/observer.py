@@ -25,7 +25,7 @@ ASIDE: Final = 0.05
 SILENT_AFTER: Final = 0.5
 """Robot seconds after which an approach that tells nothing is taken for ended."""
 WAITS_AFTER: Final = 2.0
-"""Robot seconds for which an arm without a field must have stood to be waiting: more than it takes to grasp."""
+"""Robot seconds for which an arm without a field must have stood to be waiting: longer than a grasp."""
 EVERY: Final = 0.1
 """Robot seconds between two positions that are remembered of an approach."""
 
