@@ -2,9 +2,8 @@
 
 An arm that approaches tells its item and the joints at its proximity pose. Its hand goes straight there,
 then on to the item, then its joints straight to its safe place. One that has approached and holds nothing
-yet has the grasp and the way out before it; any other one the way out; one that has stood for long, nothing.
-The follower's way is its own record from where it stands to where it was when it turned back, then its hand
-straight to its goal.
+yet has the grasp and the way out before it; any other one the way out. The follower's way is its own record
+from where it stands to where it was when it turned back, then its hand straight to its goal.
 """
 
 from __future__ import annotations
@@ -55,8 +54,6 @@ class Announced:
             holds: whether its hand holds something.
         """
         arm = self._arms[side]
-        if arm.waits:  # perhaps for the other one
-            return [arm.q]
         way = [arm.q, *self._in(joints, arm)[1::2]]
         if arm.goal_at is not None and not holds:
             way += [arm.goal_at, *self._grasp(joints, arm)[-1:]]

@@ -159,6 +159,11 @@ class Coordinator:
         if not self._eager or not self._worth_looking(state):
             self._sweep, self._clear, self._leads = None, None, None
             return
+        if (
+            state.open and self._arms[state.leader].waits
+        ):  # perhaps for the other one: the reflex sees to both
+            self._sweep, self._clear, self._leads = None, True, None
+            return
         if self._sweep is None:
             self._sweep = self._new_sweep(joints, state)
         try:

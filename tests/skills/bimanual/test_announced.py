@@ -80,12 +80,6 @@ def test_what_only_goes_home_goes_there_straight() -> None:
     assert np.allclose(np.diff(np.array(way), axis=0), (told.arm.safe_at - np.array(ASIDE)) / OUT)
 
 
-def test_what_waits_has_no_way() -> None:
-    told = Told(active=False)
-    told.arm.waits = True
-    assert np.allclose(told.ways.whole(told.joints, "left", holds=False), [ASIDE])
-
-
 def test_what_lies_ahead_ends_at_the_proximity_pose() -> None:
     told = Told()
     way = told.ways.ahead(told.joints, "left")

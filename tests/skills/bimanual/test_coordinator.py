@@ -34,6 +34,7 @@ class Rig:
         self.risk = self.near = False
         self.moving, self.approaching = True, True
         self.still: set[str] = set()
+        self.done: set[str] = set()
         self.where: dict[str, tuple[float, ...]] = dict.fromkeys(SIDES, ASIDE)
         self.goals = dict(GOALS)
         self.ends: dict[str, tuple[float, ...]] = dict.fromkeys(SIDES, ())
@@ -53,7 +54,7 @@ class Rig:
             status = ApproachStatus(
                 stamp=stamp,
                 side=side,
-                active=self.approaching,
+                active=self.approaching and side not in self.done,
                 distance=distance,
                 goal_in_base=self.goals[side],
                 goal_positions=self.ends[side],
@@ -172,6 +173,22 @@ def test_eager_who_gives_way_stands_where_it_would_come_into_the_leaders_way(rig
         rig.round()
     rig.where["right"] = IN_FRONT
     assert (GO, HOLD) in [orders(rig.round()) for _ in range(40)]
+
+
+@pytest.mark.parametrize(("waits", "goes"), [(True, True), (False, False)])
+def test_eager_a_leader_that_waits_holds_nobody_up(rig: Rig, *, waits: bool, goes: bool) -> None:
+    """It may wait for the other one, to grasp together."""
+    rig.node.begin("eager")
+    rig.ends = dict.fromkeys(SIDES, IN_FRONT)
+    rig.goals = dict.fromkeys(SIDES, (0.6, 0.0, 0.8))
+    for _ in range(40):
+        rig.round()
+    rig.where["right"], rig.still = IN_FRONT, {"left"}
+    if waits:
+        rig.done = {"left"}
+    told = [orders(rig.round()) for _ in range(300)]
+    assert (GO, HOLD) in told
+    assert (told[-1] == (GO, GO)) is goes
 
 
 def test_the_stops_are_counted_on_when_the_coordination_begins_and_ends(rig: Rig) -> None:
