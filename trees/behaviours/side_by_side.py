@@ -42,7 +42,7 @@ class SideBySide(Composite):
             yield from child.tick()
             if child.status is not Status.RUNNING:
                 failed = child.status is Status.FAILURE
-                self._ended[branch.name] = branch.last_failure() if failed else None
+                self._ended[branch.name] = (branch.verdict or branch.last_failure()) if failed else None
         if len(self._ended) < len(self._branches):
             self.status = Status.RUNNING
         else:
