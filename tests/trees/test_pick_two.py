@@ -313,6 +313,18 @@ def test_a_hand_rises_before_it_goes_when_its_item_is_out_of_sight(*, up: bool) 
     assert grasp < rises < shows
 
 
+def test_what_fails_as_a_hand_is_brought_home_is_not_why_its_pick_failed() -> None:
+    run = bench()
+    run.robot.leaf_faults["left arm: approach"] = failing(K.INVALID_GOAL)
+    run.robot.leaf_faults["left arm: at last: rise"] = failing(K.NO_PATH)
+    run.events["left arm: approach"] = lambda robot: robot.believe(items=())
+    assert run.run("pick_two", TWO) is Status.FAILURE
+    failure = run.failure()
+    assert failure is not None
+    assert (failure.kind, failure.where) == (K.INVALID_GOAL, "left arm: approach: arm_left/approach")
+    assert "left arm: at last: rise" in run.path()
+
+
 def test_an_item_that_is_found_on_the_way_out_and_bars_it_is_picked_from_there() -> None:
     run = bench()
     run.robot.leaf_faults["left arm: grasp", 1] = failing(K.ITEM_GONE)
