@@ -27,9 +27,11 @@ from executive.ledger.sqlite import SqliteLedger
 from executive.processes import SPARE_AFTER
 from executive.requests import Asked, read_request
 from executive.task_book import TaskBook
+from executive.wall_clock import WallClock
 from skills.ports.keys import Latest
 from skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, CancelTask, TaskAnswer, TaskStatus
 from skills.site import load
+from skills.wire.clocks import SteppedClocks
 from skills.wire.zenoh_bus import ZenohBus
 from trees.registry import discover
 
@@ -61,7 +63,7 @@ def _writing(folder: Path, share: int) -> Iterator[Row]:
     asked = read_request(json.dumps(FETCH).encode(), discover(), load("lab"))
     assert isinstance(asked, Asked)
     ledger = SqliteLedger(folder / "written")
-    book = TaskBook(ledger, time.time, "bench", bound=10**9)
+    book = TaskBook(ledger, WallClock(SteppedClocks(), None), "bench", bound=10**9)
     plain, size = _plain(folder / "plain.sqlite"), len(_row_of(book, asked))
 
     def ours(count: int) -> None:

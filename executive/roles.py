@@ -143,10 +143,13 @@ def executive_node(
     site: Site,
     *,
     start: str,
+    host: str = "",
     ledger: Ledger | None = None,
     on_restart: OnRestart = "resume",
 ) -> Node:
     """Return the executive, with all tasks there are; ``start`` becomes a part of the tasks' ids.
+
+    ``host`` names this start of the host, within which its monotonic clock goes on.
 
     Without a ``ledger`` it keeps what it must not forget in memory.
     """
@@ -163,6 +166,7 @@ def executive_node(
         site,
         discover(),
         start=start,
+        host=host,
         version=version("tandem-executive"),
         ledger=ledger,
         policy=Policy(on_restart=on_restart),
@@ -351,16 +355,19 @@ def _keep_goals(settings: WorkerSettings, nodes: Sequence[Node]) -> None:
 def _executive(settings: WorkerSettings, bus: Bus, clocks: Clocks, site: Site) -> Node:
     from executive.ledger.sqlite import SqliteLedger  # noqa: PLC0415
     from executive.task_book import start_id  # noqa: PLC0415
+    from executive.wall_clock import host_start  # noqa: PLC0415
 
     ledger: Ledger | None = None if settings.data is None else SqliteLedger(Path(settings.data))
-    start = start_id(time.time())
     if settings.crash_at is not None or settings.crash_log is not None:
         from executive.campaigns.crash_points import CrashBus, CrashLedger, CrashPoints  # noqa: PLC0415
 
         log = None if settings.crash_log is None else Path(settings.crash_log)
         points = CrashPoints(settings.crash_at or "", log)
         bus, ledger = CrashBus(bus, points), None if ledger is None else CrashLedger(ledger, points)
-    return executive_node(bus, clocks, site, start=start, ledger=ledger, on_restart=settings.on_restart)
+    start, host = start_id(), host_start()
+    return executive_node(
+        bus, clocks, site, start=start, host=host, ledger=ledger, on_restart=settings.on_restart
+    )
 
 
 def _with_faults(settings: WorkerSettings, bus: Bus, clocks: Clocks) -> Bus:

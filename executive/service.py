@@ -30,6 +30,7 @@ from executive.task_book import KEPT, MAX_WAITING, TaskBook
 from executive.task_log import TaskLog
 from executive.turn import Turn
 from executive.verbs import Verbs
+from executive.wall_clock import WallClock
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
 from skills.ports.failure import Failure, FailureKind
@@ -84,6 +85,7 @@ class Executive:
         site: what is known beforehand.
         tasks: the kinds of request, by name (``trees.registry.discover()``).
         start: part of each task's id (``executive.task_book.start_id``); empty in lockstep.
+        host: names this start of the host (``executive.wall_clock.host_start``), for a ledger that lasts.
         version: of this program, told to who asks.
         ledger: what was accepted and what became of it; in memory unless given. Closed with the service.
         policy: how the service treats tasks.
@@ -100,6 +102,7 @@ class Executive:
         tasks: Mapping[str, TaskType[Message]],
         *,
         start: str = "",
+        host: str = "",
         version: str = "",
         ledger: Ledger | None = None,
         policy: Policy | None = None,
@@ -108,7 +111,8 @@ class Executive:
         self._policy = Policy() if policy is None else policy
         self.knowledge = Knowledge(bus, clocks, site)
         self.clients = Clients(bus, clocks, NAME, LedgerJournal(self._ledger))
-        self.book = TaskBook(self._ledger, clocks.utc, start, bound=self._policy.waiting)
+        self._wall = WallClock(clocks, self._ledger.reading(), host)
+        self.book = TaskBook(self._ledger, self._wall, start, bound=self._policy.waiting)
         self._bus, self._clocks, self._kinds, self._version = bus, clocks, dict(tasks), version
         self._turn: Turn | None = None
         self._last_tree = TreeSnapshot(task="", kind="", tick=0, root=_NO_TREE)
@@ -142,6 +146,7 @@ class Executive:
 
     def step(self) -> bool:
         """Answer whoever asks, then move the running task on."""
+        self.book.look_at_the_clock(self._clocks.monotonic())
         for task in self._intake.step():
             status = self.book.get(task)
             if status is not None and status.state is TaskState.QUEUED:
@@ -196,7 +201,11 @@ class Executive:
     def _prune(self) -> None:
         policy = self._policy
         keep = policy.keep_tasks if self._ledger.lasting else KEPT
-        self._ledger.prune(older_than=self._clocks.utc() - policy.keep_days * DAY, keep=keep)
+        # By their number tasks are forgotten in any case; by their age only on a clock that can tell it.
+        old = self._wall.utc() - policy.keep_days * DAY if self._wall.tells_age else 0.0
+        if not self._wall.tells_age:
+            _LOG.warning("no task is forgotten by its age: %s", self._wall.trouble())
+        self._ledger.prune(older_than=old, keep=keep)
 
     # The task under way.
 

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import logging
+import uuid
+from collections.abc import Mapping
 from typing import Final
 
 from executive.ledger.port import Entry, Ledger, LedgerError
+from executive.ledger.stubs import same_request
 from executive.requests import Asked
 from executive.states import FIRST, check
 from executive.task_queue import TaskQueue, Waiting
+from executive.wall_clock import WallClock
 from skills.ports.failure import Failure
 from skills.ports.message import RobotTime
 from skills.ports.tasks import Attempt, Problem, TaskAnswer, TaskState, TaskStatus
@@ -18,40 +22,38 @@ MAX_WAITING: Final = 1000
 KEPT: Final = 200
 """Ended tasks that are in memory, for ``task/list``; the ledger has all."""
 
-_DIGITS: Final = "0123456789abcdefghijklmnopqrstuvwxyz"
+_LOG = logging.getLogger(__name__)
+NOTE_EVERY: Final = 600.0
+"""Host seconds between two notes of the clocks in the ledger."""
 
 
-def start_id(utc: float) -> str:
-    """Return a name of this start of the executive: its UTC second to the base of 36.
+def start_id() -> str:
+    """Return a name of this start of the executive, drawn at random.
 
     Servers of skills journal the ids of goals, which begin with the task's. So a task's id must never come
-    again, not even when the ledger has been put away and numbers begin anew.
+    again: not when the ledger has been put away and numbers begin anew, not when an old copy of it was put
+    back, and not when the clock was. Within a ledger the number alone makes it unique.
     """
-    number, text = int(utc), ""
-    while number:
-        number, digit = divmod(number, len(_DIGITS))
-        text = _DIGITS[digit] + text
-    return text or "0"
+    return uuid.uuid4().hex[:8]
 
 
 class TaskBook:
-    """Every task that is known, by its id: ``<kind>-<start>-<number>``, such as ``fetch-tlr5k2-0001``.
+    """Every task that is known, by its id: ``<kind>-<start>-<number>``, such as ``fetch-5d1f0a7c-0001``.
 
     A change is written into the ledger at once and is on disk after ``keep``. Tell nobody before.
 
     Args:
         ledger: where all is written down.
-        utc: the clock of what is stored.
+        wall: the clock of what is stored, and of earliest and latest starts.
         start: name of this start of the executive (``start_id``); empty in lockstep, where a run has one
             start only and ids are ``fetch-0001``.
         bound: tasks that may wait.
     """
 
-    def __init__(
-        self, ledger: Ledger, utc: Callable[[], float], start: str = "", *, bound: int = MAX_WAITING
-    ) -> None:
+    def __init__(self, ledger: Ledger, wall: WallClock, start: str = "", *, bound: int = MAX_WAITING) -> None:
         self.queue = TaskQueue()
-        self._ledger, self._utc, self._start, self._bound = ledger, utc, start, bound
+        self._ledger, self._wall, self._start, self._bound = ledger, wall, start, bound
+        self._utc, self._noted_at = wall.utc, float("-inf")
         self._numbered = ledger.last_number()
         self._entries: dict[str, Entry] = {}
         self._ended: dict[str, TaskStatus] = {}
@@ -108,6 +110,18 @@ class TaskBook:
             raise
         self._fresh.clear()
 
+    def look_at_the_clock(self, now: float) -> None:
+        """Follow the wall clock; from time to time have the clocks on disk. ``now``: host seconds."""
+        self._wall.look()
+        if now - self._noted_at < NOTE_EVERY:
+            return
+        self._noted_at = now
+        try:
+            self._ledger.note(self._wall.reading())
+            self._ledger.commit()
+        except LedgerError:  # nobody was told: the next start knows an older time, and is the more careful
+            _LOG.exception("the clocks could not be noted")
+
     def drop_fresh(self) -> None:
         """Forget what was accepted and is not on disk."""
         for task in self._fresh:
@@ -122,7 +136,7 @@ class TaskBook:
     def put(self, task: str, asked: Asked) -> None:
         """Let a task wait, in its place."""
         entry = self._entries[task]
-        self.queue.put(task, asked, entry.status.priority, entry.number)
+        self.queue.put(task, asked, entry.status.priority, entry.number, begun=entry.status.begun > 0)
 
     # Questions.
 
@@ -151,7 +165,7 @@ class TaskBook:
     def all(self) -> tuple[TaskStatus, ...]:
         """Return those that have not ended and those that ended lately, oldest first."""
         known = [*self._ended.values(), *(entry.status for entry in self._entries.values())]
-        return tuple(sorted(known, key=lambda status: (status.accepted_at, _number(status.task))))
+        return tuple(sorted(known, key=lambda status: _number(status.task)))
 
     def ended_lately(self, tasks: tuple[TaskStatus, ...]) -> None:
         """Remember what ended before a restart; the oldest first."""
@@ -221,15 +235,15 @@ class TaskBook:
     def expire(self, now: RobotTime | None) -> tuple[TaskStatus, ...]:
         """End those whose latest start has gone by."""
         return tuple(
-            self.end(each.task, TaskState.EXPIRED, now) for each in self.queue.take_late(self._utc())
+            self.end(each.task, TaskState.EXPIRED, now) for each in self.queue.take_late(self._wall.earliest)
         )
 
     def next(self) -> Waiting | None:
         """Return the one whose turn it is, without taking it out."""
-        return self.queue.ready(self._utc())
+        return self.queue.ready(self._wall.earliest, self._wall.latest)
 
     def _no_room(self, asked: Asked) -> Problem | None:
-        last, now = asked.envelope.expires, self._utc()
+        last, now = asked.envelope.expires, self._wall.earliest
         if last is not None and last < now:
             return Problem(path="expires", expected=f"a time to come (it is {now:.0f})", found=f"{last:g}")
         if len(self.queue) < self._bound:
@@ -243,7 +257,7 @@ class TaskBook:
 
 
 def _again(asked: Asked, first: TaskStatus) -> TaskAnswer:
-    if asked.document == first.request:
+    if same_request(first.request, asked.document):
         return TaskAnswer(accepted=True, task=first.task, client_id=asked.client_id)
     found = f"that of {first.task}, which asks else"
     problem = Problem(path="id", expected="an id for each request", found=found)

@@ -20,6 +20,8 @@ class Waiting:
     """Its priority, turned round, and its number: the smallest comes first."""
     task: str = field(compare=False)
     asked: Asked = field(compare=False)
+    begun: bool = field(compare=False, default=False)
+    """Whether it has begun before: then it does not expire."""
 
     @property
     def priority(self) -> int:
@@ -33,8 +35,8 @@ class Waiting:
 
     @property
     def expires(self) -> float:
-        """UTC seconds of its latest start."""
-        last = self.asked.envelope.expires
+        """UTC seconds of its latest start; one that has begun has none."""
+        last = None if self.begun else self.asked.envelope.expires
         return NEVER if last is None else last
 
 
@@ -52,15 +54,20 @@ class TaskQueue:
     def __iter__(self) -> Iterator[Waiting]:
         return iter(self._waiting)
 
-    def put(self, task: str, asked: Asked, priority: int, number: int) -> None:
+    def put(self, task: str, asked: Asked, priority: int, number: int, *, begun: bool = False) -> None:
         """Put a task in at its place."""
-        entry = Waiting((-priority, number), task, asked)
+        entry = Waiting((-priority, number), task, asked, begun)
         insort(self._waiting, entry)
         self._first_end = min(self._first_end, entry.expires)
 
-    def ready(self, utc: float) -> Waiting | None:
-        """Return the one whose turn it is; None when none may start yet."""
-        return next((each for each in self._waiting if each.not_before <= utc), None)
+    def ready(self, earliest: float, latest: float) -> Waiting | None:
+        """Return the one whose turn it is; None when none may start yet.
+
+        Args:
+            earliest: UTC seconds before which it surely isn't.
+            latest: UTC seconds after which it surely isn't.
+        """
+        return next((each for each in self if each.not_before <= earliest and each.expires >= latest), None)
 
     def remove(self, task: str) -> Waiting | None:
         """Take a task out; None when it does not wait."""
@@ -73,14 +80,14 @@ class TaskQueue:
         """Give a task another priority; False when it does not wait."""
         found = self.remove(task)
         if found is not None:
-            self.put(task, found.asked, priority, found.rank[1])
+            self.put(task, found.asked, priority, found.rank[1], begun=found.begun)
         return found is not None
 
-    def take_late(self, utc: float) -> tuple[Waiting, ...]:
-        """Take out those whose latest start has gone by."""
-        if utc <= self._first_end:
+    def take_late(self, earliest: float) -> tuple[Waiting, ...]:
+        """Take out those whose latest start has surely gone by (``earliest``: see ``ready``)."""
+        if earliest <= self._first_end:
             return ()
-        late = tuple(each for each in self._waiting if each.expires < utc)
-        self._waiting = [each for each in self._waiting if each.expires >= utc]
+        late = tuple(each for each in self._waiting if each.expires < earliest)
+        self._waiting = [each for each in self._waiting if each.expires >= earliest]
         self._first_end = min((each.expires for each in self._waiting), default=NEVER)
         return late

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from executive.ledger.port import Entry, Ledger, SentGoal, Transition
+from executive.ledger.port import Entry, Ledger, Reading, SentGoal, Transition
 from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
 from skills.ports.tasks import AskHistory, History, TaskStatus
 
@@ -222,6 +222,14 @@ class CrashLedger:
     def last_number(self) -> int:
         """As the ledger."""
         return self.inner.last_number()
+
+    def reading(self) -> Reading | None:
+        """As the ledger."""
+        return self.inner.reading()
+
+    def note(self, reading: Reading) -> None:
+        """As the ledger."""
+        self.inner.note(reading)
 
     def prune(self, *, older_than: float, keep: int) -> int:
         """As the ledger."""

@@ -7,9 +7,12 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Final
 
-from executive.ledger.port import Entry, SentGoal, Transition
+from executive.ledger.port import Entry, Reading, SentGoal, Transition
+from executive.ledger.stubs import stub_of
 from skills.ports.tasks import AskHistory, History, TaskStatus
 
+KEPT_IDS: Final = 2000
+"""Clients' ids that are kept beyond the history, in memory."""
 PAST: Final = 20
 """Past durations of a kind's phase that count."""
 
@@ -27,6 +30,8 @@ class MemoryLedger:
         self._goals: dict[str, SentGoal] = {}
         self._past: dict[str, dict[str, deque[float]]] = {}
         self._number = 0
+        self._forgotten: dict[str, Entry] = {}  # by the client's id
+        self._reading: Reading | None = None
 
     def enter(self, entry: Entry) -> None:
         """Keep it."""
@@ -77,7 +82,7 @@ class MemoryLedger:
 
     def of_client(self, client_id: str) -> Entry | None:
         """Return it."""
-        return self._entries.get(self._clients.get(client_id, ""))
+        return self._entries.get(self._clients.get(client_id, "")) or self._forgotten.get(client_id)
 
     def history(self, asked: AskHistory) -> History:
         """Look through all."""
@@ -120,10 +125,23 @@ class MemoryLedger:
             each for place, each in enumerate(ended) if place < over or (each.ended_at or 0.0) < older_than
         ]
         for status in old:
+            if status.client_id:
+                stub = replace(self._entries[status.task], status=stub_of(status))
+                self._forgotten[status.client_id] = stub
             for kept in (self._entries, self._transitions, self._attempts):
                 kept.pop(status.task, None)
             self._clients.pop(status.client_id, None)
+        while len(self._forgotten) > KEPT_IDS:
+            del self._forgotten[next(iter(self._forgotten))]
         return len(old)
+
+    def reading(self) -> Reading | None:
+        """Return it."""
+        return self._reading
+
+    def note(self, reading: Reading) -> None:
+        """Keep it."""
+        self._reading = reading
 
     def close(self) -> None:
         """Do nothing."""

@@ -55,6 +55,20 @@ class SentGoal:
     action: str
 
 
+@dataclass(frozen=True)
+class Reading:
+    """The clocks as the ledger last knew them."""
+
+    utc: float
+    """Seconds since 1970, as plausible as they were."""
+    host: str
+    """Names the start of the host in which ``monotonic`` counts; empty: not known."""
+    monotonic: float
+    """Seconds of the host's monotonic clock at that moment."""
+    doubt: float = 0.0
+    """Host seconds at work for which ``utc`` is not to be trusted with the age of what is stored."""
+
+
 class Ledger(Protocol):
     """Every method raises ``LedgerError`` when the disk does not do what it should."""
 
@@ -99,7 +113,7 @@ class Ledger(Protocol):
         ...
 
     def of_client(self, client_id: str) -> Entry | None:
-        """Return the task of a client's own id."""
+        """Return the task of a client's own id, also one that is forgotten but for that."""
         ...
 
     def history(self, asked: AskHistory) -> History:
@@ -126,10 +140,20 @@ class Ledger(Protocol):
         """Return the highest number of an entry, 0 without any."""
         ...
 
+    def reading(self) -> Reading | None:
+        """Return the clocks as they were noted last; None in a new ledger."""
+        ...
+
+    def note(self, reading: Reading) -> None:
+        """Note the clocks."""
+        ...
+
     def prune(self, *, older_than: float, keep: int) -> int:
         """Forget tasks that ended before UTC seconds, and the oldest of more than ``keep`` ended ones.
 
-        Commits; returns how many were forgotten. A task that has not ended stays.
+        Of one with a client's id it stays known that it was asked for and how it ended, so that the same
+        request does not run again; whatever a clock says, only the number of those is bounded. Commits;
+        returns how many were forgotten. A task that has not ended stays.
         """
         ...
 

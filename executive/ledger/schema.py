@@ -46,6 +46,22 @@ MIGRATIONS: Final[tuple[tuple[str, ...], ...]] = (
         ) STRICT""",
         "CREATE INDEX past_of_kind ON past (kind, phase)",
     ),
+    (
+        # Of a task that is forgotten the row stays when a client named it: so that it does not run again.
+        "ALTER TABLE tasks ADD COLUMN forgotten INTEGER NOT NULL DEFAULT 0",
+        "DROP INDEX those_ended",
+        "CREATE INDEX those_ended ON tasks (ended_at) WHERE open = 0 AND forgotten = 0",
+        "CREATE INDEX those_forgotten ON tasks (number) WHERE forgotten = 1",
+        """CREATE TABLE clock (
+            one INTEGER PRIMARY KEY CHECK (one = 1),
+            utc REAL NOT NULL,               -- seconds
+            host TEXT NOT NULL,              -- names the start of the host
+            monotonic REAL NOT NULL,         -- seconds of that start
+            doubt REAL NOT NULL              -- seconds at work for which utc tells no age
+        ) STRICT""",
+        """INSERT INTO clock (one, utc, host, monotonic, doubt)
+            SELECT 1, max(at), '', 0.0, 0.0 FROM transitions HAVING count(*) > 0""",
+    ),
 )
 """By version: what leads from the one before to it. Add to the end; never change what was released."""
 

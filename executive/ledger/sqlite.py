@@ -15,8 +15,9 @@ from pathlib import Path
 from typing import Concatenate, Final, ParamSpec, TypeVar
 
 from executive.ledger.memory import PAST, split
-from executive.ledger.port import Entry, LedgerError, LedgerLockedError, SentGoal, Transition
+from executive.ledger.port import Entry, LedgerError, LedgerLockedError, Reading, SentGoal, Transition
 from executive.ledger.schema import MIGRATIONS
+from executive.ledger.stubs import KEPT_IDS, stub_of
 from executive.on_restart import OnRestart
 from skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
 
@@ -25,16 +26,17 @@ LOCK: Final = "ledger.lock"
 
 P = ParamSpec("P")
 T = TypeVar("T")
-_OLD: Final = (
-    "SELECT task FROM tasks WHERE open = 0 AND number < ? AND (ended_at < ? OR number IN "
-    "(SELECT number FROM tasks WHERE open = 0 ORDER BY number DESC LIMIT -1 OFFSET ?))"
-)
-_FORGET: Final = (
-    "DELETE FROM transitions WHERE task = ?",
-    "DELETE FROM goals WHERE task = ?",
-    "DELETE FROM tasks WHERE task = ?",
-)
 _ENTRY: Final = "SELECT number, on_restart, test_run, status FROM tasks"
+_OLD: Final = (
+    "SELECT number, on_restart, test_run, status FROM tasks "
+    "WHERE open = 0 AND forgotten = 0 AND number < ? AND (ended_at < ? OR number IN "
+    "(SELECT number FROM tasks WHERE open = 0 AND forgotten = 0 ORDER BY number DESC LIMIT -1 OFFSET ?))"
+)
+_FORGET: Final = ("DELETE FROM transitions WHERE task = ?", "DELETE FROM goals WHERE task = ?")
+_FORGET_IDS: Final = (
+    "DELETE FROM tasks WHERE number IN "
+    "(SELECT number FROM tasks WHERE forgotten = 1 ORDER BY number DESC LIMIT -1 OFFSET ?)"
+)
 
 
 def _told(
@@ -192,8 +194,8 @@ class SqliteLedger:
         """Read them."""
         states = ", ".join(f"'{state}'" for state in asked.states or tuple(TaskState))
         found = self._entries(
-            f"{_ENTRY} WHERE state IN ({states}) AND accepted_at >= ? AND (? = '' OR task = ?) "
-            "AND (? = 0 OR number < ?) ORDER BY number DESC LIMIT ?",
+            f"{_ENTRY} WHERE forgotten = 0 AND state IN ({states}) AND accepted_at >= ? "
+            "AND (? = '' OR task = ?) AND (? = 0 OR number < ?) ORDER BY number DESC LIMIT ?",
             (asked.since, asked.task, asked.task, asked.before, asked.before, asked.limit + 1),
         )
         tasks = tuple(entry.status for entry in found[: asked.limit])
@@ -237,12 +239,34 @@ class SqliteLedger:
         """Delete what is too old and what is too much, with all that belongs to it."""
         self.commit()
         newest = self.last_number()  # stays, so that its number never comes again
-        rows = self._db.execute(_OLD, (newest, older_than, keep)).fetchall()
-        for (task,) in rows:
+        old = self._entries(_OLD, (newest, older_than, keep))
+        for entry in old:
             for statement in _FORGET:
-                self._write(statement, (task,))
+                self._write(statement, (entry.status.task,))
+            if entry.status.client_id:
+                stub = stub_of(entry.status).model_dump_json()
+                self._write(
+                    "UPDATE tasks SET forgotten = 1, status = ? WHERE number = ?", (stub, entry.number)
+                )
+            else:
+                self._write("DELETE FROM tasks WHERE number = ?", (entry.number,))
+        self._write(_FORGET_IDS, (KEPT_IDS,))
         self.commit()
-        return len(rows)
+        return len(old)
+
+    @_told
+    def reading(self) -> Reading | None:
+        """Read it."""
+        row = self._db.execute("SELECT utc, host, monotonic, doubt FROM clock").fetchone()
+        return None if row is None else Reading(*row)
+
+    @_told
+    def note(self, reading: Reading) -> None:
+        """Write the row anew."""
+        self._write(
+            "INSERT OR REPLACE INTO clock (one, utc, host, monotonic, doubt) VALUES (1, ?, ?, ?, ?)",
+            (reading.utc, reading.host, reading.monotonic, reading.doubt),
+        )
 
     def take_back(self) -> None:
         """Forget what was written and not committed."""

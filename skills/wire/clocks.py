@@ -41,6 +41,8 @@ class SteppedClocks:
         """Start at zero."""
         self.boot = boot
         self.seconds = 0.0
+        self.wall = 0.0
+        """Seconds by which the wall clock is wrong."""
         self._unheard: float | None = None
 
     def advance(self, seconds: float, *, heard: bool = True) -> None:
@@ -61,5 +63,5 @@ class SteppedClocks:
         return self.seconds
 
     def utc(self) -> float:
-        """Return the simulated seconds."""
-        return self.seconds
+        """Return the simulated seconds, and what the wall clock is wrong by."""
+        return self.seconds + self.wall

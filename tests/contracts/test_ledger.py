@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from executive.ledger.memory import PAST, MemoryLedger
-from executive.ledger.port import Entry, Ledger, SentGoal, Transition
+from executive.ledger.port import Entry, Ledger, Reading, SentGoal, Transition
 from executive.ledger.sqlite import SqliteLedger
+from executive.ledger.stubs import same_request
 from skills.ports.tasks import AskHistory, TaskState, TaskStatus
 
 S = TaskState
@@ -147,7 +148,31 @@ def test_old_ones_are_forgotten_by_age_and_number(
     assert "".join(each.task[-1] for each in reversed(ledger.history(AskHistory()).tasks)) == left
     gone = set("12345") - set(left)
     assert [ledger.transitions(f"wait-000{number}") for number in gone] == [()] * len(gone)
-    assert [ledger.of_client(f"c{number}") for number in gone] == [None] * len(gone)
+
+
+def test_a_clients_id_is_known_after_its_task_is_forgotten(ledger: Ledger) -> None:
+    """So that the same request does not run a second time, whatever has been forgotten."""
+    for number in range(1, 4):
+        asked = entry(number, client_id=f"c{number}" if number > 1 else "")
+        ledger.enter(asked)
+        ledger.change(asked.status.model_copy(update={"state": S.SUCCEEDED, "ended_at": 200.0}), 200.0)
+    ledger.enter(entry(4))
+    assert ledger.prune(older_than=1e9, keep=0) == 3
+    ledger = again(ledger)
+    assert [each.task for each in ledger.history(AskHistory()).tasks] == ["wait-0004"]
+    known = ledger.of_client("c2")
+    assert known is not None
+    assert (known.status.task, known.status.state) == ("wait-0002", S.SUCCEEDED)
+    assert same_request(known.status.request, entry(2, client_id="c2").status.request)
+    assert not same_request(known.status.request, {"task": "other"})
+    assert ledger.prune(older_than=1e9, keep=0) == 0
+
+
+def test_the_clocks_are_noted(ledger: Ledger) -> None:
+    assert ledger.reading() is None
+    ledger.note(Reading(utc=5.0, host="a", monotonic=1.0, doubt=2.0))
+    ledger.note(Reading(utc=6.0, host="a", monotonic=2.0, doubt=1.0))
+    assert again(ledger).reading() == Reading(utc=6.0, host="a", monotonic=2.0, doubt=1.0)
 
 
 def test_a_number_never_comes_again(ledger: Ledger) -> None:

@@ -36,7 +36,7 @@ def main(port: str, duration: str, parts: str) -> None:
         nodes.append(MockRobot(robot_bus, robot_clocks, site, items=items, duration=float(duration)))
     if "executive" in parts:
         doors = Doors(bus, clocks)
-        executive = Executive(doors, clocks, site, discover(), start=start_id(time.time()), version="test")
+        executive = Executive(doors, clocks, site, discover(), start=start_id(), version="test")
         doors.tasks = executive.book.all
         nodes.append(executive)
     sys.stdout.write("ready\n")

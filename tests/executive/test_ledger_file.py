@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from executive.ledger.port import Entry, LedgerError, LedgerLockedError
+from executive.ledger.port import Entry, LedgerError, LedgerLockedError, Reading
 from executive.ledger.schema import MIGRATIONS, VERSION
 from executive.ledger.sqlite import FILE, SqliteLedger
 from skills.ports.tasks import TaskState, TaskStatus
@@ -152,6 +152,21 @@ def test_a_file_of_an_older_version_is_brought_up_with_all_that_is_in_it(tmp_pat
     ledger = SqliteLedger(tmp_path, newer)
     assert [each.number for each in ledger.open_entries()] == [1]
     assert ledger._db.execute("PRAGMA user_version").fetchone() == (VERSION + 1,)
+    ledger.close()
+
+
+def test_a_file_of_the_first_version_knows_the_time_of_its_last_entry(tmp_path: Path) -> None:
+    folder = tmp_path
+    with sqlite3.connect(folder / FILE) as file:
+        for statement in MIGRATIONS[0]:
+            file.execute(statement)
+        file.execute("PRAGMA user_version = 1")
+        file.execute(
+            "INSERT INTO transitions (task, state, at) VALUES ('a', 'QUEUED', 5.0), ('a', 'RUNNING', 7.0)"
+        )
+    file.close()
+    ledger = SqliteLedger(folder)
+    assert ledger.reading() == Reading(utc=7.0, host="", monotonic=0.0)
     ledger.close()
 
 

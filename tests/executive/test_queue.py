@@ -83,6 +83,39 @@ def test_what_has_waited_too_long_has_expired(here: Surroundings) -> None:
     assert here.told()[-1].state is S.EXPIRED
 
 
+def test_a_clock_that_jumps_neither_ends_nor_begins_what_depends_on_it(here: Surroundings) -> None:
+    """For one second it is an hour too late: what has half an hour yet has it afterwards, too."""
+    here.ask(WAIT)
+    soon = here.ask({**WAIT, "expires": 1800.0}).task
+    later = here.ask({**WAIT, "not_before": 1800.0}).task
+    free = here.ask(WAIT).task
+    here.clocks.wall = 3600.0
+    here.world(1)
+    here.step(10, seconds=0.1)
+    states = [state(here, each) for each in (soon, later, free)]
+    assert states == [S.QUEUED, S.QUEUED, S.SUCCEEDED]
+    here.clocks.wall = 0.0
+    here.step(5, seconds=0.1)
+    assert [state(here, each) for each in (soon, later)] == [S.SUCCEEDED, S.QUEUED]
+    here.step(1, seconds=1800.0)
+    here.step(5)
+    assert state(here, later) is S.SUCCEEDED
+
+
+def test_a_task_that_has_begun_does_not_expire(here: Surroundings) -> None:
+    """It makes room for another one, and its latest start goes by meanwhile."""
+    here = Surroundings(kinds={"wait": Surroundings().kinds["wait"], "open": KIND})
+    low = here.ask({"task": "open", "item": 29, "expires": 5.0}).task
+    urgent = here.ask({**WAIT, "priority": 5}).task
+    here.step(3)
+    assert (state(here, low), state(here, urgent)) == (S.QUEUED, S.RUNNING)
+    here.step(10, seconds=1.0)
+    assert state(here, low) is S.QUEUED
+    here.cancel(urgent)
+    here.step(3)
+    assert state(here, low) is S.RUNNING
+
+
 @pytest.mark.parametrize(
     ("said", "path"),
     [

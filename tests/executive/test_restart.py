@@ -13,7 +13,15 @@ from executive.service import Policy
 from skills.ports.action import GoalState
 from skills.ports.failure import FailureKind
 from skills.ports.skill import Command
-from skills.ports.tasks import TASK_ANSWER, TASK_PAUSE, TASK_RESUME, AnswerQuestion, TaskState, TaskStatus
+from skills.ports.tasks import (
+    TASK_ANSWER,
+    TASK_PAUSE,
+    TASK_RESUME,
+    AnswerQuestion,
+    AskHistory,
+    TaskState,
+    TaskStatus,
+)
 
 S = TaskState
 WAIT = {"task": "wait", "item": 29}
@@ -189,6 +197,61 @@ def test_an_executive_that_is_ended_keeps_what_waits_and_what_runs(here: Surroun
     here.end.close()
     here.begin()
     assert states(here) == {tasks[0]: S.RUNNING, tasks[1]: S.QUEUED}
+
+
+YEAR = 365 * 86_400.0
+
+
+def test_one_start_with_a_clock_a_year_ahead_forgets_nothing(here: Surroundings) -> None:
+    here.policy = Policy(keep_days=1.0)
+    here.world(1)
+    mine = {**WAIT, "id": "mine"}
+    first = here.ask(mine)
+    late = here.ask(
+        {**WAIT, "expires": here.clocks.utc() + 1800.0, "not_before": here.clocks.utc() + 60.0}
+    ).task
+    here.step(5)
+    for wall in (YEAR, 0.0):
+        here.clocks.wall = wall
+        restart(here)
+        here.step(3)
+        assert status(here, first.task).state is S.SUCCEEDED
+        assert states(here)[late] is S.QUEUED
+        assert here.ask(mine) == first
+        assert here.executive.idle or states(here)[late] is S.QUEUED
+
+
+def test_a_clients_id_does_not_run_twice_although_its_task_is_forgotten(here: Surroundings) -> None:
+    here.policy = Policy(keep_tasks=0)
+    here.world(1)
+    mine = {**WAIT, "id": "mine"}
+    first = here.ask(mine)
+    here.ask(WAIT)
+    here.step(5)
+    restart(here)
+    assert here.kept.history(AskHistory(task=first.task)).tasks == ()
+    assert here.ask(mine) == first
+    assert not here.ask({**mine, "weight": 2.0}).accepted
+    assert here.executive.idle
+
+
+def test_a_task_that_had_begun_and_waits_again_does_not_expire_over_a_restart(here: Surroundings) -> None:
+    task = here.ask({**WAIT, "expires": 5.0}).task
+    here.executive.running.make_room()
+    here.step()
+    restart(here)
+    here.step(1, seconds=10.0)
+    assert states(here)[task] in {S.QUEUED, S.RUNNING}
+
+
+def test_a_clock_that_is_set_back_repeats_no_id(here: Surroundings) -> None:
+    here.world(1)
+    ids = {here.ask(WAIT).task}
+    for _ in range(3):
+        here.clocks.wall -= 1000.0
+        restart(here)
+        ids.add(here.ask(WAIT).task)
+    assert len(ids) == 4
 
 
 def test_a_request_that_can_not_be_written_is_refused_and_the_next_is_taken(here: Surroundings) -> None:

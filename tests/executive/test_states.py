@@ -12,14 +12,16 @@ from executive.ledger.memory import MemoryLedger
 from executive.requests import Asked
 from executive.states import FIRST, LEADS_TO, WrongTransitionError, check, table
 from executive.task_book import TaskBook
+from executive.wall_clock import WallClock
 from skills.ports.tasks import TaskState
+from skills.wire.clocks import SteppedClocks
 from tests.executive.surroundings import WAIT, WaitRequest
 
 ROOT = Path(__file__).parents[2]
 
 
 def book() -> TaskBook:
-    return TaskBook(MemoryLedger(), lambda: 0.0)
+    return TaskBook(MemoryLedger(), WallClock(SteppedClocks(), None))
 
 
 def queued(tasks: TaskBook) -> str:
