@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
+from skills.ports.match import matches
 from skills.wire.keyed_queue import DESK_DEPTH
-from skills.wire.match import matches
 
 
 @dataclass(frozen=True)

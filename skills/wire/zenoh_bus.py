@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
 import zenoh
 
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
+from skills.ports.delivery import LARGE, Delivery, delivery_of
 from skills.wire.configs import client_config
 from skills.wire.credentials import Credentials
 from skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
@@ -21,12 +22,29 @@ from skills.wire.memory import MemorySample
 from skills.wire.pulse import BEAT, SILENT_AFTER, Pulse
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
-BULK: Final = 64 * 1024
-"""Payloads above this many bytes are never dropped by a full queue: a picture is all or nothing."""
+PUBLISHERS: Final = 256
+"""Keys whose publisher stays declared: a process has a few dozen, the executive one for each task."""
 
 
-STREAMS: Final = ("hw/", BEAT)
-"""Keys whose messages are followed by newer ones."""
+@dataclass(frozen=True)
+class Means:
+    """What zenoh does for one way of delivery."""
+
+    congestion: zenoh.CongestionControl
+    priority: zenoh.Priority
+    express: bool
+    """Whether it is sent at once, not gathered with others for a millisecond."""
+
+
+_SMALL: Final = Means(zenoh.CongestionControl.DROP, zenoh.Priority.DATA, express=True)
+MEANS: Final[Mapping[Delivery, Means]] = {
+    Delivery.CONTROL: _SMALL,
+    Delivery.STATE: _SMALL,
+    Delivery.BULK: Means(zenoh.CongestionControl.BLOCK_FIRST, zenoh.Priority.DATA_LOW, express=False),
+}
+"""Nothing here blocks. ``DROP`` gives up after 1 ms without room on the way out. A picture is four times as
+large as that: with ``BLOCK_FIRST`` one is passed on beside the publisher's own thread, and those that come
+before it is through are dropped."""
 
 
 class BusError(ConnectionError):
@@ -188,7 +206,7 @@ class ZenohBus:
         self.waker = waker or Waker()
         self._prefix = prefix
         self._session = open_session(client_config(endpoint, patience, credentials), endpoint)
-        self._publishers: dict[str, zenoh.Publisher] = {}
+        self._publishers: dict[tuple[str, Delivery], zenoh.Publisher] = {}
         self._tokens: list[zenoh.LivelinessToken] = []
         self._names: dict[str, None] = {}
         self._own: list[str] = []
@@ -200,15 +218,9 @@ class ZenohBus:
 
     def publish(self, key: str, payload: bytes) -> None:
         """Send to all who subscribed."""
-        if len(payload) > BULK:
-            self._session.put(
-                f"{self._prefix}/{key}",
-                payload,
-                congestion_control=zenoh.CongestionControl.BLOCK,
-                priority=zenoh.Priority.DATA_LOW,
-            )
-        else:
-            self._publisher(key).put(payload)
+        # What is larger than the way out goes as pictures do, whatever it is.
+        how = Delivery.BULK if len(payload) > LARGE else delivery_of(key)
+        self._publisher(key, how).put(payload)
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
         """Receive what is put on the key expression from now on."""
@@ -232,6 +244,8 @@ class ZenohBus:
             payload=payload,
             timeout=timeout,
             express=True,
+            # The answer goes the same way: neither waits for who does not read.
+            congestion_control=zenoh.CongestionControl.DROP,
         )
         return pending
 
@@ -254,7 +268,7 @@ class ZenohBus:
 
     def listened(self, key: str) -> bool:
         """Say whether anybody subscribes to the key."""
-        status = self._publisher(key).matching_status
+        status = self._publisher(key, delivery_of(key)).matching_status
         # zenoh's type hints promise a bool, its library gives an object that holds one.
         return bool(getattr(status, "matching", status))
 
@@ -266,7 +280,7 @@ class ZenohBus:
     def beat(self) -> None:
         """Show that this process goes on; called once a turn by its loop, and by nothing else."""
         if self._pulse.turn():
-            self._publisher(BEAT).put("\n".join(self._own))
+            self._publisher(BEAT, Delivery.CONTROL).put("\n".join(self._own))
 
     def alive(self) -> frozenset[str]:
         """Return the names that are announced now."""
@@ -294,17 +308,19 @@ class ZenohBus:
         if not self._session.is_closed():
             self._session.close()  # type: ignore[no-untyped-call]
 
-    def _publisher(self, key: str) -> zenoh.Publisher:
-        publisher = self._publishers.get(key)
+    def _publisher(self, key: str, how: Delivery) -> zenoh.Publisher:
+        publisher = self._publishers.pop((key, how), None)
         if publisher is None:
-            # A reading of a sensor is followed by the next one and may be dropped where the way is full; what
-            # is said once, such as a goal's end, may not.
-            stream = key.startswith(STREAMS)
-            control = zenoh.CongestionControl.DROP if stream else zenoh.CongestionControl.BLOCK
+            means = MEANS[how]
             publisher = self._session.declare_publisher(
-                f"{self._prefix}/{key}", express=True, congestion_control=control
+                f"{self._prefix}/{key}",
+                express=means.express,
+                congestion_control=means.congestion,
+                priority=means.priority,
             )
-            self._publishers[key] = publisher
+        self._publishers[(key, how)] = publisher  # the one used last stands last
+        if len(self._publishers) > PUBLISHERS:
+            self._publishers.pop(next(iter(self._publishers))).undeclare()  # type: ignore[no-untyped-call]
         return publisher
 
     def _on_liveliness(self, sample: zenoh.Sample) -> None:

@@ -8,8 +8,8 @@ from executive.interface_doc import all_entries
 from executive.security.rights import rights_of
 from executive.security.role import PARTS, ROLES
 from skills.ports.keys import Service, Topic
+from skills.ports.match import matches
 from skills.ports.message import Message
-from skills.wire.match import matches
 
 EVERYBODY = [rights_of(role) for role in ROLES if role != "robot"] + [
     rights_of("robot", part) for part in PARTS

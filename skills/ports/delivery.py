@@ -1,0 +1,67 @@
+"""How what is published on a key is delivered. One rule for all: a publisher never waits for a reader.
+
+A reader that is stopped in a debugger, or behind a cable that was pulled, would otherwise hold up the clock
+and the dead man's switch of everybody. What differs is what a reader misses that can't keep up:
+
+- ``CONTROL``: a stream whose next message makes up for the last one. Latest wins.
+- ``STATE``: said when it changes, and again or when asked for, so that a reader that missed it is not wrong
+  for ever.
+- ``BULK``: pictures. One at a time is on its way to a reader, whole or not at all; those that come meanwhile
+  are not for that reader.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from functools import lru_cache
+from typing import Final
+
+from skills.ports.match import matches
+
+LARGE: Final = 512 * 1024
+"""Bytes of a payload above which it goes as bulk, whatever it is: half of what may wait on the way to a
+reader (``skills/wire/configs.py``)."""
+
+
+class Delivery(StrEnum):
+    """What may be missed, and whether it can be asked for."""
+
+    CONTROL = "control"
+    STATE = "state"
+    BULK = "bulk"
+
+
+DELIVERY: Final[tuple[tuple[str, Delivery], ...]] = (
+    ("hw/camera/*/rgbd", Delivery.BULK),
+    ("beat", Delivery.CONTROL),
+    ("hw/clock", Delivery.CONTROL),
+    ("hw/joints/state", Delivery.CONTROL),
+    ("hw/base/velocity", Delivery.CONTROL),
+    ("hw/base/odometry", Delivery.CONTROL),
+    ("hw/base/laser", Delivery.CONTROL),
+    ("hw/group/*/setpoint", Delivery.CONTROL),
+    ("hw/gripper/*/state", Delivery.CONTROL),
+    ("hw/wrench/*", Delivery.CONTROL),
+    ("hw/base/bumpers", Delivery.STATE),
+    ("hw/group/*/status", Delivery.STATE),
+    ("hw/stop/state", Delivery.STATE),
+    ("world/robot", Delivery.CONTROL),
+    ("world/**", Delivery.STATE),
+    ("skill/*/approach_state", Delivery.CONTROL),
+    ("skill/reflex/crossing", Delivery.CONTROL),
+    ("skill/**", Delivery.STATE),
+    ("task/request", Delivery.CONTROL),
+    ("task/by/**", Delivery.CONTROL),
+    ("task/pulse", Delivery.CONTROL),
+    ("task/**", Delivery.STATE),
+    ("tree/**", Delivery.STATE),
+    ("sim/follow", Delivery.CONTROL),
+    ("sim/**", Delivery.STATE),
+)
+"""The first expression that a key matches counts. One that none matches, such as a plug-in's, is a state."""
+
+
+@lru_cache(maxsize=4096)  # each message asks; keys are few, but a client's documents may name any
+def delivery_of(key: str) -> Delivery:
+    """Return how what is published on the key (relative to ``<site>/<robot>``) is delivered."""
+    return next((how for expression, how in DELIVERY if matches(expression, key)), Delivery.STATE)
