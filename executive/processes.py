@@ -21,6 +21,7 @@ from typing import IO, Final, Self
 
 from executive.parts import OBSERVER, ROLES
 from executive.settings import REFUSED, UNKEPT, WAIT, WorkerSettings
+from executive.telemetry.log_files import trim
 
 ENDS_WITHIN: Final = 5.0
 """Seconds that a process has for its own end; then it is killed."""
@@ -37,6 +38,8 @@ RESTARTS: Final = 3
 """Times that a process is started again ..."""
 RESTARTS_WITHIN: Final = 60.0
 """... in so many seconds; one that dies more often has a fault that no new start mends."""
+TRIM_EVERY: Final = 1.0
+"""Seconds between two looks at the size of the logs: within one a process writes some MB at the most."""
 SPARE_AFTER: Final = 2.0
 """Seconds after a start at which its spare is made: the start itself needs the processor more."""
 
@@ -97,6 +100,8 @@ class Supervisor:
     """Processes by role that have loaded all that their role needs, and wait to be told their settings."""
     _spare_at: dict[str, float] = field(default_factory=dict)
     """Roles that shall have a spare, and when the next is made (monotonic seconds)."""
+    _trim_at: float = 0.0
+    """When the size of the logs is looked at next (monotonic seconds)."""
 
     def __enter__(self) -> Self:
         """Start with no process."""
@@ -171,12 +176,16 @@ class Supervisor:
         child.stream.close()
 
     def tidy(self) -> None:
-        """See to the followers of processes that were started again, and to spares. Never waits."""
+        """End the followers of processes that were replaced, make spares, trim long logs. Never waits."""
         now = time.monotonic()
         for group, end in tuple(self._orphans.items()):
             if not _tell_group(group, signal.SIGKILL if now > end else 0):
                 del self._orphans[group]
         self._make_spares()
+        if now >= self._trim_at:
+            self._trim_at = now + TRIM_EVERY
+            for log in {child.log for child in self.children}:
+                trim(log)
 
     def end(self) -> None:
         """Tell all to end and kill those that don't: the executive first, so that its goals come to rest.

@@ -319,6 +319,8 @@ def _play_node(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bo
         node = _executive(settings, faulty, clocks, site)
         run("executive", bus, clocks, [node], stopped)
         return
+    if settings.data is not None:
+        Path(settings.data).mkdir(parents=True, exist_ok=True)
     compute = ProcessCompute(bus.waker.wake)
     try:
         at = Surroundings(
@@ -344,9 +346,7 @@ def _keep_goals(settings: WorkerSettings, nodes: Sequence[Node]) -> None:
     from skills.goal_journal import GoalJournal  # noqa: PLC0415
     from skills.server import ActionServer  # noqa: PLC0415
 
-    folder = Path(settings.data)
-    folder.mkdir(parents=True, exist_ok=True)
-    journal = GoalJournal(folder / f"{settings.role}.goals")
+    journal = GoalJournal(Path(settings.data) / f"{settings.role}.goals")
     for node in nodes:
         if isinstance(node, ActionServer):
             node.keep(journal)

@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
-from typing import IO, Final, Protocol, Self
+from typing import Final, Protocol, Self
 
 from executive.hung import HUNG_AFTER, Hung
 from executive.options import RunOptions
@@ -16,6 +16,7 @@ from executive.parts import OBSERVER, ROLES, Role
 from executive.processes import RESTARTED, Death, Supervisor
 from executive.security.identity import Identity
 from executive.settings import UNKEPT, WorkerSettings
+from executive.telemetry.log_files import UserLog
 from executive.telemetry.relay import LogRelay
 from sim.chatter import unheard
 from sim.scenario import Scenario, load_scenario
@@ -197,11 +198,12 @@ class ProcessSystem:
         self._logs.close()
         self._folder.cleanup()
 
-    def _log_sinks(self) -> tuple[IO[str], ...]:
-        sinks: list[IO[str]] = [sys.stderr] if self._options.verbose else []
+    def _log_sinks(self) -> tuple[Callable[[str], None], ...]:
+        sinks: list[Callable[[str], None]] = [_to_stderr] if self._options.verbose else []
         if self._options.log is not None:
-            self._options.log.parent.mkdir(parents=True, exist_ok=True)
-            sinks.append(self._logs.enter_context(self._options.log.open("a", encoding="utf-8")))
+            file = UserLog(self._options.log)
+            self._logs.callback(file.close)
+            sinks.append(file.write)
         return tuple(sinks)
 
     def _start(self) -> None:
@@ -263,6 +265,7 @@ class ProcessSystem:
 
     def _settings(self, role: Role) -> WorkerSettings:
         options = self._options
+        data = options.data or Path(self._folder.name)
         return WorkerSettings(
             role=role,
             endpoint=options.bus.endpoint,
@@ -273,8 +276,8 @@ class ProcessSystem:
             seed=options.seed,
             speed=options.speed,
             gui=options.gui,
-            journal=str(Path(self._folder.name) / "held.jsonl") if role == "keeper" else None,
-            data=str(options.data or self._folder.name),
+            journal=str(data / "held.jsonl") if role == "keeper" else None,
+            data=str(data),
             on_restart=options.on_restart,
             verbose=options.verbose,
             log_format=options.log_format,
@@ -303,8 +306,8 @@ class ProcessSystem:
             raise LedgerFailure(words) if unkept else SystemFailure(words)
         if self._ready:
             self._kill_hung()
-        self.supervisor.tidy()
         self._relay.step()
+        self.supervisor.tidy()
 
     def _kill_hung(self) -> None:
         """Kill who hangs for too long; the next look finds it dead, and starts it again."""
@@ -313,6 +316,11 @@ class ProcessSystem:
         for name in self._hung.look(restarted & self.bus.alive(), self.bus.awake()):
             self._say(f"the {names[name].role} process hangs; it is killed")
             names[name].process.kill()
+
+
+def _to_stderr(line: str) -> None:
+    sys.stderr.write(f"{line}\n")
+    sys.stderr.flush()
 
 
 def wait_for(system: System, pending: Pending, within: float) -> bytes | None:

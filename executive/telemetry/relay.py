@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import json
 import logging
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import IO
 
 from executive.parts import LogFormat
 from executive.telemetry.logs import JsonLines
@@ -23,12 +22,12 @@ class LogRelay:
 
     Args:
         folder: where each process writes a log of its own (``*.log``).
-        sinks: where the lines go.
+        sinks: take a line each.
         form: what the processes write.
     """
 
     folder: Path
-    sinks: tuple[IO[str], ...]
+    sinks: tuple[Callable[[str], None], ...]
     form: LogFormat = "text"
     _read: dict[Path, int] = field(default_factory=dict)
 
@@ -40,9 +39,11 @@ class LogRelay:
             self._relay(log, last=last)
 
     def _relay(self, log: Path, *, last: bool) -> None:
-        start = self._read.get(log, 0)
-        if log.stat().st_size == start:
+        start, size = self._read.get(log, 0), log.stat().st_size
+        if size == start:
             return
+        if size < start:  # begun anew (`executive.telemetry.log_files`)
+            start = 0
         with log.open("rb") as stream:
             stream.seek(start)
             text = stream.read()
@@ -50,8 +51,7 @@ class LogRelay:
         self._read[log] = start + len(whole)
         for line in self._lines(log.stem, whole.decode("utf-8", "replace")):
             for sink in self.sinks:
-                sink.write(f"{line}\n")
-                sink.flush()
+                sink(line)
 
     def _lines(self, role: str, text: str) -> Iterator[str]:
         for line in text.splitlines():

@@ -158,11 +158,17 @@ class Beliefs:
                 return name
 
     def wake(self, boot: str) -> None:
-        """Take in which boot of the hardware this is: what stood about before another one is not believed."""
+        """Take in which boot of the hardware this is.
+
+        Nobody knows what happened in the room while the hardware was off, so nothing that stood about is
+        believed any more, placed items included: the camera sees them again. What is in a hand stays
+        believed, because the hand itself says when it is empty.
+        """
         if boot == self._boot:
             return
-        firm = {held.item for held in self._held.values()} | set(self._placed)
-        self._items = {number: fact for number, fact in self._items.items() if number in firm}
+        held = {each.item for each in self._held.values()}
+        self._items = {number: fact for number, fact in self._items.items() if number in held}
+        self._placed.clear()
         self._removed.clear()
         self._clutter, self._boot = (), boot
         self.version += 1

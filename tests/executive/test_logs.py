@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import logging
 import sys
@@ -11,6 +10,7 @@ from pathlib import Path
 import pytest
 from surroundings import Surroundings
 
+from executive.telemetry.log_files import UserLog, trim
 from executive.telemetry.logs import formatter
 from executive.telemetry.relay import LogRelay
 
@@ -75,8 +75,8 @@ def test_a_tasks_changes_are_logged_with_its_id(caplog: pytest.LogCaptureFixture
 
 
 def test_logs_of_processes_come_together_line_by_line(tmp_path: Path) -> None:
-    sink = io.StringIO()
-    relay = LogRelay(tmp_path, (sink,))
+    told: list[str] = []
+    relay = LogRelay(tmp_path, (told.append,))
     base, keeper = tmp_path / "base.log", tmp_path / "keeper.log"
     base.write_text("one\ntw")
     relay.step()
@@ -85,15 +85,45 @@ def test_logs_of_processes_come_together_line_by_line(tmp_path: Path) -> None:
     with base.open("a") as more:
         more.write("o\nlast")
     relay.step()
-    assert sink.getvalue() == "one\nthree\ntwo\n"
+    assert told == ["one", "three", "two"]
     relay.step(last=True)
-    assert sink.getvalue().endswith("two\nlast\n")
+    assert told[3:] == ["last"]
 
 
 def test_what_a_library_prints_becomes_json_too(tmp_path: Path) -> None:
-    sink = io.StringIO()
+    told: list[str] = []
     (tmp_path / "hardware.log").write_text('pybullet build time: May\n\n{"event": "goal ended"}\n')
-    LogRelay(tmp_path, (sink,), "json").step()
-    printed, logged = (json.loads(line) for line in sink.getvalue().splitlines())
+    LogRelay(tmp_path, (told.append,), "json").step()
+    printed, logged = map(json.loads, told)
     assert (printed["role"], printed["event"]) == ("hardware", "pybullet build time: May")
     assert logged == {"event": "goal ended"}
+
+
+def test_a_log_that_has_grown_too_large_begins_anew_while_its_process_writes_on(tmp_path: Path) -> None:
+    told: list[str] = []
+    relay, log = LogRelay(tmp_path, (told.append,)), tmp_path / "base.log"
+    with log.open("ab", buffering=0) as stream:
+        stream.write(b"first\n" * 20)
+        relay.step()
+        assert trim(log, limit=100)
+        stream.write(b"second\n")
+        relay.step()
+    assert log.read_text() == "second\n"
+    assert (tmp_path / "base.log.1").read_text() == "first\n" * 20
+    assert told == ["first"] * 20 + ["second"]
+
+
+def test_a_log_that_is_short_stays_as_it_is(tmp_path: Path) -> None:
+    (tmp_path / "base.log").write_text("first\n")
+    assert not trim(tmp_path / "base.log", limit=100)
+
+
+def test_the_users_log_keeps_the_newest_lines_in_a_bounded_number_of_files(tmp_path: Path) -> None:
+    log = UserLog(tmp_path / "logs" / "tandem.log", limit=1000)
+    for number in range(2000):
+        log.write(f"line {number}")
+    log.close()
+    files = sorted(each.name for each in (tmp_path / "logs").iterdir())
+    assert files == ["tandem.log", *(f"tandem.log.{number}" for number in range(1, 5))]
+    assert all(each.stat().st_size <= 1000 for each in (tmp_path / "logs").iterdir())
+    assert (tmp_path / "logs" / "tandem.log").read_text().splitlines()[-1] == "line 1999"

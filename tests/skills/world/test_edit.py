@@ -192,6 +192,31 @@ def test_what_the_camera_saw_outlives_the_keeper_but_not_the_hardwares_boot(
     assert [each.item for each in scene.objects if each.kind == "item"] == known
 
 
+@pytest.mark.parametrize(("boot", "placed"), [("b", [29]), ("c", [])])
+def test_what_lies_in_a_slot_outlives_the_keeper_but_not_the_hardwares_boot(
+    tmp_path: Path, boot: str, placed: list[int]
+) -> None:
+    """Believed over a boot, a simulated room that begins anew had its items delivered before anyone moved."""
+    desk = Desk(tmp_path / "journal")
+    desk.edit(E.ATTACH, 29, side="left", item_in_tool=Pose())
+    desk.edit(E.DETACH, 29, side="left", item_in_map=POSE, depot="depot", slot=0)
+    again = Desk(tmp_path / "journal", boot)
+    again.step()
+    world = again.world.refresh()
+    assert world is not None
+    assert [each.item for each in world.placed] == placed
+
+
+@pytest.mark.parametrize("boot", ["b", "c"])
+def test_what_is_in_a_hand_outlives_the_keeper_and_the_hardwares_boot(tmp_path: Path, boot: str) -> None:
+    Desk(tmp_path / "journal").edit(E.ATTACH, 29, side="left", item_in_tool=Pose())
+    again = Desk(tmp_path / "journal", boot)
+    again.step()
+    world = again.world.refresh()
+    assert world is not None
+    assert [(each.side, each.item) for each in world.held] == [("left", 29)]
+
+
 def test_who_comes_late_is_told_at_once() -> None:
     desk = Desk()
     desk.step()
