@@ -104,6 +104,7 @@ class LastingRobot:
             CLOCK.publish(self.bus, Clock(stamp=stamp, tick=self._ticks))
         for request in self._desk.drain():
             self._become(self._first)
+            self.robot.forget_calls()
             self._keep()
             request.reply(Reset().model_dump_json().encode())
         if now - self._told_at > 1.0:

@@ -43,6 +43,7 @@ def add_to(app: typer.Typer) -> None:
     campaigns.command("recovery")(recovery)
     campaigns.command("crash")(crash)
     campaigns.command("fuzz")(fuzz)
+    campaigns.command("soak")(soak)
     app.add_typer(campaigns, name="campaign")
 
 
@@ -275,3 +276,47 @@ def _crash_line(run: CrashRun) -> str:
     how = f"{run.point} ({'killed there' if kills else 'not passed'})" if run.point else kills
     end = "ok" if not run.wrong else "WRONG: " + "; ".join(run.wrong)
     return f"{run.run:4d}  {run.seconds:6.2f} s  begun {run.begun}  {how}: {end}"
+
+
+def soak(
+    *,
+    tasks: Annotated[int, typer.Option("--tasks", min=1, max=1_000_000, help="How many.")] = 2000,
+    warm_up: Annotated[
+        int, typer.Option("--warm-up", min=0, max=1_000_000, help="Tasks before growth counts.")
+    ] = 200,
+    report: ReportFile = None,
+    connect: Connect = "tcp/127.0.0.1:7450",
+    metrics: Annotated[
+        str, typer.Option("--metrics", metavar="HOST:PORT", help="Of the observer's page.")
+    ] = "127.0.0.1:9465",
+) -> None:
+    """Run many mocked tasks. Exits 0 only if no process grows and no handle or thread is left open."""
+    import tempfile  # noqa: PLC0415
+
+    from executive.campaigns.soak import run_soak  # noqa: PLC0415
+    from executive.systems import RefusedError, SystemFailure  # noqa: PLC0415
+
+    console = Console(highlight=False, soft_wrap=True)
+
+    def tell(done: int) -> None:
+        console.print(f"{done} of {tasks}", end="\r")
+
+    with tempfile.TemporaryDirectory(prefix="tandem-soak-") as folder:
+        try:
+            made = run_soak(Path(folder), connect, tasks, metrics=metrics, tell=tell, warm_up=warm_up)
+        except (RefusedError, SystemFailure) as error:
+            raise CommandError(str(error)) from error
+    for each in made.processes:
+        console.print(
+            f"{each.role:12} {each.memory:7.2f} MB, grew by {each.growth:5.2f}; "
+            f"handles {each.handles[0]} to {each.handles[1]}, threads {each.threads[0]} to {each.threads[1]}"
+        )
+    console.print(f"ledger: {made.ledger_bytes_a_task / 1000:.1f} kB a task")
+    states = ", ".join(f"{count} {state.lower()}" for state, count in sorted(made.ended.items()))
+    console.print(f"{made.tasks} tasks: {states}")
+    for wrong in made.wrong:
+        console.print(f"WRONG: {wrong}", style="red", markup=False)
+    if report is not None:
+        report.parent.mkdir(parents=True, exist_ok=True)
+        report.write_text(made.model_dump_json(indent=2) + "\n", encoding="utf-8")
+    raise typer.Exit(ExitCode.TASK_FAILED if made.wrong else ExitCode.OK)

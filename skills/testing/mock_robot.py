@@ -190,6 +190,7 @@ class MockRobot:
         self.leaf_faults: dict[str | tuple[str, int], Fault] = {}
         """Faults by the leaf that sent the goal, at each of its attempts or at one (1 is the first)."""
         self.calls: list[tuple[str, Message]] = []
+        self._recorded: list[_Clearable] = []
         """Each goal that was run, with its action's name, in order."""
         self.watch: Callable[[str, str, str, Message], None] = lambda *_: None
         """Told "began" and "ended" of each goal, with action, id and goal."""
@@ -216,6 +217,12 @@ class MockRobot:
     def calls_of(self, action: str) -> int:
         """Return how often an action was run."""
         return sum(1 for name, _ in self.calls if name == action)
+
+    def forget_calls(self) -> None:
+        """Count calls from zero again: a mock that lives for long must not keep all of them."""
+        self.calls.clear()
+        for calls in self._recorded:
+            calls.clear()
 
     def step(self) -> bool:
         """Answer, and tell what is believed."""
@@ -284,6 +291,7 @@ class MockRobot:
         fault_of = self._hangs if endless else self._fault_of
         skill = MockSkill(action, self._clocks, idle, recorded, self._duration, faults, fault_of)
         skill.calls = _Recorded(self.calls, action.name)
+        self._recorded.append(skill.calls)
         skill.began = lambda goal_id, goal: self.watch("began", action.name, goal_id, goal)
         skill.ended = lambda goal_id, goal: self.watch("ended", action.name, goal_id, goal)
         mortal = None if self._ends is None else _Mortal(self._ends())
@@ -463,6 +471,10 @@ class MockRobot:
         )
         self.believe(items=items, held=tuple(held.values()), placed=tuple(placed.values()))
         return succeeded(EditResult(version=self.world.version))
+
+
+class _Clearable(Protocol):
+    def clear(self) -> None: ...
 
 
 class _Recorded(list[G]):
