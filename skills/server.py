@@ -145,11 +145,23 @@ class ActionServer(Generic[G, F, R]):
         refusal = self._skill.check(goal)
         if refusal is not None:
             return self._status(sent.goal_id, GoalState.REJECTED, failure=refusal)
-        if self._journal is not None:
-            self._journal.accept(sent.goal_id)
+        unstored = self._store(sent.goal_id)
+        if unstored is not None:
+            return self._status(sent.goal_id, GoalState.REJECTED, failure=unstored)
         log.info("goal begins", extra=self._about(sent.goal_id))
         self._current = _Current(sent.goal_id, sent.client, self._skill.run(goal, sent.goal_id))
         return self._change(sent.goal_id, GoalState.RUNNING)
+
+    def _store(self, goal_id: str) -> Failure | None:
+        """Write the id down; a failure when the disk is full: a goal that may start twice is not started."""
+        if self._journal is None:
+            return None
+        try:
+            self._journal.accept(goal_id)
+        except OSError as error:
+            log.exception("a goal could not be written down", extra=self._about(goal_id))
+            return self._failure(FailureKind.NOT_STORED, f"{goal_id} could not be written down: {error}")
+        return None
 
     def _answer_commands(self) -> None:
         for request in self._commands.drain():

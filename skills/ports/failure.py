@@ -18,6 +18,7 @@ class FailureKind(StrEnum):
     INVALID_GOAL = "INVALID_GOAL"
     BUSY = "BUSY"
     NOT_READY = "NOT_READY"
+    NOT_STORED = "NOT_STORED"
     TIMED_OUT = "TIMED_OUT"
     SKILL_LOST = "SKILL_LOST"
     SKILL_CRASHED = "SKILL_CRASHED"
@@ -81,6 +82,7 @@ KINDS: Final = MappingProxyType(
         _K.INVALID_GOAL: KindFacts("the goal contradicts itself or the robot", False, Helper.CLIENT),
         _K.BUSY: KindFacts("the skill is at another goal", True, Helper.AGAIN),
         _K.NOT_READY: KindFacts("something the skill needs has not been heard yet", True, Helper.AGAIN),
+        _K.NOT_STORED: KindFacts("the skill's host can't write to its disk", True, Helper.OPERATOR),
         _K.TIMED_OUT: KindFacts("no result within the time allowed", True, Helper.AGAIN),
         _K.SKILL_LOST: KindFacts("the process of the skill is gone", True, Helper.AGAIN),
         _K.SKILL_CRASHED: KindFacts("the skill raised an error; its log has the trace", True, Helper.AGAIN),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import Final
 
 from skills.ports.geometry import Pose, about, distance, rotate
@@ -41,6 +42,16 @@ PUT_DOWN_SIGMA: Final = 0.01
 # The tag on the item's face that looks along its x: x_tag = y_item, y_tag = z_item, z_tag = x_item.
 
 
+@dataclass(frozen=True)
+class Saved:
+    """What an edit may change, as it was before."""
+
+    items: dict[int, ItemFact]
+    held: dict[Side, HeldItem]
+    placed: dict[int, Placed]
+    removed: set[int]
+
+
 class Beliefs:
     """The facts of one robot at one site. ``version`` rises with each change.
 
@@ -65,6 +76,19 @@ class Beliefs:
             for each in site.furniture
             for i, box in enumerate(each.boxes)
         )
+
+    def saved(self) -> Saved:
+        """Return what ``restore`` takes back."""
+        return Saved(dict(self._items), dict(self._held), dict(self._placed), set(self._removed))
+
+    def restore(self, saved: Saved) -> None:
+        """Have what was edited since ``saved`` not have happened.
+
+        The version rises all the same: nobody has heard of what was undone, but two states never share one.
+        """
+        self._items, self._held = dict(saved.items), dict(saved.held)
+        self._placed, self._removed = dict(saved.placed), set(saved.removed)
+        self.version += 1
 
     def item(self, number: int) -> ItemFact | None:
         """Return what is known of the item, or None."""

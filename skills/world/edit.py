@@ -8,6 +8,7 @@ from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult,
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.skill import ActionType, Run, failed, succeeded
 from skills.ports.world import Placed
+from skills.world.beliefs import Saved
 from skills.world.keeper import Keeper
 
 WHERE: Final = "world/edit"
@@ -52,12 +53,21 @@ class Edit:
         if refusal is not None:
             return failed(refusal)
         if not self._is_done(goal):
-            refusal = self._apply(goal)
+            before = self._keeper.beliefs.saved()
+            refusal = self._apply(goal) or self._store(goal, before)
             if refusal is not None:
                 return failed(refusal)
-            self._keeper.keep()
             self._keeper.publish()
         return succeeded(EditResult(version=self._keeper.beliefs.version))
+
+    def _store(self, goal: EditGoal, before: Saved) -> Failure | None:
+        """Write the edit down; if that fails it has not happened."""
+        try:
+            self._keeper.keep()
+        except OSError as error:
+            self._keeper.beliefs.restore(before)
+            return _refusal(goal, FailureKind.NOT_STORED, f"the edit could not be written down: {error}")
+        return None
 
     def _apply(self, goal: EditGoal) -> Failure | None:
         beliefs, now = self._keeper.beliefs, self._keeper.clocks.robot()

@@ -11,18 +11,20 @@ line, through a file beside it that takes its place.
 
 from __future__ import annotations
 
-import os
+import logging
 from pathlib import Path
 from typing import Final
 
 from pydantic import ValidationError
 
+from skills.journal_file import JournalFile
 from skills.ports.message import Message
 from skills.ports.world import Box, HeldItem, ItemFact, Placed
-from skills.synced_file import replace_file
 
 COMPACT_AFTER: Final = 1000
 """Lines after which the file is rewritten."""
+
+_LOG = logging.getLogger(__name__)
 
 
 class Remembered(Message):
@@ -49,40 +51,41 @@ class Journal:
         path: where it is, or is to be; its folder must exist.
 
     Raises:
-        OSError: when it can't be read or written.
+        OSError: when it can't be read.
     """
 
     def __init__(self, path: Path) -> None:
-        self._path = path
-        last = _last(path)
+        self._file = JournalFile(path)
+        lines = self._file.lines()
+        last = _last(lines)
         self.remembered = last.model_copy(update={"openings": last.openings + 1})
-        self._lines = 0
-        self._compact()
+        self._lines = len(lines)
+        try:
+            self._compact(self.remembered)
+        except OSError:
+            _LOG.warning("%s could not be rewritten; it is used as it is", path, exc_info=True)
 
     def write(self, remembered: Remembered, *, synced: bool = True) -> None:
-        """Keep this; if ``synced``, it is on the disk when the call returns."""
-        self.remembered = remembered.model_copy(update={"openings": self.remembered.openings})
-        if self._lines >= COMPACT_AFTER:
-            self._compact()
-            return
-        with self._path.open("a", encoding="utf-8") as file:
-            file.write(self.remembered.model_dump_json() + "\n")
-            file.flush()
-            if synced:
-                os.fsync(file.fileno())
-        self._lines += 1
+        """Keep this; if ``synced``, it is on the disk when the call returns.
 
-    def _compact(self) -> None:
-        replace_file(self._path, self.remembered.model_dump_json() + "\n")
+        Raises:
+            OSError: when it can't be written; then what was kept before still is.
+        """
+        document = remembered.model_copy(update={"openings": self.remembered.openings})
+        if self._lines >= COMPACT_AFTER:
+            self._compact(document)
+        else:
+            self._file.append(document.model_dump_json(), synced=synced)
+            self._lines += 1
+        self.remembered = document
+
+    def _compact(self, document: Remembered) -> None:
+        self._file.rewrite([document.model_dump_json()])
         self._lines = 1
 
 
-def _last(path: Path) -> Remembered:
+def _last(lines: list[str]) -> Remembered:
     """Return the last line that can be read; nothing, where there is none."""
-    try:
-        lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
-    except FileNotFoundError:
-        return Remembered()
     for line in reversed(lines):
         try:
             return Remembered.model_validate_json(line)

@@ -19,6 +19,9 @@ log = logging.getLogger(__name__)
 
 REPEAT: Final = 1.0
 """Robot seconds between two publications when nothing changes."""
+TRY_AGAIN: Final = 1.0
+"""Host seconds after which beliefs that could not be written down are tried again: soon for a person who
+frees space, and rare enough that a full disk keeps nobody busy."""
 
 
 class Keeper:
@@ -47,6 +50,8 @@ class Keeper:
         self._attached: dict[Side, RobotTime] = {}
         self._published, self._there = 0, frozenset[str]()
         self._published_at: RobotTime | None = None
+        self._unkept_since: float | None = None
+        """Host seconds of the last write that failed; None when the journal has all that is believed."""
 
     @property
     def clocks(self) -> Clocks:
@@ -62,6 +67,8 @@ class Keeper:
         for side, hand in self._hands.items():
             for status in hand.take():
                 self._watch(side, status)
+        if self._unkept_since is not None and self._clocks.monotonic() - self._unkept_since > TRY_AGAIN:
+            self._keep_if_possible()
         self.publish()
         return False
 
@@ -75,7 +82,7 @@ class Keeper:
         for look in self._clutter.take():
             self.beliefs.look(look)
         if self.beliefs.version != version:
-            self.keep(synced=self.beliefs.firm != firm)
+            self._keep_if_possible(synced=self.beliefs.firm != firm)
 
     def attached(self, side: Side, now: RobotTime) -> None:
         """Note when the hand took what it holds: only later news of it count."""
@@ -89,12 +96,26 @@ class Keeper:
             return
         log.warning("item %d fell out of the %s hand at %.2f s", held.item, side, status.stamp.seconds)
         self.beliefs.detach(held.item, None, None, status.stamp)
-        self.keep()
+        self._keep_if_possible()
 
     def keep(self, *, synced: bool = True) -> None:
-        """Write what is believed to the journal, before anybody hears of it."""
+        """Write what is believed to the journal, before anybody hears of it.
+
+        Raises:
+            OSError: when it can't be written.
+        """
         if self._journal is not None:
             self._journal.write(self.beliefs.remembered(self._clocks.utc()), synced=synced)
+            self._unkept_since = None
+
+    def _keep_if_possible(self, *, synced: bool = True) -> None:
+        """Write what was sensed; a full disk does not undo it, and it is written once there is space."""
+        try:
+            self.keep(synced=synced)
+        except OSError:
+            if self._unkept_since is None:
+                log.exception("beliefs can't be written down; they are kept in memory until there is space")
+            self._unkept_since = self._clocks.monotonic()
 
     def publish(self) -> None:
         """Publish, if something changed, a second has passed, or somebody has come."""

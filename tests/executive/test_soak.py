@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import socket
 import subprocess
 import sys
 from pathlib import Path
@@ -11,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from executive.campaigns.soak import FileSize, ProcessGrowth, Sample, growth_of, request, what_is_wrong
+from tests.fakes.ports import free_endpoint
 
 
 def sample(tasks: int, *, memory: float = 50.0, handles: int = 20) -> Sample:
@@ -60,7 +60,7 @@ def test_a_short_soak_measures_every_process_and_leaves_no_handle_open(tmp_path:
     """Memory is not judged here: over so few tasks, caches are still filling."""
     report = tmp_path / "soak.json"
     words = ["campaign", "soak", "--tasks", "30", "--warm-up", "15", "--report", str(report)]
-    ports = ["--connect", f"tcp/127.0.0.1:{_free_port()}", "--metrics", f"127.0.0.1:{_free_port()}"]
+    ports = ["--connect", free_endpoint(), "--metrics", free_endpoint().removeprefix("tcp/")]
     subprocess.run(
         [sys.executable, "-c", "from executive.cli.main import run; run()", *words, *ports],
         timeout=300,
@@ -73,9 +73,3 @@ def test_a_short_soak_measures_every_process_and_leaves_no_handle_open(tmp_path:
         "supervisor", "router", "mock", "executive", "observer",
     ]  # fmt: skip
     assert all(each["handles"][0] == each["handles"][1] for each in told["processes"])
-
-
-def _free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])

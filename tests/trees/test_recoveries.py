@@ -45,8 +45,17 @@ ROWS = (
     Row(K.OTHER_ARM_FAILED, "attach", "", K.OTHER_ARM_FAILED),
     *(
         Row(kind, "drive to item", WAIT, kind)
-        for kind in (K.BUSY, K.NOT_READY, K.TIMED_OUT, K.SKILL_LOST, K.SKILL_CRASHED, K.HARDWARE_LOST)
+        for kind in (
+            K.BUSY,
+            K.NOT_READY,
+            K.NOT_STORED,
+            K.TIMED_OUT,
+            K.SKILL_LOST,
+            K.SKILL_CRASHED,
+            K.HARDWARE_LOST,
+        )
     ),
+    Row(K.NOT_STORED, "drive to item", WAIT, K.NOT_STORED),
     Row(K.CAMERA_SILENT, "look here", WAIT, K.CAMERA_SILENT),
     Row(K.CAMERA_BLIND, "look closely at item", WAIT, K.CAMERA_BLIND),
     Row(K.LASER_SILENT, "drive to item", WAIT, K.LASER_SILENT),

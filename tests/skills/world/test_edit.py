@@ -15,6 +15,7 @@ from skills.ports.world import SCENE, SIGHTINGS, WORLD, Sightings
 from skills.wire.clocks import SteppedClocks
 from skills.wire.memory import MemoryBus
 from skills.world.process import nodes
+from tests.fakes.full_disk import full_at
 from tests.skills.world.facts import at, sighting, tag
 
 LAB = site.load("lab")
@@ -227,3 +228,31 @@ def test_who_comes_late_is_told_at_once() -> None:
     desk.bus.announce("executive")
     desk.step()
     assert len(desk.world.take()) == 1
+
+
+def test_on_a_full_disk_an_edit_has_not_happened_and_what_is_held_stays_believed(tmp_path: Path) -> None:
+    desk = Desk(tmp_path / "journal")
+    desk.edit(E.ATTACH, 29, side="left", item_in_tool=Pose())
+    with full_at(0):
+        refused = desk.edit(E.DETACH, 29, side="left", item_in_map=POSE, depot="depot", slot=0)
+        desk.see(42)
+    assert refused.failure is not None
+    assert refused.failure.kind is K.NOT_STORED
+    world = desk.world.refresh()
+    assert world is not None
+    assert [each.item for each in world.held] == [29]
+    assert 42 in [each.item for each in world.items]
+    assert desk.edit(E.DETACH, 29, side="left", item_in_map=POSE).state is GoalState.SUCCEEDED
+
+
+def test_what_was_seen_while_the_disk_was_full_is_written_once_there_is_space(tmp_path: Path) -> None:
+    desk = Desk(tmp_path / "journal")
+    with full_at(0):
+        desk.see(29)
+    for _ in range(110):
+        desk.step()
+    again = Desk(tmp_path / "journal")
+    again.step()
+    world = again.world.refresh()
+    assert world is not None
+    assert [each.item for each in world.items] == [29]

@@ -10,6 +10,7 @@ KINDS: Final = frozenset(
     (
         FailureKind.BUSY,
         FailureKind.NOT_READY,
+        FailureKind.NOT_STORED,
         FailureKind.TIMED_OUT,
         FailureKind.SKILL_LOST,
         FailureKind.SKILL_CRASHED,
