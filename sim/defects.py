@@ -39,7 +39,7 @@ CUTS: Final[dict[type[Fault], str]] = {
 
 @dataclass(frozen=True)
 class Standing:
-    """A fault under way: the hands that it means, and the picture that it keeps, where its kind has such."""
+    """A fault under way: the sides that it means, and the picture that it keeps, where its kind has such."""
 
     fault: Fault
     sides: tuple[str, ...] = ()
@@ -51,16 +51,26 @@ def break_hardware(standing: Sequence[Standing], line: Line, hardware: Hardware)
     faults = [each.fault for each in standing]
     line.cut = frozenset(CUTS[type(fault)] for fault in faults if type(fault) in CUTS)
     line.spoils = _spoils(standing)
+    stalls = [stall for each in standing for stall in _stalls(each, hardware.description)]
     for name, group in hardware.groups.items():
         group.stalled = {
             joint: fault.limp
-            for fault in faults
-            if isinstance(fault, JointStall) and fault.group == name
-            for joint in stalled_joints(fault, hardware.description)
+            for stalled, fault in stalls
+            if stalled == name
+            for joint in stalled_joints(fault, stalled, hardware.description)
         }
     for side, hand in hardware.hands.items():
         hand.defects = _hand([each.fault for each in standing if side in each.sides])
     hardware.base.jammed = frozenset(fault.bumper for fault in faults if isinstance(fault, BumperPressed))
+
+
+def _stalls(each: Standing, robot: RobotDescription) -> list[tuple[str, JointStall]]:
+    """Return the groups that a fault stalls, each with it."""
+    if not isinstance(each.fault, JointStall):
+        return []
+    if each.fault.group is not None:
+        return [(each.fault.group, each.fault)]
+    return [(robot.end_effector(side).group, each.fault) for side in each.sides]
 
 
 def _spoils(standing: Sequence[Standing]) -> dict[str, Callable[[bytes], bytes]]:
@@ -78,14 +88,14 @@ def _hand(faults: Sequence[Fault]) -> HandDefects:
     )
 
 
-def stalled_joints(fault: JointStall, robot: RobotDescription) -> tuple[str, ...]:
-    """Return the joints that stall.
+def stalled_joints(fault: JointStall, group: str, robot: RobotDescription) -> tuple[str, ...]:
+    """Return the joints of a group that stall.
 
     Raises:
         KeyError: when the robot has no such group.
         LookupError: when the group has no such joint.
     """
-    joints = robot.group(fault.group).joints
+    joints = robot.group(group).joints
     if fault.joint is None:
         return joints
     named = [joint for index, joint in enumerate(joints) if fault.joint in {joint, index}]
@@ -100,10 +110,12 @@ def misfit(fault: Fault, robot: RobotDescription) -> str:
     if not isinstance(fault, JointStall):
         return ""
     groups = [group.name for group in robot.groups]
-    if fault.group not in groups:
+    if fault.group is not None and fault.group not in groups:
         return f"group: one of {', '.join(groups)} was expected, found {fault.group}"
+    arms = [effector.group for effector in robot.end_effectors]
     try:
-        stalled_joints(fault, robot)
+        for group in arms if fault.group is None else [fault.group]:
+            stalled_joints(fault, group, robot)
     except LookupError as error:
         return str(error.args[0])
     return ""

@@ -105,14 +105,31 @@ def _draw_place(
                 "yaw": float(rng.uniform(-math.pi, math.pi)),
             }
         )
-        try:
-            reason = _in_the_way(item_body(site, place), others)
-        except KeyError as error:  # a strip may reach over a gap between two boxes of its support
-            reason = str(error.args[0])
+        reason = _why_not(site, place, others)
         if reason is None:
             return surface.name, place
         rejected.append(Rejected("item", place.x, place.y, place.yaw, f"item {item.tag} {reason}"))
     raise ScenarioError(f"{scenario.name}: surfaces: no free place for item {item.tag}")
+
+
+def why_not(site: Site, scenario: Scenario, place: TrueItem) -> str | None:
+    """Return why an item can't be drawn at a place of the scenario's surfaces, or None when it can."""
+    inside = any(
+        surface.support == place.support
+        and surface.lower[0] <= place.x <= surface.upper[0]
+        and surface.lower[1] <= place.y <= surface.upper[1]
+        for surface in scenario.surfaces
+    )
+    if not inside:
+        return "lies on no surface from which items are drawn"
+    return _why_not(site, place, build_scene(site, scenario.without_item(place.tag)))
+
+
+def _why_not(site: Site, place: TrueItem, others: Sequence[SceneBody]) -> str | None:
+    try:
+        return _in_the_way(item_body(site, place), others)
+    except KeyError as error:  # a surface may reach over a gap between two boxes of its support
+        return str(error.args[0])
 
 
 def _draw_start(

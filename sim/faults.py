@@ -139,10 +139,17 @@ class JointStall(_Lasting):
     """Motors stop following: they hold their joint where it is or, ``limp``, exert nothing."""
 
     kind: Literal["joint_stall"] = "joint_stall"
-    group: Name
+    group: Name | None = None
+    """Without it: the arm of the event, whichever that is."""
     joint: str | int | None = None
     """Its name, or its place in the group (0 is the first); without it: all of the group."""
     limp: bool = False
+
+    @model_validator(mode="after")
+    def _which(self) -> JointStall:
+        if self.group is None and not isinstance(self.when, ArmMoving | GripperClosed | ItemLifted):
+            raise ValueError("group: a group's name was expected, or when: {event: arm_moving}")
+        return self
 
 
 class GripperStuck(_Lasting):
@@ -245,6 +252,8 @@ class ObstacleAppears(_Lasting):
     """In kg; 0 means that it can't be pushed."""
     friction: Friction = 0.6
     colour: Colour = (0.72, 0.20, 0.20)
+    waits: bool = False
+    """Where something stands already, appear as soon as there is room instead of being refused."""
 
     @model_validator(mode="after")
     def _where(self) -> ObstacleAppears:

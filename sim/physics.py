@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from enum import IntFlag
 from typing import Final
@@ -63,6 +63,8 @@ class Physics:
         if self.client < 0:
             raise RuntimeError("pybullet could not start; without a display use it headless")
         self._steps = 0
+        self.watchers: list[Callable[[], None]] = []
+        """Called after each physics step: what touches for one step only is seen by nobody else."""
         self._configure()
 
     def _configure(self) -> None:
@@ -84,7 +86,9 @@ class Physics:
         """Advance by ``count`` physics steps."""
         for _ in range(count):
             pybullet.stepSimulation(physicsClientId=self.client)
-        self._steps += count
+            self._steps += 1
+            for watcher in self.watchers:
+                watcher()
 
     def clear(self) -> None:
         """Remove every body and start the time anew."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from sim.controls import FAULTS
 from sim.defects import Standing, break_hardware, misfit
@@ -43,6 +43,10 @@ if TYPE_CHECKING:
     from skills.ports.bus import Bus
 
 
+ROOM_AGAIN: Final = 0.1
+"""Robot seconds after which a thing that found no room is tried again; the base drives 10 cm at the most."""
+
+
 @dataclass(eq=False)
 class _Case:
     """One fault on its way: waiting, under way, or over."""
@@ -60,10 +64,10 @@ class _Case:
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """The hands that are meant: the one named, else the event's, else both."""
-        if not isinstance(self.fault, GripperStuck | GripperWeak | HandOpens):
+        """The sides that are meant: the one named, else the event's, else both."""
+        if not isinstance(self.fault, GripperStuck | GripperWeak | HandOpens | JointStall):
             return ()
-        side = self.fault.side or (None if self.cause is None else self.cause.side)
+        side = getattr(self.fault, "side", None) or (None if self.cause is None else self.cause.side)
         return ("left", "right") if side is None else (side,)
 
     def standing(self) -> Standing:
@@ -151,6 +155,10 @@ class Trouble:
         try:
             words = self._strike(case)
         except (KeyError, ValueError) as error:
+            if isinstance(error, ValueError) and isinstance(case.fault, ObstacleAppears) and case.fault.waits:
+                case.due = now + ROOM_AGAIN
+                self._waiting.append(case)
+                return
             self._tell(case, "refused", str(error.args[0]))
             return
         lasts = getattr(case.fault, "lasts", None)
@@ -199,7 +207,8 @@ def _standing(case: _Case) -> str:
     what = fault.kind.replace("_", " ")
     match fault:
         case JointStall():
-            what = f"{fault.group}: {'all joints' if fault.joint is None else fault.joint} stalled"
+            group = fault.group or f"{' and '.join(case.sides)} arm"
+            what = f"{group}: {'all joints' if fault.joint is None else fault.joint} stalled"
         case GripperStuck() | GripperWeak() | HandOpens():
             what += f" ({' and '.join(case.sides)})"
         case BumperPressed():

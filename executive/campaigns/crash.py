@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import signal
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -23,6 +24,8 @@ WITHIN: Final = 2.5
 """Host seconds after the first request in which kills are drawn; most of a run."""
 STUCK_AFTER: Final = 60.0
 """Host seconds."""
+TRIES: Final = 3
+"""Runs in which a point must be reached once: what is heard when depends on the moment."""
 VICTIMS: Final[tuple[Victim, ...]] = ("executive", "executive", "executive", "mock", "mock", "all")
 
 
@@ -41,7 +44,7 @@ class CrashRun(Message):
     point: str = ""
     """The point at which the executive was to kill itself; empty in a run with random kills.
 
-    ``kills`` says whether it came there: what is heard when depends on the moment.
+    A run that never came there is wrong: it has shown nothing.
     """
     kills: tuple[Kill, ...] = ()
     states: tuple[str, ...] = ()
@@ -67,6 +70,8 @@ class _Reaper:
     kills: list[Kill]
     began: float
     done: list[Kill] = field(default_factory=list)
+    wrong: list[str] = field(default_factory=list)
+    """Deaths that nobody asked for."""
 
     def step(self) -> None:
         while self.kills and self.rig.now() - self.began >= self.kills[0].after:
@@ -77,8 +82,13 @@ class _Reaper:
             )
             self.rig.kill(victim)
             self.rig.start(*(("router", "mock", "executive") if victim == "all" else (victim,)))
-        if self.rig.dead("executive"):  # at its point
-            self.done.append(Kill(victim="executive", after=round(self.rig.now() - self.began, 3)))
+        code = self.rig.exit_code("executive")
+        if code is not None:  # at its point
+            if code == -signal.SIGKILL:
+                self.done.append(Kill(victim="executive", after=round(self.rig.now() - self.began, 3)))
+            else:
+                words = self.rig.last_words("executive")
+                self.wrong.append(f"the executive ended by itself, with {code}: {words}")
             self.rig.bury("executive")
             self.rig.start("executive")
 
@@ -111,16 +121,43 @@ def crash_points(folder: Path, endpoint: str) -> tuple[str, ...]:
 
 
 def point_runs(folder: Path, endpoint: str, points: tuple[str, ...]) -> Iterator[CrashRun]:
-    """Yield a run for each point, at which the executive kills itself once."""
+    """Yield a run for each point, at which the executive kills itself once.
+
+    A run that does not come to its point is made anew, ``TRIES`` times in all; then it is wrong.
+    """
     with CrashRig(folder, endpoint) as rig:
         for run, point in enumerate(points):
-            rig.kill("executive")
-            rig.start("executive", crash_at=point)
-            yield one_run(rig, run, [], point=point)
+            yield point_run(rig, run, point)
 
 
-def one_run(rig: CrashRig, run: int, kills: list[Kill], *, point: str = "") -> CrashRun:
-    """Ask for three tasks, kill meanwhile, and look at what came of it."""
+def point_run(rig: CrashRig, run: int, point: str, *, tries: int = TRIES) -> CrashRun:
+    """Return the first run in which the executive came to its point, or the last one of those tried."""
+    made = CrashRun(run=run, point=point)
+    for number in range(tries):
+        rig.kill("executive")
+        rig.start("executive", crash_at=point)
+        made = one_run(rig, run, [], point=point, client=f"{point}-{run}-{number}")
+        if made.kills or made.wrong != (never_reached(point),):
+            break
+    return made
+
+
+def never_reached(point: str) -> str:
+    """Return what is wrong with a run that did not come to its point."""
+    return f"'{point}' was never reached: nobody was killed"
+
+
+def one_run(rig: CrashRig, run: int, kills: list[Kill], *, point: str = "", client: str = "") -> CrashRun:
+    """Ask for three tasks, kill meanwhile, and look at what came of it.
+
+    Args:
+        rig: the processes; the executive kills itself at the ``point``, if there is one.
+        run: its number.
+        kills: in order.
+        point: where the executive must have killed itself.
+        client: begins the ids of the requests; each run needs its own.
+    """
+    ids = client or f"run-{run}"
     rig.reset()
     before = len(deeds(rig.folder))
     began = rig.now()
@@ -130,7 +167,7 @@ def one_run(rig: CrashRig, run: int, kills: list[Kill], *, point: str = "") -> C
     found: tuple[TaskStatus, ...] = ()
     try:
         for number in range(REQUESTS):
-            _ask(rig, reaper, f"{point or 'run'}-{run}-{number}"[-60:], tasks, wrong)
+            _ask(rig, reaper, f"{ids}-{number}"[-60:], tasks, wrong)
         found = _await_ends(rig, reaper, tuple(tasks.values()))
     except StuckError as stuck:
         wrong.append(str(stuck))
@@ -142,6 +179,9 @@ def one_run(rig: CrashRig, run: int, kills: list[Kill], *, point: str = "") -> C
         if each.state is not TaskState.SUCCEEDED
     ]
     wrong += wrong_deeds(deeds(rig.folder)[before:], ends.get)
+    wrong += reaper.wrong
+    if point and not reaper.done:
+        wrong.append(never_reached(point))
     return CrashRun(
         run=run,
         point=point,

@@ -105,9 +105,9 @@ class CrashRig:
         """Have a spare made when it is time for it."""
         self._supervisor.tidy()
 
-    def dead(self, role: str) -> bool:
-        """Say whether a process has ended."""
-        return self._supervisor.child(role).process.poll() is not None
+    def exit_code(self, role: str) -> int | None:
+        """Return the code with which a process has ended, negative for a signal; None while it lives."""
+        return self._supervisor.child(role).process.poll()
 
     def last_words(self, role: str) -> str:
         """Return the end of a process's log."""

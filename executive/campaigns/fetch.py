@@ -6,12 +6,12 @@ from typing import Final
 
 import numpy as np
 
+from executive.campaigns.oracle import Oracle
 from executive.demo import Caller
 from executive.phases import Phases
 from executive.systems import LockstepSystem, SystemFailure
 from sim.draw import draw_fetch
 from sim.scenario import Scenario
-from sim.truth import lies_on
 from skills.ports.actions.base import ARM_MARGIN
 from skills.ports.clocks import robot_seconds
 from skills.ports.failure import Failure
@@ -28,7 +28,11 @@ WARM_UP: Final = 0.3
 
 
 class FetchRun(Message):
-    """One fetch of a campaign. ``right``: in truth, the item lies in the depot and the task says so."""
+    """One fetch of a campaign. ``right``: the task succeeded, and nothing is ``wrong`` in truth.
+
+    Right in truth: the item lies in the slot that was reported, nothing else moved by 1 cm or fell over,
+    the robot touched no furniture, and it is at rest at home.
+    """
 
     run: int
     item: int
@@ -38,7 +42,10 @@ class FetchRun(Message):
     rejected: tuple[str, ...]
     """Draws that were thrown away, with the reason."""
     state: str
-    in_depot: bool
+    slot: int | None
+    """The slot of the depot in which the item is reported to lie."""
+    wrong: tuple[str, ...]
+    """What is wrong in truth; see ``executive.campaigns.oracle``."""
     right: bool
     failure: Failure | None
     robot_seconds: float
@@ -83,7 +90,8 @@ def free_radius() -> float:
 def _fetch(
     system: LockstepSystem, scenario: Scenario, run: int, item: int, rejected: tuple[str, ...]
 ) -> FetchRun:
-    phases = Phases(system)
+    site = load(scenario.site)
+    oracle, phases = Oracle(system, site, item, DEPOT), Phases(system)
     caller = Caller(system, _quiet, also=phases)
     while robot_seconds(system.clocks) < WARM_UP:
         system.advance()
@@ -96,7 +104,7 @@ def _fetch(
     except SystemFailure as error:
         state = f"STUCK: {error}"
     ended = robot_seconds(system.clocks)
-    there = lies_on(caller.truth(), load(scenario.site), item, DEPOT)
+    digest, wrong = system.digest(), oracle.verdict().wrong
     place = scenario.item(item)
     return FetchRun(
         run=run,
@@ -105,12 +113,13 @@ def _fetch(
         place=FloorPose(x=place.x, y=place.y, yaw=place.yaw),
         rejected=rejected,
         state=state,
-        in_depot=there,
-        right=there and state == TaskState.SUCCEEDED.value,
+        slot=oracle.slot(),
+        wrong=wrong,
+        right=not wrong and state == TaskState.SUCCEEDED.value,
         failure=failure,
         robot_seconds=round(ended - began, 2),
         phases=phases.seconds(),
-        digest=system.digest(),
+        digest=digest,
     )
 
 

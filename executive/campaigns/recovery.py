@@ -2,37 +2,42 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from executive.campaigns.fetch import DEPOT, WARM_UP, free_radius
+from executive.campaigns.oracle import Oracle, Verdict
 from executive.campaigns.troubles import Case, Trouble, draw_hopeless, draw_recoverable
 from executive.demo import Caller
 from executive.systems import LockstepSystem, SystemFailure
 from sim.controls import FAULTS
 from sim.draw import draw_fetch
 from sim.scenario import Scenario
-from sim.truth import lies_on
 from skills.ports.clocks import robot_seconds
 from skills.ports.failure import Failure
-from skills.ports.geometry import distance
-from skills.ports.keys import JOINT_STATES, Latest
+from skills.ports.keys import Latest
 from skills.ports.message import Message
 from skills.ports.site import Site
 from skills.ports.tasks import Attempt, TaskState
 from skills.site import load
 
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from sim.faults import Fault, FaultEvent
+
 TASK_WITHIN: Final = 1200.0
 """Robot seconds (host seconds while the hardware is silent) in which a task must have ended."""
-REST: Final = 1.0
-"""Robot seconds over which the robot must stand still after the end."""
-STILL: Final = 0.01
-"""Metres (base) and rad/s (joints) that count as standing still."""
 
 
 class RecoveryRun(Message):
-    """One run. ``right``: it ended as it must, hopeless ones with the right kind; the robot is at rest."""
+    """One run. ``right``: every fault struck, it ended as it must, and nothing is ``wrong`` in truth.
+
+    A run that can be mended must end as a fetch without any fault must (``FetchRun``); but what falls out of
+    the hand by a fault may push other things. A hopeless one must end with the right kind, at rest, and leave
+    the room as it was.
+    """
 
     run: int
     item: int
@@ -40,9 +45,11 @@ class RecoveryRun(Message):
     hopeless: bool
     struck: tuple[str, ...]
     """What went wrong in truth, with the robot's time."""
+    unstruck: tuple[str, ...]
+    """Faults that never struck, or were refused: the run has shown nothing about them."""
     state: str
-    in_depot: bool
-    at_rest: bool
+    wrong: tuple[str, ...]
+    """What is wrong in truth; see ``executive.campaigns.oracle``."""
     right: bool
     failure: Failure | None
     tried: tuple[Attempt, ...]
@@ -51,7 +58,10 @@ class RecoveryRun(Message):
 
 
 class RecoveryCampaign(Message):
-    """A whole campaign: how many of the recoverable runs and of the hopeless ones were right."""
+    """A whole campaign: how many of the recoverable runs and of the hopeless ones were right.
+
+    ``unstruck``: runs in which a drawn fault never struck. They count as not right.
+    """
 
     scenario: str
     seed: int
@@ -59,6 +69,7 @@ class RecoveryCampaign(Message):
     recoverable: int
     right_kind: int
     hopeless: int
+    unstruck: int
     runs: tuple[RecoveryRun, ...]
 
 
@@ -75,7 +86,7 @@ def run_hopeless(scenario: Scenario, seed: int, run: int) -> RecoveryRun:
 def _run(scenario: Scenario, seed: int, run: int, *, hopeless: bool) -> RecoveryRun:
     site, rng = load(scenario.site), np.random.default_rng((seed, run, int(hopeless)))
     draw = draw_fetch(site, scenario, rng, free_radius())
-    case = Case(rng, draw.item, site)
+    case = Case(rng, draw.item, site, draw.scenario)
     trouble = draw_hopeless(case, run) if hopeless else draw_recoverable(case)
     struck = draw.scenario.model_copy(update={"faults": trouble.faults})
     system = LockstepSystem(struck, seed * 1000 + run, digest=True, bus_faults=trouble.bus)
@@ -87,6 +98,7 @@ def _run(scenario: Scenario, seed: int, run: int, *, hopeless: bool) -> Recovery
 
 def _fetch(system: LockstepSystem, site: Site, run: int, item: int, trouble: Trouble) -> RecoveryRun:
     events, caller = Latest(system.bus, FAULTS, depth=1024), Caller(system, _quiet)
+    oracle = Oracle(system, site, item, DEPOT)
     while robot_seconds(system.clocks) < WARM_UP:
         system.advance()
     began = robot_seconds(system.clocks)
@@ -97,47 +109,53 @@ def _fetch(system: LockstepSystem, site: Site, run: int, item: int, trouble: Tro
         state, failure, tried = status.state.value, status.failure, status.tried
     except SystemFailure as error:
         state = f"STUCK: {error}"
-    ended = robot_seconds(system.clocks)
-    at_rest = _stands_still(system, caller)
-    there = _in_depot(caller, site, item)
+    ended, digest, told = robot_seconds(system.clocks), system.digest(), events.take()
+    missed = unstruck(trouble.faults, told)
+    wrong = wrong_in(oracle.verdict(), hopeless=bool(trouble.ends_in))
     if trouble.ends_in:
         ended_well = failure is not None and failure.kind in trouble.ends_in
     else:
-        ended_well = there and state == TaskState.SUCCEEDED.value
+        ended_well = state == TaskState.SUCCEEDED.value
     return RecoveryRun(
         run=run,
         item=item,
         trouble=trouble.name,
         hopeless=bool(trouble.ends_in),
-        struck=tuple(f"{event.stamp.seconds:.2f} s {event.phase}: {event.words}" for event in events.take()),
+        struck=tuple(f"{event.stamp.seconds:.2f} s {event.phase}: {event.words}" for event in told),
+        unstruck=missed,
         state=state,
-        in_depot=there,
-        at_rest=at_rest,
-        right=ended_well and at_rest,
+        wrong=wrong,
+        right=ended_well and not missed and not wrong,
         failure=failure,
         tried=tried,
         robot_seconds=round(ended - began, 2),
-        digest=system.digest(),
+        digest=digest,
     )
 
 
-def _stands_still(system: LockstepSystem, caller: Caller) -> bool:
-    """Let a second pass, and say whether base and joints stood still in it."""
-    joints = Latest(system.bus, JOINT_STATES, depth=1024)
-    before = caller.truth().base_in_map
-    for _ in range(round(REST / system.lockstep.period)):
-        system.advance()
-    moved = distance(before, caller.truth().base_in_map)
-    fastest = max((abs(v) for state in joints.take()[-10:] for v in state.velocities), default=0.0)
-    joints.close()
-    return moved < STILL and fastest < STILL
+def unstruck(faults: tuple[Fault, ...], told: Iterable[FaultEvent]) -> tuple[str, ...]:
+    """Return the faults that never began, by the sim's own account, in words."""
+    began = {event.number for event in told if event.phase == "began"}
+    return tuple(
+        f"{fault.kind} ({_when(fault)})" for number, fault in enumerate(faults) if number not in began
+    )
 
 
-def _in_depot(caller: Caller, site: Site, item: int) -> bool:
-    try:
-        return lies_on(caller.truth(), site, item, DEPOT)
-    except KeyError:  # somebody took it away
-        return False
+def wrong_in(verdict: Verdict, *, hopeless: bool) -> tuple[str, ...]:
+    """Return what of a verdict counts here.
+
+    What a fault alone did to the room is not the robot's doing. A robot that nothing helps can't bring the
+    item, and need not get home.
+    """
+    if hopeless:
+        return verdict.disturbed + verdict.restless
+    return verdict.misplaced + verdict.disturbed + verdict.not_home + verdict.restless
+
+
+def _when(fault: Fault) -> str:
+    if fault.when is None:
+        return f"at {fault.at or 0.0:g} s"
+    return f"{fault.when.event}, time {fault.when.nth}, {fault.when.after:g} s after it"
 
 
 def _quiet(_: str) -> None:

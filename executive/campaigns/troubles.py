@@ -1,4 +1,8 @@
-"""What goes wrong in the runs of the recovery campaign: drawn, and named, with what it must end in."""
+"""What goes wrong in the runs of the recovery campaign: drawn, and named, with what it must end in.
+
+A fault that waits for an event waits for one that no fetch can do without; a run in which it does not strike
+shows nothing, and counts as not right.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +13,7 @@ from typing import Final
 
 from numpy.random import Generator
 
+from sim.draw import why_not
 from sim.faults import (
     ArmMoving,
     BaseAtRest,
@@ -34,10 +39,11 @@ from sim.faults import (
     OdometryJump,
     StopSet,
 )
+from sim.scenario import Scenario, ScenarioError
 from sim.things import BoxShape
 from skills.ports.failure import FailureKind
+from skills.ports.geometry import wrap
 from skills.ports.site import Site
-from skills.ports.world import Side
 from skills.testing.faulty_bus import BusFaults
 
 MOST_FAULTS: Final = 3
@@ -57,11 +63,12 @@ class Trouble:
 
 @dataclass(frozen=True)
 class Case:
-    """What a trouble is drawn from: chance, the item asked for, and the site."""
+    """What a trouble is drawn from: chance, the item asked for, the site, and where all stands at first."""
 
     rng: Generator
     item: int
     site: Site
+    scenario: Scenario
 
     def number(self, low: float, high: float) -> float:
         """Draw one, to the hundredth."""
@@ -72,13 +79,24 @@ class Case:
         return int(self.rng.integers(1, most + 1))
 
 
+# How often an event happens in a fetch at the least, as the tree of an item in view has it
+# (tests/trees/test_fetch.py): it looks for the item, closely at it and at the slot; it drives to the item, to
+# the depot and home. An arm goes before the item, and to it.
+LOOKS: Final = 3
+DRIVES: Final = 3
+MOTIONS: Final = 2
+MOVE_DRAWS: Final = 1000
+"""After which there is taken to be no free place near by."""
+
 Draw = Callable[[Case], tuple[Fault, ...]]
 
 
 def _way_blocked(case: Case) -> tuple[Fault, ...]:
-    when = BaseMoving(nth=case.nth(3), after=case.number(0.3, 1.0))
+    when = BaseMoving(nth=case.nth(DRIVES), after=case.number(0.3, 1.0))
     return (
-        ObstacleAppears(shape=PERSON, ahead=case.number(0.8, 1.2), lasts=case.number(3.0, 10.0), when=when),
+        ObstacleAppears(
+            shape=PERSON, ahead=case.number(0.8, 1.2), lasts=case.number(3.0, 10.0), when=when, waits=True
+        ),
     )
 
 
@@ -91,43 +109,51 @@ def _moved_before_the_grasp(case: Case) -> tuple[Fault, ...]:
 
 
 def _a_little(case: Case, when: Event) -> ItemMoves:
-    dx, dy, dyaw = case.number(-0.05, 0.05), case.number(-0.05, 0.05), case.number(-0.6, 0.6)
-    return ItemMoves(tag=case.item, dx=dx, dy=dy, dyaw=dyaw, when=when)
+    """Draw a step to a place where the item could have been drawn, too: clear, and in an arm's reach."""
+    stands = case.scenario.item(case.item)
+    for _ in range(MOVE_DRAWS):
+        dx, dy, dyaw = case.number(-0.05, 0.05), case.number(-0.05, 0.05), case.number(-0.6, 0.6)
+        place = stands.model_copy(
+            update={"x": stands.x + dx, "y": stands.y + dy, "yaw": wrap(stands.yaw + dyaw)}
+        )
+        if why_not(case.site, case.scenario, place) is None:
+            return ItemMoves(tag=case.item, dx=dx, dy=dy, dyaw=dyaw, when=when)
+    raise ScenarioError(f"{case.scenario.name}: no free place within 5 cm of item {case.item}")
 
 
 def _stall(case: Case) -> tuple[Fault, ...]:
-    side: Side = "left" if case.rng.integers(2) else "right"
-    when = ArmMoving(side=side, nth=case.nth(2), after=case.number(0.1, 0.6))
-    return (
-        JointStall(group=f"arm_{side}", joint=int(case.rng.integers(7)), lasts=case.number(1, 4), when=when),
-    )
+    """Draw a joint of the arm that moves, whichever that is."""
+    when = ArmMoving(nth=case.nth(MOTIONS), after=case.number(0.1, 0.6))
+    return (JointStall(joint=int(case.rng.integers(7)), lasts=case.number(1, 4), when=when),)
 
 
 RECOVERABLE: Final[Mapping[str, Draw]] = MappingProxyType(
     {
-        "camera dark": lambda c: (CameraDark(lasts=c.number(2, 6), when=CameraUsed(nth=c.nth(4))),),
-        "camera frozen": lambda c: (CameraFrozen(lasts=c.number(2, 6), when=CameraUsed(nth=c.nth(4))),),
-        "camera silent": lambda c: (CameraSilent(lasts=c.number(2, 6), when=CameraUsed(nth=c.nth(4))),),
+        "camera dark": lambda c: (CameraDark(lasts=c.number(2, 6), when=CameraUsed(nth=c.nth(LOOKS))),),
+        "camera frozen": lambda c: (CameraFrozen(lasts=c.number(2, 6), when=CameraUsed(nth=c.nth(LOOKS))),),
+        "camera silent": lambda c: (CameraSilent(lasts=c.number(2, 6), when=CameraUsed(nth=c.nth(LOOKS))),),
         "laser silent": lambda c: (
-            LaserSilent(lasts=c.number(1, 5), when=BaseMoving(nth=c.nth(3), after=0.5)),
+            LaserSilent(lasts=c.number(1, 5), when=BaseMoving(nth=c.nth(DRIVES), after=0.5)),
         ),
         "odometry jumps": lambda c: (
             OdometryJump(
                 dx=c.number(-0.3, 0.3),
                 dy=c.number(-0.3, 0.3),
                 dyaw=c.number(-0.5, 0.5),
-                when=BaseMoving(nth=c.nth(3), after=c.number(0.2, 1.5)),
+                when=BaseMoving(nth=c.nth(DRIVES), after=c.number(0.2, 1.5)),
             ),
         ),
         "joint stalls": _stall,
         "gripper stuck": lambda c: (
-            GripperStuck(lasts=c.number(3, 8), when=ArmMoving(nth=c.nth(2), after=0.3)),
+            GripperStuck(lasts=c.number(3, 8), when=ArmMoving(nth=c.nth(MOTIONS), after=0.3)),
         ),
         "dropped when lifted": lambda c: (HandOpens(when=ItemLifted(tag=c.item, after=c.number(0.0, 0.2))),),
         "squeezed, then lost": lambda c: (HandOpens(when=GripperClosed(after=c.number(0.1, 0.6))),),
         "hardware silent": lambda c: (HardwareSilent(lasts=c.number(1, 5), at=c.number(3, 40)),),
         "bumper": lambda c: (
-            BumperPressed(lasts=c.number(0.5, 2), when=BaseMoving(nth=c.nth(3), after=c.number(0.3, 1.5))),
+            BumperPressed(
+                lasts=c.number(0.5, 2), when=BaseMoving(nth=c.nth(DRIVES), after=c.number(0.3, 1.5))
+            ),
         ),
         "item moved on the way": _moved_on_the_way,
         "item moved before the grasp": _moved_before_the_grasp,
@@ -150,12 +176,12 @@ HOPELESS: Final[Mapping[str, tuple[Draw, frozenset[FailureKind]]]] = MappingProx
         "item gone": (lambda c: (ItemGone(tag=c.item, at=0.0),), frozenset((_K.ITEM_NOT_FOUND,))),
         "depot full": (_all_slots, frozenset((_K.DESTINATION_FULL,))),
         "stop pressed": (
-            lambda c: (StopSet(when=ArmMoving(nth=c.nth(3), after=0.3)),),
+            lambda c: (StopSet(when=ArmMoving(nth=c.nth(MOTIONS), after=0.3)),),
             frozenset((_K.HARDWARE_STOPPED,)),
         ),
         "camera dark for good": (lambda _: (CameraDark(at=0.0),), frozenset((_K.CAMERA_BLIND,))),
         "camera silent for good": (
-            lambda c: (CameraSilent(when=CameraUsed(nth=c.nth(2))),),
+            lambda c: (CameraSilent(when=CameraUsed(nth=c.nth(LOOKS))),),
             frozenset((_K.CAMERA_SILENT,)),
         ),
         "laser silent for good": (

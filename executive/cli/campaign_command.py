@@ -90,8 +90,9 @@ def recovery(
 ) -> None:
     """Fetch while things go wrong.
 
-    Ends with 0 only when at least 58 of 60 fetches that can be mended end with the item in the depot, in
-    truth, and all that can't be end with the right kind of failure; the robot at rest after each.
+    Exits 0 only if at least 58 of 60 fetches that can be mended end as they would without a fault, in truth,
+    and all that can't be end with the right kind of failure, at rest. A run whose fault never struck counts
+    as not right.
     """
     from executive.campaigns.recovery import RecoveryCampaign, run_hopeless, run_recovery  # noqa: PLC0415
     from executive.campaigns.series import run_number, series  # noqa: PLC0415
@@ -109,7 +110,10 @@ def recovery(
         done += sorted(part, key=lambda each: each.run)
     recovered = sum(run.right for run in done if not run.hopeless)
     right_kind = sum(run.right for run in done if run.hopeless)
+    unstruck = sum(bool(run.unstruck) for run in done)
     console.print(f"{recovered} of {runs} recovered, {right_kind} of {hopeless} hopeless ones ended rightly")
+    if unstruck:
+        console.print(f"{unstruck} of these count as not right because a fault never struck")
     if report is not None:
         report.parent.mkdir(parents=True, exist_ok=True)
         campaign = RecoveryCampaign(
@@ -119,6 +123,7 @@ def recovery(
             recoverable=runs,
             right_kind=right_kind,
             hopeless=hopeless,
+            unstruck=unstruck,
             runs=tuple(done),
         )
         report.write_text(campaign.model_dump_json(indent=2) + "\n", encoding="utf-8")
@@ -162,9 +167,13 @@ def _tell_recovery(run: RecoveryRun, console: Console) -> None:
     why = "" if run.failure is None else f"  {run.failure.where}: {run.failure.kind}: {run.failure.message}"
     console.print(
         f"{mark} {run.run:3d}  item {run.item:3d}  {run.trouble}: {run.robot_seconds:.1f} s  "
-        f"{run.state.lower()}{'' if run.at_rest else ', NOT AT REST'}{why}",
+        f"{run.state.lower()}{why}",
         markup=False,
     )
+    for unstruck in run.unstruck:
+        console.print(f"         never struck: {unstruck}", markup=False)
+    for wrong in run.wrong:
+        console.print(f"         wrong in truth: {wrong}", markup=False)
     for struck in run.struck:
         console.print(f"         {struck}", markup=False)
     for each in run.tried:
@@ -185,6 +194,8 @@ def _tell(run: FetchRun, console: Console) -> None:
         f"{run.robot_seconds:6.1f} s  {run.state.lower()}{why}",
         markup=False,
     )
+    for wrong in run.wrong:
+        console.print(f"         {wrong}", markup=False)
 
 
 def crash(
@@ -273,7 +284,7 @@ def _physics_line(run: PhysicsRun) -> str:
 
 def _crash_line(run: CrashRun) -> str:
     kills = ", ".join(f"{kill.victim} at {kill.after:.2f} s" for kill in run.kills)
-    how = f"{run.point} ({'killed there' if kills else 'not passed'})" if run.point else kills
+    how = f"{run.point} ({'killed there' if kills else 'never reached'})" if run.point else kills
     end = "ok" if not run.wrong else "WRONG: " + "; ".join(run.wrong)
     return f"{run.run:4d}  {run.seconds:6.2f} s  begun {run.begun}  {how}: {end}"
 

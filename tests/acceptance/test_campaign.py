@@ -20,4 +20,4 @@ def test_a_drawn_fetch_is_right(tmp_path: Path) -> None:
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     campaign = json.loads(report.read_text("utf-8"))
-    assert [run["in_depot"] for run in campaign["runs"]] == [True]
+    assert [(run["right"], run["slot"], run["wrong"]) for run in campaign["runs"]] == [(True, 0, [])]

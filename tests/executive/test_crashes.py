@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from executive.campaigns.crash import CrashRun, Kill, one_run, random_kills
+from executive.campaigns.crash import CrashRun, Kill, never_reached, one_run, point_run, random_kills
 from executive.campaigns.crash_rig import CrashRig
 from executive.campaigns.crash_world import Deed, wrong_deeds
 from tests.fakes.ports import free_endpoint
@@ -24,19 +24,19 @@ POINTS = (
 @pytest.mark.processes
 @pytest.mark.xdist_group("processes")
 def test_nothing_is_lost_doubled_or_stuck(tmp_path: Path) -> None:
-    """One run with kills of each kind, then a kill at each of a few points."""
+    """One run with kills of each kind, a kill at each of a few points, and a point that is never reached."""
     kills = [
         Kill(victim=victim, after=after)
         for victim, after in (("executive", 0.4), ("mock", 0.9), ("all", 1.3))
     ]
     with CrashRig(tmp_path, free_endpoint()) as rig:
         runs: list[CrashRun] = [one_run(rig, 0, kills)]
-        for number, point in enumerate(POINTS):
-            rig.kill("executive")
-            rig.start("executive", crash_at=point)
-            runs.append(one_run(rig, 1 + number, [], point=point))
+        runs += [point_run(rig, 1 + number, point) for number, point in enumerate(POINTS)]
+        nowhere = point_run(rig, 1 + len(POINTS), "before the end of the world", tries=2)
     assert {run.point or "random": run.wrong for run in runs} == dict.fromkeys(("random", *POINTS), ())
     assert [kill.victim for kill in runs[0].kills] == ["executive", "mock", "all"]
+    assert all(len(run.kills) == 1 for run in runs[1:])
+    assert nowhere.wrong == (never_reached("before the end of the world"),), "it has shown nothing"
 
 
 def test_the_same_seed_draws_the_same_kills() -> None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from pydantic import ValidationError
 
 from benchmarks.rig import GRASP, LIFT
 from sim.faults import (
@@ -92,6 +93,20 @@ def test_a_joint_that_stalls_aborts_the_motion_and_is_named(make_rig: MakeRig) -
     assert status.state is MotionState.ABORTED
     assert status.joint == "arm_left_4_joint"
     assert rig.positions("arm_left")[3] == pytest.approx(before, abs=0.2)
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_a_stall_without_a_group_is_of_the_arm_that_moves(make_rig: MakeRig, side: str) -> None:
+    rig = make_rig(JointStall(joint=3, when=ArmMoving(after=0.2)))
+    status = rig.move(f"arm_{side}", (0.9, 0.5, 1.1, 0.6, -0.9, -0.5, -0.3), 2.0)
+    assert status.state is MotionState.ABORTED
+    assert status.joint == f"arm_{side}_4_joint"
+    assert side in rig.events[0].words
+
+
+def test_a_stall_without_a_group_needs_an_event_that_an_arm_has() -> None:
+    with pytest.raises(ValidationError, match="a group's name was expected"):
+        JointStall(joint=3, when=BaseMoving())
 
 
 def test_a_limp_arm_sinks(make_rig: MakeRig) -> None:

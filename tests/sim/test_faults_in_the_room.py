@@ -125,6 +125,20 @@ def test_an_obstacle_ahead_is_seen_by_the_laser_and_leaves(stage: Stage) -> None
     assert ahead[2] == pytest.approx(ahead[0], abs=0.02)
 
 
+def test_an_obstacle_that_waits_appears_as_soon_as_there_is_room(stage: Stage) -> None:
+    """A parcel stands where it is to appear, until 0.5 s; without waiting it is refused."""
+    parcel = ObstacleAppears(name="parcel", ahead=1.0, at=0.0, lasts=0.5)
+    stage(
+        parcel,
+        ObstacleAppears(ahead=1.0, at=0.1),
+        ObstacleAppears(name="late", ahead=1.0, at=0.1, waits=True),
+    )
+    told = keys.Latest(stage.bus, FAULTS)
+    stage.run(1.0)
+    events = [(event.number, event.phase) for event in told.take()]
+    assert events == [(0, "began"), (1, "refused"), (0, "ended"), (2, "began")]
+
+
 def test_a_slot_of_the_depot_is_taken_by_a_parcel_or_an_item(stage: Stage) -> None:
     station = stage(DepotTaken(slot=0), DepotTaken(slot=1, tag=29), DepotTaken(slot=0))
     told = keys.Latest(stage.bus, FAULTS)

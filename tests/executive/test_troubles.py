@@ -1,0 +1,82 @@
+"""Drawn faults will strike: none waits for an event that a fetch can do without."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from executive.campaigns.troubles import DRIVES, HOPELESS, LOOKS, MOTIONS, RECOVERABLE, Case
+from sim.draw import draw_fetch, why_not
+from sim.faults import Fault, HardwareSilent, ItemMoves, ObstacleAppears
+from sim.scenario import load_scenario
+from skills.ports.geometry import wrap
+from skills.site import load
+
+SURE = {
+    "camera_used": LOOKS,
+    "base_moving": DRIVES,
+    "base_at_rest_after_moving": 1,
+    "arm_moving": MOTIONS,
+    "gripper_closed": 1,
+    "item_lifted": 1,
+}
+"""How often each event happens in any fetch."""
+SHORTEST = 45.0
+"""Robot seconds: no fetch that the campaign has drawn was shorter."""
+SITE, DEMO = load("lab"), load_scenario("Demo")
+
+
+def cases(count: int) -> list[Case]:
+    made = []
+    for seed in range(count):
+        rng = np.random.default_rng(seed)
+        drawn = draw_fetch(SITE, DEMO, rng, 0.41)
+        made.append(Case(rng, drawn.item, SITE, drawn.scenario))
+    return made
+
+
+def strikes(fault: Fault) -> bool:
+    if fault.when is None:
+        return (fault.at or 0.0) < SHORTEST
+    one_arm = getattr(fault.when, "side", None) is not None
+    return fault.when.nth <= SURE[fault.when.event] and not one_arm
+
+
+@pytest.mark.parametrize("name", RECOVERABLE)
+def test_a_recoverable_fault_waits_for_what_any_fetch_does(name: str) -> None:
+    for case in cases(12):
+        for fault in RECOVERABLE[name](case):
+            assert strikes(fault), fault
+
+
+@pytest.mark.parametrize("name", [name for name in HOPELESS if name != "arms stall for good"])
+def test_a_hopeless_fault_waits_for_what_any_fetch_does(name: str) -> None:
+    """But for the arms: the second one moves because the first can't."""
+    for case in cases(12):
+        for fault in HOPELESS[name][0](case):
+            assert strikes(fault), fault
+
+
+def test_an_item_is_moved_to_a_free_place_on_its_surface() -> None:
+    for case in cases(12):
+        for name in ("item moved on the way", "item moved before the grasp"):
+            (fault,) = RECOVERABLE[name](case)
+            assert isinstance(fault, ItemMoves)
+            stood = case.scenario.item(case.item)
+            yaw = wrap(stood.yaw + fault.dyaw)
+            there = stood.model_copy(update={"x": stood.x + fault.dx, "y": stood.y + fault.dy, "yaw": yaw})
+            assert why_not(case.site, case.scenario, there) is None
+
+
+def test_who_stands_in_the_way_waits_for_room() -> None:
+    for case in cases(4):
+        (fault,) = RECOVERABLE["way blocked for a while"](case)
+        assert isinstance(fault, ObstacleAppears)
+        assert fault.waits
+
+
+def test_silent_hardware_falls_silent_within_the_shortest_fetch() -> None:
+    for case in cases(20):
+        (fault,) = RECOVERABLE["hardware silent"](case)
+        assert isinstance(fault, HardwareSilent)
+        assert (fault.at or 0.0) < SHORTEST
