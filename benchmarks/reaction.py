@@ -20,7 +20,7 @@ from benchmarks.ticks import FETCH, ITEMS, forget
 from skills.ports.bus import Bus, Desk, Inbox, Pending
 from skills.ports.hardware import Clock
 from skills.ports.keys import CLOCK, Latest
-from skills.ports.message import RobotTime
+from skills.ports.message import MAX_REQUEST_BYTES, RobotTime
 from skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, TREE, CancelTask
 from skills.site import load
 from skills.testing.mock_robot import MockRobot
@@ -164,9 +164,9 @@ class Spy:
             self.ended_at = time.perf_counter()
         self.bus.publish(key, payload)
 
-    def serve(self, key: str) -> Desk:
+    def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
         """Answer queries; a goal stops the stop-watch."""
-        desk = self.bus.serve(key)
+        desk = self.bus.serve(key, limit=limit)
         if key.endswith("/goal") and isinstance(desk, ZenohDesk):
             desk.waiting = Arrivals(self)
         return desk

@@ -135,7 +135,7 @@ class Caller:
     def photograph(self) -> bytes | None:
         """Return a picture of the room as PNG, or None when none came."""
         ask = VIEW.model_dump_json().encode()
-        pending = self._system.bus.query(PHOTOGRAPH, ask, timeout=ANSWER_WITHIN)
+        pending = self._system.bus.query(PHOTOGRAPH.key, ask, timeout=ANSWER_WITHIN)
         return wait_for(self._system, pending, ANSWER_WITHIN)
 
 

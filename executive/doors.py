@@ -10,17 +10,18 @@ client cancels its own tasks.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
 from pydantic import JsonValue, ValidationError
 
 from executive.bounds import Bounds, Rates
-from executive.documents import WHOLE, parse, show
 from executive.requests import BY_FIELD, ID_FIELD
 from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
 from skills.ports.clocks import Clocks
+from skills.ports.documents import WHOLE, parse, show
+from skills.ports.message import MAX_REQUEST_BYTES
 from skills.ports.tasks import (
     REQUEST,
     TASK_ANSWERS,
@@ -56,8 +57,28 @@ class _Request:
     def key(self) -> str:
         return self.inner.key
 
+    @property
+    def selector(self) -> str:
+        return self.inner.selector
+
+    @property
+    def size(self) -> int:
+        return len(self.payload)
+
+    def covers(self, key: str) -> bool:
+        return self.inner.covers(key)
+
     def reply(self, payload: bytes) -> None:
         self.inner.reply(payload)
+
+    def reply_each(self, answers: Mapping[str, bytes]) -> None:
+        self.inner.reply_each(answers)
+
+    def refuse(self, payload: bytes) -> None:
+        self.inner.refuse(payload)
+
+    def end(self) -> None:
+        self.inner.end()
 
 
 @dataclass
@@ -99,13 +120,14 @@ class Doors:
         """Ask whoever serves the key."""
         return self.bus.query(key, payload, timeout=timeout)
 
-    def serve(self, key: str) -> Desk:
+    def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
         """Answer queries; at ``task/request`` and ``task/cancel`` also those of named clients."""
         if key == REQUEST:
-            return _Requests(self, [self.bus.serve(each) for each in (key, by_client("*", key))])
+            ends = [self.bus.serve(each, limit=2 * limit) for each in (key, by_client("*", key))]
+            return _Requests(self, ends)
         if key == TASK_CANCEL.key:
             return _Cancels(self, [self.bus.serve(each) for each in (key, by_client("*", key))])
-        return self.bus.serve(key)
+        return self.bus.serve(key, limit=limit)
 
     def listened(self, key: str) -> bool:
         """Say whether anybody subscribes to the key."""

@@ -42,7 +42,7 @@ class Intake:
 
     def __init__(self, bus: Bus, book: TaskBook, kinds: Mapping[str, TaskType[Message]], site: Site) -> None:
         self._bus, self._book, self._kinds, self._site = bus, book, kinds, site
-        self._puts, self._asks = bus.subscribe(REQUEST), bus.serve(REQUEST)
+        self._puts, self._asks = bus.subscribe(REQUEST), bus.serve(REQUEST, limit=1 << 20)
         self._unread: list[_Document] = []
 
     @property

@@ -9,8 +9,8 @@ from typing import Final
 
 from pydantic import JsonValue, ValidationError
 
-from executive.documents import WHOLE, parse, path_of, show
 from executive.envelope import FIELDS, Envelope
+from skills.ports.documents import parse, problems_of, show
 from skills.ports.message import Message
 from skills.ports.site import Site
 from skills.ports.tasks import Problem
@@ -23,21 +23,6 @@ ID_FIELD: Final = "id"
 BY_FIELD: Final = "by"
 """Who asked, by the key of the request; put there by ``executive.doors``."""
 MAX_ID: Final = 64
-
-_EXPECTED: Final[Mapping[str, str]] = {
-    "missing": "a value",
-    "extra_forbidden": "no such field",
-    "int_type": "a whole number",
-    "float_type": "a number",
-    "string_type": "text",
-    "bool_type": "true or false",
-    "finite_number": "a finite number",
-    "tuple_type": "an array",
-    "list_type": "an array",
-    "dict_type": "an object",
-    "model_type": "an object",
-    "none_required": "null",
-}
 
 
 @dataclass(frozen=True)
@@ -110,14 +95,3 @@ def body_of(document: Mapping[str, JsonValue], model: type[Message]) -> dict[str
     """Return what the model itself asks for: without the envelope's fields that it does not have."""
     envelope = {KIND_FIELD, ID_FIELD, BY_FIELD, *FIELDS} - model.model_fields.keys()
     return {name: value for name, value in document.items() if name not in envelope}
-
-
-def problems_of(error: ValidationError) -> tuple[Problem, ...]:
-    """Return pydantic's findings as problems."""
-    found = []
-    for finding in error.errors(include_url=False):
-        kind, message = finding["type"], finding["msg"]
-        expected = _EXPECTED.get(kind, message.removeprefix("Input should be ").removeprefix("Value error, "))
-        shown = "" if kind == "missing" else show(finding["input"])
-        found.append(Problem(path=path_of(finding["loc"]), expected=expected, found=shown))
-    return tuple(found) or (Problem(path=WHOLE, expected="a request"),)

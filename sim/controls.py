@@ -6,30 +6,32 @@ Moving a thing by hand means taking it away and making it anew elsewhere, at res
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Final, Protocol, TypeVar
+from typing import TYPE_CHECKING, Annotated, Final, Protocol
 
-from pydantic import Field, ValidationError
+from pydantic import Field
 
 from sim.faults import Fault, FaultEvent, FaultRequest
 from sim.scenario import Scenario, ScenarioError
 from sim.scene import item_body, obstacle_body
 from sim.things import Name, Obstacle, TrueItem
 from sim.truth import TRUTH, read_truth
+from skills.ports.endpoint import Call, answering, endpoint
 from skills.ports.geometry import Pose
 from skills.ports.hardware import Answer
 from skills.ports.keys import Service, Topic
-from skills.ports.message import MAX_REQUEST_BYTES, Message, RobotTime, Vector3
+from skills.ports.message import Message, RobotTime, Vector3
+from skills.ports.serving import Endpoints
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from sim.body import RobotBody
     from sim.camera import Studio
+    from sim.scene import SceneBody
     from sim.world import World
-    from skills.ports.bus import Bus, Desk, Request
+    from skills.ports.bus import Bus
     from skills.ports.site import Site
 
-Asked = TypeVar("Asked", bound=Message)
 Pixels = Annotated[int, Field(ge=16, le=2048)]
 
 
@@ -70,8 +72,11 @@ REMOVE: Final = Service("sim/remove", RemoveRequest, Answer)
 FAULT: Final = Service("sim/fault", FaultRequest, Answer)
 FAULTS: Final = Topic("sim/faults", FaultEvent)
 """What began, ended or could not be made, as it does."""
-PHOTOGRAPH: Final = "sim/photograph"
-"""Asked with a PhotographRequest as JSON; answered with a PNG, or an Answer as JSON when it is refused."""
+PHOTOGRAPH: Final = Service("sim/photograph", PhotographRequest, Answer, reads=True, exact=True)
+"""Answered with a PNG, or with an Answer when it is refused."""
+
+
+DONE: Final = Answer(accepted=True)
 
 
 class Resetter(Protocol):
@@ -112,115 +117,106 @@ class Controls:
         self._studio = studio
         self._reset = reset
         self._fault = fault
-        self._photographs: list[tuple[int, Request]] = []
-        self._truth: Desk = bus.serve(TRUTH.key)
-        self._photograph: Desk = bus.serve(PHOTOGRAPH)
-        self._served: list[tuple[Desk, Callable[[bytes], Answer]]] = [
-            (bus.serve(service.key), handler)
-            for service, handler in (
-                (RESET, self._on_reset),
-                (PLACE_ITEM, self._on_place_item),
-                (PLACE_OBSTACLE, self._on_place_obstacle),
-                (MOVE, self._on_move),
-                (REMOVE, self._on_remove),
-                (FAULT, self._on_fault),
-            )
-        ]
+        self._photographs: list[tuple[int, Call[PhotographRequest]]] = []
+        self._now, self._seconds = RobotTime(boot="", seconds=0.0), 0.0
+        self._endpoints = Endpoints(
+            bus,
+            lambda: self._seconds,
+            (
+                answering(RESET, self._on_reset),
+                answering(PLACE_ITEM, self._on_place_item),
+                answering(PLACE_OBSTACLE, self._on_place_obstacle),
+                answering(MOVE, self._on_move),
+                answering(REMOVE, self._on_remove),
+                answering(FAULT, lambda asked: self._fault(asked.fault)),
+                answering(TRUTH, lambda _: read_truth(self._world, self._robot, self._now)),
+                endpoint(PHOTOGRAPH, self._on_photograph),
+            ),
+        )
 
     def restart(self, world: World, robot: RobotBody) -> None:
         """Control another world from now on; photographs under way are refused."""
         self._world = world
         self._robot = robot
-        for _, request in self._photographs:
-            request.reply(_document(Answer(accepted=False, reason="the sim was reset")))
+        for _, call in self._photographs:
+            call.reply(_document(_refused("the sim was reset")))
         self._photographs.clear()
 
     def step(self, now: RobotTime) -> None:
         """Do what was asked since the last step."""
-        for desk, handler in self._served:
-            for request in desk.drain():
-                request.reply(_document(_answer(handler, request.payload)))
-        for request in self._truth.drain():
-            request.reply(_document(read_truth(self._world, self._robot, now)))
-        self._take_photographs()
+        # The robot's clock begins anew with a reset; rates count on.
+        self._seconds += max(0.0, now.seconds - self._now.seconds)
+        self._now = now
+        self._endpoints.step()
+        self._send_photographs()
 
     def close(self) -> None:
         """Stop serving. Closing twice is allowed."""
-        for desk in (self._truth, self._photograph, *(desk for desk, _ in self._served)):
-            desk.close()
+        self._endpoints.close()
 
-    def _take_photographs(self) -> None:
-        for request in self._photograph.drain():
-            try:
-                asked = _parse(PhotographRequest, request.payload)
-                number = self._studio.order_photograph(asked.eye, asked.target, asked.width, asked.height)
-            except ValueError as error:
-                request.reply(_document(Answer(accepted=False, reason=_reason(error))))
-            else:
-                self._photographs.append((number, request))
+    def _on_photograph(self, call: Call[PhotographRequest]) -> Answer | None:
+        asked = call.document
+        try:
+            number = self._studio.order_photograph(asked.eye, asked.target, asked.width, asked.height)
+        except ValueError as error:
+            return _refused(str(error))
+        self._photographs.append((number, call))
+        return None
+
+    def _send_photographs(self) -> None:
         waiting = []
-        for number, request in self._photographs:
+        for number, call in self._photographs:
             png = self._studio.fetch(number)
             if png is None:
-                waiting.append((number, request))
+                waiting.append((number, call))
             else:
-                request.reply(png)
+                call.reply(png)
         self._photographs = waiting
 
-    def _on_reset(self, payload: bytes) -> Answer:
-        asked = _parse(ResetRequest, payload)
-        self._reset(asked.seed, asked.scenario)
-        return Answer(accepted=True)
+    def _on_reset(self, asked: ResetRequest) -> Answer:
+        try:
+            self._reset(asked.seed, asked.scenario)
+        except ScenarioError as error:
+            return _refused(str(error))
+        return DONE
 
-    def _on_place_item(self, payload: bytes) -> Answer:
-        self._world.put(item_body(self._site, _parse(TrueItem, payload)))
-        return Answer(accepted=True)
+    def _on_place_item(self, item: TrueItem) -> Answer:
+        return self._put(lambda: item_body(self._site, item))
 
-    def _on_place_obstacle(self, payload: bytes) -> Answer:
-        obstacle = _parse(Obstacle, payload)
+    def _on_place_obstacle(self, obstacle: Obstacle) -> Answer:
         there = self._world.bodies.get(obstacle.name)
         if there is not None and there.label is not None:
-            return Answer(accepted=False, reason=f"{obstacle.name} is an item's name")
-        self._world.put(obstacle_body(self._site, obstacle))
-        return Answer(accepted=True)
+            return _refused(f"{obstacle.name} is an item's name")
+        return self._put(lambda: obstacle_body(self._site, obstacle))
 
-    def _on_move(self, payload: bytes) -> Answer:
-        asked = _parse(MoveRequest, payload)
-        self._world.put(replace(self._world.bodies[self._known(asked.name)], pose=asked.pose))
-        return Answer(accepted=True)
+    def _on_move(self, asked: MoveRequest) -> Answer:
+        return self._unknown(asked.name) or self._put(
+            lambda: replace(self._world.bodies[asked.name], pose=asked.pose)
+        )
 
-    def _on_remove(self, payload: bytes) -> Answer:
-        self._world.remove(self._known(_parse(RemoveRequest, payload).name))
-        return Answer(accepted=True)
+    def _on_remove(self, asked: RemoveRequest) -> Answer:
+        refused = self._unknown(asked.name)
+        if refused is not None:
+            return refused
+        self._world.remove(asked.name)
+        return DONE
 
-    def _on_fault(self, payload: bytes) -> Answer:
-        return self._fault(_parse(FaultRequest, payload).fault)
+    def _put(self, make: Callable[[], SceneBody]) -> Answer:
+        try:
+            self._world.put(make())
+        except (KeyError, ValueError, ScenarioError) as error:
+            return _refused(str(error.args[0]))
+        return DONE
 
-    def _known(self, name: str) -> str:
+    def _unknown(self, name: str) -> Answer | None:
         movable = self._world.movable()
-        if name not in movable:
-            raise KeyError(f"nothing movable is called {name!r}; there are {', '.join(movable)}")
-        return name
+        if name in movable:
+            return None
+        return _refused(f"nothing movable is called {name!r}; there are {', '.join(movable)}")
 
 
-def _answer(handler: Callable[[bytes], Answer], payload: bytes) -> Answer:
-    try:
-        return handler(payload)
-    except (ValueError, KeyError, ScenarioError) as error:
-        return Answer(accepted=False, reason=_reason(error))
-
-
-def _parse(model: type[Asked], payload: bytes) -> Asked:
-    if len(payload) > MAX_REQUEST_BYTES:
-        raise ValueError(f"at most {MAX_REQUEST_BYTES} bytes were expected, found {len(payload)}")
-    return model.model_validate_json(payload)
-
-
-def _reason(error: Exception) -> str:
-    if isinstance(error, ValidationError):
-        parts = (f"{'.'.join(map(str, part['loc']))}: {part['msg']}" for part in error.errors())
-        return "; ".join(parts)
-    return str(error.args[0]) if error.args else str(error)
+def _refused(reason: str) -> Answer:
+    return Answer(accepted=False, reason=reason)
 
 
 def _document(message: Message) -> bytes:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, Protocol
 
-from pydantic import ValidationError
-
 from sim.parts import BasePart, GroupPart, HandPart, Part
 from skills.ports import keys
-from skills.ports.hardware import Clock, JointStates, Stop, StopState
+from skills.ports.endpoint import Endpoint, answering, endpoint
+from skills.ports.hardware import Clock, JointStates, Stop, StopRelease, StopState
 from skills.ports.message import RobotTime
+from skills.ports.serving import Endpoints
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -63,9 +63,13 @@ class Hardware:
     ) -> None:
         self._bus = bus
         self._waits = waits
-        self._stop = bus.serve(keys.STOP.key)
-        self._release = bus.serve(keys.STOP_RELEASE.key)
-        self._describe = bus.serve(keys.DESCRIPTION.key)
+        self._steps = 0  # counted on over a restart: the host's time, as far as rates are concerned
+        self._own = self._serve(
+            endpoint(keys.STOP, lambda call: self._on_stop(call.document), unread=_unread),
+            answering(keys.STOP_RELEASE, self._on_release),
+            answering(keys.DESCRIPTION, lambda _: self._description),
+        )
+        self._parts_served = self._serve()
         self.stop_state = StopState(stopped=False)
         self._parts: list[Part] = []
         self.restart(body, boot=boot, noise=noise, rng=rng, sensors=sensors)
@@ -82,6 +86,7 @@ class Hardware:
         """Begin anew with another body: the clock at zero, under another boot id, no stop set."""
         for part in self._parts:
             part.close()
+        self._parts_served.close()
         description = body.model.description
         self._body = body
         self._boot = boot
@@ -92,12 +97,23 @@ class Hardware:
         self._description = description.model_dump_json().encode()
         self._sensors = tuple(sensors)
         self.base = BasePart(self._bus, body, noise=noise, rng=rng)
-        self.groups = {group.name: GroupPart(self._bus, body, group) for group in description.groups}
+        self.groups = {
+            group.name: GroupPart(self._bus, body, group, stopped=lambda: self.stop_state.stopped)
+            for group in description.groups
+        }
         self.hands = {
-            hand.side: HandPart(self._bus, body, hand, description.end_effector(hand.side))
+            hand.side: HandPart(
+                self._bus,
+                body,
+                hand,
+                description.end_effector(hand.side),
+                stopped=lambda: self.stop_state.stopped,
+            )
             for hand in body.model.hands
         }
         self._parts = [*self.groups.values(), *self.hands.values(), self.base]
+        taking: tuple[GroupPart | HandPart, ...] = (*self.groups.values(), *self.hands.values())
+        self._parts_served = self._serve(*(each for part in taking for each in part.endpoints()))
         self._joints = tuple(
             [joint for group in description.groups for joint in group.joints]
             + [joint for effector in description.end_effectors for joint in effector.gripper.joints]
@@ -116,6 +132,7 @@ class Hardware:
 
     def step(self) -> bool:
         """Hear what was asked, control and simulate one period, and tell what happened."""
+        self._steps += 1
         self._hear()
         for part in self._parts:
             part.act(self._period)
@@ -129,21 +146,21 @@ class Hardware:
         self._hear()
 
     def _hear(self) -> None:
-        for request in self._stop.drain():
-            try:
-                stop = Stop.model_validate_json(request.payload)
-            except ValidationError:
-                # Better a stop without a name than none.
-                stop = Stop(by="unknown", reason="a stop that could not be read")
-            self.set_stop(StopState(stopped=True, by=stop.by, reason=stop.reason))
-            request.reply(self.stop_state.model_dump_json().encode())
-        for request in self._release.drain():
-            self.set_stop(StopState(stopped=False))
-            request.reply(self.stop_state.model_dump_json().encode())
-        for request in self._describe.drain():
-            request.reply(self._description)
+        self._own.step()
+        self._parts_served.step()
         for part in self._parts:
             part.listen(stopped=self.stop_state.stopped)
+
+    def _on_stop(self, stop: Stop) -> StopState:
+        self.set_stop(StopState(stopped=True, by=stop.by, reason=stop.reason))
+        return self.stop_state
+
+    def _on_release(self, release: StopRelease) -> StopState:
+        self.set_stop(StopState(stopped=False, by=release.by, reason=release.reason))
+        return self.stop_state
+
+    def _serve(self, *served: Endpoint) -> Endpoints:
+        return Endpoints(self._bus, lambda: self._steps * self._period, served)
 
     def set_stop(self, state: StopState) -> None:
         """Set the stop, so that all comes to rest and stays there, or release it; tell when it changed."""
@@ -180,5 +197,10 @@ class Hardware:
             part.halt()
             part.close()
         self._parts = []
-        for desk in (self._stop, self._release, self._describe):
-            desk.close()
+        self._own.close()
+        self._parts_served.close()
+
+
+def _unread() -> Stop:
+    """Return what an unreadable stop is taken for: better a stop without a name than none."""
+    return Stop(by="unknown", reason="a stop that could not be read")

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from skills.ports.message import MAX_REQUEST_BYTES
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
@@ -72,9 +74,9 @@ class Line:
         """Ask; the hardware itself asks nobody."""
         return self._bus.query(key, payload, timeout=timeout)
 
-    def serve(self, key: str) -> Desk:
+    def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
         """Answer queries while the line is whole."""
-        return _Desk(self, self._bus.serve(key))
+        return _Desk(self, self._bus.serve(key, limit=limit))
 
     def listened(self, key: str) -> bool:
         """Say whether what is put on the key reaches anybody."""

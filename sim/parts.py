@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, Protocol, TypeVar
-
-from pydantic import ValidationError
+from typing import TYPE_CHECKING, Final, Protocol
 
 from sim.base import BaseController, Odometer
 from sim.gripper import SOUND, GripperController
@@ -12,10 +10,10 @@ from sim.joints import Report
 from sim.motors import GroupServos
 from sim.wrench import BUMPERS, WristSensor, pressed_bumpers
 from skills.ports import keys
+from skills.ports.endpoint import Endpoint, answering
 from skills.ports.hardware import (
     Answer,
     Bumpers,
-    CancelMotion,
     GripperCommand,
     GripperMotion,
     GripperState,
@@ -25,7 +23,7 @@ from skills.ports.hardware import (
     TrajectoryGoal,
     Wrench,
 )
-from skills.ports.message import Message, RobotTime
+from skills.ports.message import RobotTime
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -35,10 +33,8 @@ if TYPE_CHECKING:
     from sim.body import RobotBody
     from sim.model import Hand
     from sim.scenario import Noise
-    from skills.ports.bus import Bus, Desk
+    from skills.ports.bus import Bus
     from skills.ports.hardware import BaseVelocity, EndEffector, JointGroup, LaserSensor
-
-M = TypeVar("M", bound=Message)
 
 CLOSED: Final = 0.001
 """Metres between pads that have met: the hand is a fist."""
@@ -57,7 +53,7 @@ class Part(Protocol):
     """What the hardware node is made of."""
 
     def listen(self, *, stopped: bool) -> None:
-        """Read what was asked and answer it; while stopped, refuse all motion."""
+        """Read what is streamed; while stopped, refuse all motion."""
         ...
 
     def halt(self) -> None:
@@ -77,44 +73,37 @@ class Part(Protocol):
         ...
 
 
-def answer_all(desk: Desk, model: type[M], handle: Callable[[M], Answer]) -> None:
-    """Answer every query at a desk; one that does not decode is refused with what was expected."""
-    for request in desk.drain():
-        try:
-            answer = handle(model.model_validate_json(request.payload))
-        except ValidationError as error:
-            first = error.errors()[0]
-            where = ".".join(str(part) for part in first["loc"]) or "document"
-            answer = Answer(accepted=False, reason=f"{where}: {first['msg']}")
-        request.reply(answer.model_dump_json().encode())
-
-
 class GroupPart:
     """A joint group: trajectory goals, cancels, set-points, status."""
 
-    def __init__(self, bus: Bus, body: RobotBody, group: JointGroup) -> None:
-        self._bus = bus
+    def __init__(self, bus: Bus, body: RobotBody, group: JointGroup, *, stopped: Callable[[], bool]) -> None:
+        self._bus, self._stopped = bus, stopped
         self._body = body
         self._group = group
         self.servos = GroupServos(body, group)
-        self._goals = bus.serve(keys.group_goal(group.name).key)
-        self._cancels = bus.serve(keys.group_cancel(group.name).key)
         self._setpoints = keys.Latest(bus, keys.group_setpoint(group.name))
         self._status = keys.group_status(group.name)
         self._told: Report | None = None
         self.stalled: Mapping[str, bool] = {}
         """Motors that don't follow, by joint: False holds where it is, True exerts nothing."""
 
+    def endpoints(self) -> tuple[Endpoint, ...]:
+        """Return what is to be served: goals and cancels."""
+        name = self._group.name
+        return (
+            answering(keys.group_goal(name), self._take),
+            answering(keys.group_cancel(name), lambda cancel: self.servos.controller.cancel(cancel.id)),
+        )
+
     def listen(self, *, stopped: bool) -> None:
-        """Take goals, cancels and set-points."""
-        controller = self.servos.controller
-        answer_all(self._goals, TrajectoryGoal, lambda goal: STOPPED if stopped else self._take(goal))
-        answer_all(self._cancels, CancelMotion, lambda cancel: controller.cancel(cancel.id))
+        """Take set-points."""
         for setpoint in self._setpoints.take():
             if not stopped:
-                controller.stream(setpoint)
+                self.servos.controller.stream(setpoint)
 
     def _take(self, goal: TrajectoryGoal) -> Answer:
+        if self._stopped():
+            return STOPPED
         if goal.keeper and goal.keeper not in self._bus.alive():
             reason = f"its keeper {goal.keeper} is not announced"
             return Answer(accepted=False, reason=reason)
@@ -156,16 +145,22 @@ class GroupPart:
 
     def close(self) -> None:
         """Stop serving."""
-        self._goals.close()
-        self._cancels.close()
         self._setpoints.close()
 
 
 class HandPart:
     """A gripper and the wrist's force/torque sensor behind it."""
 
-    def __init__(self, bus: Bus, body: RobotBody, hand: Hand, effector: EndEffector) -> None:
-        self._bus = bus
+    def __init__(
+        self,
+        bus: Bus,
+        body: RobotBody,
+        hand: Hand,
+        effector: EndEffector,
+        *,
+        stopped: Callable[[], bool],
+    ) -> None:
+        self._bus, self._stopped = bus, stopped
         self._body = body
         self._side = effector.side
         self._gripper = effector.gripper
@@ -175,16 +170,19 @@ class HandPart:
         inner, outer = body.read(self._joints)
         self.controller = GripperController(effector.gripper, (inner.position, outer.position))
         self._sensor = WristSensor(body, hand.wrench_joint)
-        self._commands = bus.serve(keys.gripper_command(effector.side).key)
         self._state = keys.gripper_state(effector.side)
         self._wrench = keys.wrench(effector.side)
         self._told = (self.controller.command_id, self.controller.motion)
 
+    def endpoints(self) -> tuple[Endpoint, ...]:
+        """Return what is to be served: commands."""
+        return (answering(keys.gripper_command(self._side), self._take),)
+
     def listen(self, *, stopped: bool) -> None:
-        """Take commands."""
-        answer_all(
-            self._commands, GripperCommand, lambda c: STOPPED if stopped else self.controller.accept(c)
-        )
+        """Hear nothing: nothing is streamed to a gripper."""
+
+    def _take(self, command: GripperCommand) -> Answer:
+        return STOPPED if self._stopped() else self.controller.accept(command)
 
     def halt(self) -> None:
         """Stand still, and hold on to what is held."""
@@ -232,8 +230,7 @@ class HandPart:
             self._wrench.publish(self._bus, reading)
 
     def close(self) -> None:
-        """Stop serving."""
-        self._commands.close()
+        """Close nothing: the hardware serves its endpoints."""
 
 
 class BasePart:

@@ -57,7 +57,7 @@ class Truth(Message):
         return tuple(sorted({other for one, other in pairs if one == name}))
 
 
-TRUTH: Final = Service("sim/truth", Nothing, Truth)
+TRUTH: Final = Service("sim/truth", Nothing, Truth, reads=True)
 
 
 def read_truth(world: World, robot: RobotBody, stamp: RobotTime) -> Truth:

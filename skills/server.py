@@ -2,7 +2,8 @@
 
 A goal is answered at once: accepted, or rejected and why. Its status is published on each change and, while
 feedback comes, ten times a second; how it ended is kept, so that a late or reconnecting client can ask.
-The same id sent twice starts once. A client that is gone has its goal cancelled.
+The same id sent twice starts once, and one that was rejected stays so. A client that is gone has its goal
+cancelled.
 """
 
 from __future__ import annotations
@@ -29,14 +30,18 @@ from skills.ports.action import (
 )
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.documents import in_words
+from skills.ports.endpoint import answering, endpoint
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.message import Message
+from skills.ports.serving import Endpoints
 from skills.ports.skill import Command, F, G, Outcome, R, Run, Skill, Slice
+from skills.ports.tasks import Problem
 
 log = logging.getLogger(__name__)
 
 KEPT: Final = 256
-"""Ended goals whose result is remembered."""
+"""Ended goals whose result is remembered, and as many that were rejected."""
 FEEDBACK_PERIOD: Final = 0.1
 """Robot seconds between two published statuses with new feedback only."""
 ORPHANED_AFTER: Final = 1.0
@@ -71,12 +76,21 @@ class ActionServer(Generic[G, F, R]):
     def __init__(self, bus: Bus, clocks: Clocks, skill: Skill[G, F, R], *, charge: bool = False) -> None:
         name = skill.action.name
         self._bus, self._clocks, self._skill, self._charge = bus, clocks, skill, charge
-        self._goals = bus.serve(goal_service(name).key)
-        self._commands = bus.serve(command_service(name).key)
-        self._questions = bus.serve(result_service(name).key)
+        self._endpoints = Endpoints(
+            bus,
+            clocks.monotonic,
+            (
+                endpoint(goal_service(name), lambda call: self._on_goal(call.document), refuse=self._reject),
+                endpoint(
+                    command_service(name), lambda call: self._on_command(call.document), refuse=self._reject
+                ),
+                answering(result_service(name), self._on_question),
+            ),
+        )
         self._topic = status_topic(name)
         self._current: _Current[F, R] | None = None
         self._known: OrderedDict[str, GoalStatus] = OrderedDict()
+        self._rejected: OrderedDict[str, GoalStatus] = OrderedDict()
         self._sequence = 0
         self._published_at = float("-inf")
         self._journal: GoalJournal | None = None
@@ -98,11 +112,9 @@ class ActionServer(Generic[G, F, R]):
 
     def step(self) -> bool:
         """Answer who asks, then resume the skill."""
-        self._answer_goals()
-        self._answer_commands()
-        self._answer_questions()
+        waiting = self._endpoints.step()
         self._watch_client()
-        return self._resume()
+        return self._resume() or waiting
 
     def close(self) -> None:
         """End what runs; the skill's last act is to send a stop."""
@@ -111,21 +123,33 @@ class ActionServer(Generic[G, F, R]):
             self._end(
                 GoalState.FAILED, failure=self._failure(FailureKind.SKILL_LOST, "the skill's process ended")
             )
-        for desk in (self._goals, self._commands, self._questions):
-            desk.close()
+        self._endpoints.close()
 
-    def _answer_goals(self) -> None:
-        for request in self._goals.drain():
-            try:
-                sent = SendGoal.model_validate_json(request.payload)
-            except ValidationError as error:
-                failure = self._failure(FailureKind.INVALID_GOAL, f"a goal document was expected: {error}")
-                request.reply(
-                    self._status("", GoalState.REJECTED, failure=failure).model_dump_json().encode()
-                )
-                continue
-            status = self._known.get(sent.goal_id) or self._start(sent)
-            request.reply(status.model_dump_json().encode())
+    def _on_goal(self, sent: SendGoal) -> GoalStatus:
+        known = self._find(sent.goal_id)
+        if known is not None:
+            return known
+        before = self._current
+        try:
+            status = self._start(sent)
+        except Exception as error:
+            log.exception("a goal's check raised", extra=self._about(sent.goal_id))
+            self._current = before
+            crashed = self._failure(FailureKind.SKILL_CRASHED, repr(error))
+            status = self._status(sent.goal_id, GoalState.REJECTED, failure=crashed)
+        if status.state.terminal:
+            # The same message may come twice, and late: for a client that has given up by then.
+            self._rejected[sent.goal_id] = status
+            while len(self._rejected) > KEPT:
+                self._rejected.popitem(last=False)
+        return status
+
+    def _find(self, goal_id: str) -> GoalStatus | None:
+        return self._known.get(goal_id) or self._rejected.get(goal_id)
+
+    def _reject(self, problems: tuple[Problem, ...]) -> GoalStatus:
+        failure = self._failure(FailureKind.INVALID_GOAL, in_words(problems))
+        return self._status("", GoalState.REJECTED, failure=failure)
 
     def _start(self, sent: SendGoal) -> GoalStatus:
         try:
@@ -163,17 +187,10 @@ class ActionServer(Generic[G, F, R]):
             return self._failure(FailureKind.NOT_STORED, f"{goal_id} could not be written down: {error}")
         return None
 
-    def _answer_commands(self) -> None:
-        for request in self._commands.drain():
-            try:
-                asked = GoalCommand.model_validate_json(request.payload)
-            except ValidationError:
-                request.reply(self._status("", GoalState.UNKNOWN).model_dump_json().encode())
-                continue
-            if self._current is not None and self._current.goal_id == asked.goal_id:
-                self._command(self._current, asked.command)
-            status = self._known.get(asked.goal_id) or self._status(asked.goal_id, GoalState.UNKNOWN)
-            request.reply(status.model_dump_json().encode())
+    def _on_command(self, asked: GoalCommand) -> GoalStatus:
+        if self._current is not None and self._current.goal_id == asked.goal_id:
+            self._command(self._current, asked.command)
+        return self._find(asked.goal_id) or self._status(asked.goal_id, GoalState.UNKNOWN)
 
     def _command(self, current: _Current[F, R], command: Command) -> None:
         state = self._known[current.goal_id].state
@@ -190,14 +207,8 @@ class ActionServer(Generic[G, F, R]):
         }
         self._change(current.goal_id, after[command])
 
-    def _answer_questions(self) -> None:
-        for request in self._questions.drain():
-            try:
-                asked = AskResult.model_validate_json(request.payload)
-            except ValidationError:
-                asked = AskResult(goal_id="")
-            status = self._known.get(asked.goal_id) or self._status(asked.goal_id, GoalState.UNKNOWN)
-            request.reply(status.model_dump_json().encode())
+    def _on_question(self, asked: AskResult) -> GoalStatus:
+        return self._find(asked.goal_id) or self._status(asked.goal_id, GoalState.UNKNOWN)
 
     def _watch_client(self) -> None:
         current = self._current

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from executive.ledger.port import Entry, Ledger, Reading, SentGoal, Transition
 from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
+from skills.ports.message import MAX_REQUEST_BYTES
 from skills.ports.tasks import AskHistory, History, TaskStatus
 
 _TASK = re.compile(r"[a-z_]+-[a-z0-9]+-\d{4,}")
@@ -56,13 +57,33 @@ class _Request:
         return self.inner.key
 
     @property
+    def selector(self) -> str:
+        return self.inner.selector
+
+    @property
+    def size(self) -> int:
+        return self.inner.size
+
+    @property
     def payload(self) -> bytes:
         return self.inner.payload
+
+    def covers(self, key: str) -> bool:
+        return self.inner.covers(key)
 
     def reply(self, payload: bytes) -> None:
         self.points.passing(f"before answer {self.key}")
         self.inner.reply(payload)
         self.points.passing(f"after answer {self.key}")
+
+    def reply_each(self, answers: Mapping[str, bytes]) -> None:
+        self.inner.reply_each(answers)
+
+    def refuse(self, payload: bytes) -> None:
+        self.inner.refuse(payload)
+
+    def end(self) -> None:
+        self.inner.end()
 
 
 @dataclass(frozen=True)
@@ -119,9 +140,9 @@ class CrashBus:
         self.points.passing(f"after query {key}")
         return pending
 
-    def serve(self, key: str) -> Desk:
+    def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
         """Answer."""
-        return _Desk(self.inner.serve(key), self.points)
+        return _Desk(self.inner.serve(key, limit=limit), self.points)
 
     def listened(self, key: str) -> bool:
         """As the bus."""

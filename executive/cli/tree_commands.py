@@ -167,9 +167,9 @@ def _running(options: BusOptions) -> TreeNode:
 
 
 def _built(task: str, request: str, site_name: str) -> TreeNode:
-    from executive.documents import parse  # noqa: PLC0415
     from executive.render.example import NoExampleError, example_request, tree_of  # noqa: PLC0415
     from executive.requests import Refused, read_request  # noqa: PLC0415
+    from skills.ports.documents import parse  # noqa: PLC0415
     from skills.site import DocumentError, load  # noqa: PLC0415
     from trees.registry import discover  # noqa: PLC0415
 

@@ -98,7 +98,7 @@ def command_service(action: str) -> Service[GoalCommand, GoalStatus]:
 
 def result_service(action: str) -> Service[AskResult, GoalStatus]:
     """Return the service that tells how a goal stands or ended."""
-    return Service(f"skill/{action}/result", AskResult, GoalStatus)
+    return Service(f"skill/{action}/result", AskResult, GoalStatus, reads=True)
 
 
 def status_topic(action: str) -> Topic[GoalStatus]:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Protocol
+
+from skills.ports.message import MAX_REQUEST_BYTES
 
 
 class Sample(Protocol):
@@ -20,20 +23,52 @@ class Sample(Protocol):
 
 
 class Request(Protocol):
-    """One query that waits for its answer. Answer once; unanswered, it ends empty when dropped."""
+    """One query that waits for its answer. Answer once; unanswered, it ends empty when dropped.
+
+    Only ``skills.ports.serving`` reads these: whether a query may do anything is decided there.
+    """
 
     @property
     def key(self) -> str:
-        """The key that was asked, relative to ``<site>/<robot>``."""
+        """The key served here that is asked, relative to ``<site>/<robot>``; never a selector.
+
+        Empty when the desk's own key and the selector both have wildcards.
+        """
+        ...
+
+    @property
+    def selector(self) -> str:
+        """What was asked, perhaps with wildcards; as long as it begins so, without ``<site>/<robot>``."""
+        ...
+
+    @property
+    def size(self) -> int:
+        """Bytes that were sent along."""
         ...
 
     @property
     def payload(self) -> bytes:
-        """What was sent along."""
+        """What was sent along; empty when it was more than the desk takes."""
+        ...
+
+    def covers(self, key: str) -> bool:
+        """Say whether the selector stands for the key."""
         ...
 
     def reply(self, payload: bytes) -> None:
-        """Answer; a second answer is ignored."""
+        """Answer under ``key``; a second answer is ignored."""
+        ...
+
+    def reply_each(self, answers: Mapping[str, bytes]) -> None:
+        """Answer a selector under each key that it covers, and end."""
+        ...
+
+    def refuse(self, payload: bytes) -> None:
+        """Answer with an error; ignored after an answer."""
+        ...
+
+    def end(self) -> None:
+        """End without an answer."""
         ...
 
 
@@ -68,6 +103,10 @@ class Pending(Protocol):
         """Return the answer, or None while there is none."""
         ...
 
+    def refusal(self) -> bytes | None:
+        """Return the error that was answered, or None."""
+        ...
+
     def done(self) -> bool:
         """Say whether no (further) answer will come; done without an answer means "not known"."""
         ...
@@ -91,8 +130,11 @@ class Bus(Protocol):
         """Ask whoever serves the key. ``timeout`` is in seconds of the host's monotonic clock."""
         ...
 
-    def serve(self, key: str) -> Desk:
-        """Answer queries on the key expression. Of each key a bounded number waits; more end unanswered."""
+    def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
+        """Answer queries on the key expression. Of each key a bounded number waits; more end unanswered.
+
+        Of a query with more than ``limit`` bytes only the size is kept. For ``skills.ports.serving`` alone.
+        """
         ...
 
     def listened(self, key: str) -> bool:

@@ -360,6 +360,13 @@ class Stop(Message):
     reason: str
 
 
+class StopRelease(Message):
+    """Let things move again; whoever releases the stop says who that is, as whoever sets it does."""
+
+    by: Annotated[str, Field(min_length=1, max_length=80)]
+    reason: Annotated[str, Field(max_length=200)] = ""
+
+
 class StopState(Message):
     """Whether the stop is set, by whom and why."""
 

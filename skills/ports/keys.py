@@ -5,6 +5,7 @@ A ``Topic`` is a key and the message that travels on it; a ``Service`` is a key 
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Final, Generic, TypeVar
 
@@ -26,10 +27,12 @@ from skills.ports.hardware import (
     RobotDescription,
     SetPoint,
     Stop,
+    StopRelease,
     StopState,
     TrajectoryGoal,
     Wrench,
 )
+from skills.ports.limits import SMALL, Limits
 from skills.ports.message import Message, RobotTime
 
 M = TypeVar("M", bound=Message)
@@ -59,11 +62,19 @@ class Topic(Generic[M]):
 
 @dataclass(frozen=True)
 class Service(Generic[Asked, Answered]):
-    """A key that is queried: what is asked and what is answered, as JSON."""
+    """A key that is queried: what is asked and what is answered, as JSON (``skills.ports.serving``).
+
+    With ``reads`` it is a question: it changes nothing, so that anybody who looks around may ask it, with a
+    wildcard and without a document. Otherwise it is a command. With ``exact`` it is a question whose answer
+    costs work: no wildcard asks it.
+    """
 
     key: str
     asked: type[Asked]
     answered: type[Answered]
+    reads: bool = False
+    exact: bool = False
+    limits: Limits = SMALL
 
     def query(self, bus: Bus, message: Asked, *, timeout: float = 2.0) -> Pending:
         """Ask; poll the result and give it to ``decode_answer``."""
@@ -127,16 +138,20 @@ def _stamp(message: Message | None) -> RobotTime | None:
     return stamp if isinstance(stamp, RobotTime) else None
 
 
+TRAJECTORY: Final = Limits(bytes=1024 * 1024)
+"""A minute of a seven-jointed arm at 50 points a second is 0.9 MB."""
+
 # The hardware.
-DESCRIPTION: Final = Service("hw/description", Nothing, RobotDescription)
+DESCRIPTION: Final = Service("hw/description", Nothing, RobotDescription, reads=True)
 CLOCK: Final = Topic("hw/clock", Clock)
 JOINT_STATES: Final = Topic("hw/joints/state", JointStates)
 BASE_VELOCITY: Final = Topic("hw/base/velocity", BaseVelocity)
 ODOMETRY: Final = Topic("hw/base/odometry", Odometry)
 LASER: Final = Topic("hw/base/laser", LaserScan)
 BUMPERS: Final = Topic("hw/base/bumpers", Bumpers)
-STOP: Final = Service("hw/stop", Stop, StopState)
-STOP_RELEASE: Final = Service("hw/stop/release", Nothing, StopState)
+STOP: Final = Service("hw/stop", Stop, StopState, limits=Limits(per_step=128, rate=math.inf))
+"""The one command that an unreadable document does not keep from being carried out, nor a flood."""
+STOP_RELEASE: Final = Service("hw/stop/release", StopRelease, StopState)
 STOP_STATE: Final = Topic("hw/stop/state", StopState)
 RGBD: Final = "hw/camera/head/rgbd"
 """Binary: see ``skills.ports.image``."""
@@ -144,7 +159,7 @@ RGBD: Final = "hw/camera/head/rgbd"
 
 def group_goal(group: str) -> Service[TrajectoryGoal, Answer]:
     """Return the service that takes a group's trajectory goals."""
-    return Service(f"hw/group/{group}/goal", TrajectoryGoal, Answer)
+    return Service(f"hw/group/{group}/goal", TrajectoryGoal, Answer, limits=TRAJECTORY)
 
 
 def group_cancel(group: str) -> Service[CancelMotion, Answer]:

@@ -9,6 +9,7 @@ from pydantic import Field, JsonValue
 
 from skills.ports.failure import Failure
 from skills.ports.keys import Nothing, Service, Topic
+from skills.ports.limits import Limits
 from skills.ports.message import Message, RobotTime
 
 
@@ -305,14 +306,14 @@ TASK_REPRIORITISE: Final = Service("task/reprioritise", Reprioritise, ControlAns
 TASK_ANSWER: Final = Service("task/answer", AnswerQuestion, ControlAnswer)
 TASK_BREAKPOINT: Final = Service("task/breakpoint", Breakpoint, ControlAnswer)
 TASK_FORCE: Final = Service("task/force", ForceNode, ControlAnswer)
-TASK_HISTORY: Final = Service("task/history", AskHistory, History)
+TASK_HISTORY: Final = Service("task/history", AskHistory, History, reads=True, limits=Limits(per_step=1))
 TASK_PICTURE: Final = "task/picture"
 """Asked with an AskPicture; answered with a JPEG, or with nothing when there is none."""
-TASK_LIST: Final = Service("task/list", Nothing, TaskList)
-TASK_INFO: Final = Service("task/info", Nothing, ExecutiveInfo)
+TASK_LIST: Final = Service("task/list", Nothing, TaskList, reads=True, limits=Limits(per_step=4))
+TASK_INFO: Final = Service("task/info", Nothing, ExecutiveInfo, reads=True)
 TASK_PULSE: Final = Topic("task/pulse", ExecutivePulse)
 TREE: Final = Topic("tree/snapshot", TreeSnapshot)
-TREE_NOW: Final = Service("tree/now", Nothing, TreeSnapshot)
+TREE_NOW: Final = Service("tree/now", Nothing, TreeSnapshot, reads=True)
 
 
 def task_status(task: str) -> Topic[TaskStatus]:

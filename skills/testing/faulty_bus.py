@@ -15,7 +15,7 @@ from pydantic import Field
 
 from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
 from skills.ports.clocks import Clocks
-from skills.ports.message import Message
+from skills.ports.message import MAX_REQUEST_BYTES, Message
 
 T = TypeVar("T", Sample, Request)
 
@@ -154,6 +154,10 @@ class FaultyPending:
             self.answered = now
         return answer if self.answered is not None and now >= self.answered + self.late else None
 
+    def refusal(self) -> bytes | None:
+        """Return the error that was answered, or None; an error is never late."""
+        return None if self.inner is None or self.mute else self.inner.refusal()
+
     def done(self) -> bool:
         """Say whether no (further) answer will come."""
         if self.inner is None or self.mute:
@@ -216,9 +220,9 @@ class FaultyBus:
         until = self._clocks.monotonic() + timeout
         return FaultyPending(self._clocks, inner, mute=fate < faults.drop, late=late, until=until)
 
-    def serve(self, key: str) -> Desk:
+    def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
         """Answer queries that get through."""
-        inner = self._bus.serve(key)
+        inner = self._bus.serve(key, limit=limit)
         if self._faults is None:
             return inner
         queue = _Queue[Request](self._faults, self._rng, self._clocks)

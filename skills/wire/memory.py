@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
-from skills.ports.match import matches
+from skills.ports.match import intersects, matches
+from skills.ports.message import MAX_REQUEST_BYTES
 from skills.wire.keyed_queue import DESK_DEPTH
 
 
@@ -44,16 +45,23 @@ class MemoryInbox:
 class MemoryPending:
     """A query under way in memory."""
 
-    answer: bytes | None = None
-    ended: bool = False
+    replies: dict[str, bytes] = field(default_factory=dict)
+    """Every answer by its key: a selector may get many."""
+    error: bytes | None = None
+    under_way: int = 0
+    """Requests of it that have not ended."""
 
     def poll(self) -> bytes | None:
-        """Return the answer, or None while there is none."""
-        return self.answer
+        """Return the first answer, or None while there is none."""
+        return next(iter(self.replies.values()), None)
+
+    def refusal(self) -> bytes | None:
+        """Return the error that was answered, or None."""
+        return self.error
 
     def done(self) -> bool:
         """Say whether no (further) answer will come."""
-        return self.ended
+        return self.under_way == 0
 
 
 @dataclass(eq=False)
@@ -62,20 +70,50 @@ class MemoryRequest:
 
     hub: MemoryHub
     key: str
+    selector: str
+    size: int
     payload: bytes
     pending: MemoryPending
+    ended: bool = False
+
+    def __post_init__(self) -> None:
+        self.pending.under_way += 1
+
+    def covers(self, key: str) -> bool:
+        """Say whether the selector stands for the key."""
+        return matches(self.selector, key)
 
     def reply(self, payload: bytes) -> None:
         """Answer; a second answer is ignored."""
-        if self.pending.ended:
+        self.reply_each({self.key: payload})
+
+    def reply_each(self, answers: Mapping[str, bytes]) -> None:
+        """Answer under each key."""
+        if self.ended:
             return
-        self.pending.answer = payload
-        self.pending.ended = True
-        self.hub.record("reply", self.key, payload)
+        for key, payload in answers.items():
+            if not self.covers(key):
+                raise ValueError(f"{key} is not among the keys that {self.selector} stands for")
+            self.pending.replies.setdefault(key, payload)
+            self.hub.record("reply", key, payload)
+        self.end()
+
+    def refuse(self, payload: bytes) -> None:
+        """Answer with an error."""
+        if not self.ended:
+            self.pending.error = payload
+            self.hub.record("reply", self.key, payload)
+            self.end()
+
+    def end(self) -> None:
+        """End without an answer."""
+        if not self.ended:
+            self.ended = True
+            self.pending.under_way -= 1
 
     def __del__(self) -> None:
         """Unanswered, it ends empty when dropped."""
-        self.pending.ended = True
+        self.end()
 
 
 @dataclass(eq=False)
@@ -84,7 +122,16 @@ class MemoryDesk:
 
     hub: MemoryHub
     expression: str
+    limit: int
     waiting: deque[MemoryRequest] = field(default_factory=deque)
+
+    def ask(self, selector: str, payload: bytes, pending: MemoryPending) -> None:
+        """Have a query wait here; more than there is room for end unanswered."""
+        if sum(each.selector == selector for each in self.waiting) >= DESK_DEPTH:
+            return
+        key = next((each for each in (self.expression, selector) if "*" not in each), "")
+        kept = payload if len(payload) <= self.limit else b""
+        self.waiting.append(MemoryRequest(self.hub, key, selector, len(payload), kept, pending))
 
     def drain(self) -> list[Request]:
         """Take all that has arrived."""
@@ -95,7 +142,7 @@ class MemoryDesk:
     def close(self) -> None:
         """Stop serving; what waits ends without an answer."""
         for request in self.waiting:
-            request.pending.ended = True
+            request.end()
         self.waiting.clear()
         self.hub.forget(self)
 
@@ -173,21 +220,17 @@ class MemoryBus:
         return inbox
 
     def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:  # noqa: ARG002
-        """Ask the first who serves the key; where nobody does, the query ends at once."""
+        """Ask the first who serves the key, or with a selector all; where nobody does, it ends at once."""
         pending = MemoryPending()
         self.hub.record("query", key, payload)
-        for desk in self.hub.desks:
-            if matches(desk.expression, key):
-                if sum(each.key == key for each in desk.waiting) >= DESK_DEPTH:
-                    break
-                desk.waiting.append(MemoryRequest(self.hub, key, payload, pending))
-                return pending
-        pending.ended = True
+        asked = [desk for desk in self.hub.desks if intersects(desk.expression, key)]
+        for desk in asked if "*" in key else asked[:1]:
+            desk.ask(key, payload, pending)
         return pending
 
-    def serve(self, key: str) -> Desk:
+    def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
         """Answer queries on the key expression."""
-        desk = MemoryDesk(self.hub, key)
+        desk = MemoryDesk(self.hub, key, limit)
         self.hub.desks.append(desk)
         return desk
 

@@ -15,6 +15,7 @@ import zenoh
 
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
 from skills.ports.delivery import LARGE, Delivery, delivery_of
+from skills.ports.message import MAX_REQUEST_BYTES
 from skills.wire.configs import client_config
 from skills.wire.credentials import Credentials
 from skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
@@ -91,11 +92,16 @@ class ZenohPending:
 
     waker: Waker
     answer: bytes | None = None
+    error: bytes | None = None
     ended: bool = False
 
     def poll(self) -> bytes | None:
         """Return the answer, or None while there is none."""
         return self.answer
+
+    def refusal(self) -> bytes | None:
+        """Return the error that was answered, or None."""
+        return self.error
 
     def done(self) -> bool:
         """Say whether no (further) answer will come."""
@@ -105,6 +111,8 @@ class ZenohPending:
         """Keep the first answer."""
         if reply.ok is not None and self.answer is None:
             self.answer = reply.ok.payload.to_bytes()
+        elif reply.err is not None and not _from_zenoh(reply.err):
+            self.error = reply.err.payload.to_bytes()
         self.waker.wake()
 
     def end(self) -> None:
@@ -113,20 +121,48 @@ class ZenohPending:
         self.waker.wake()
 
 
+def _from_zenoh(error: zenoh.ReplyError) -> bool:
+    """Say whether zenoh itself made an error: its time-out is no answer of anybody's."""
+    return error.encoding != zenoh.Encoding.APPLICATION_JSON
+
+
 @dataclass(eq=False)
 class ZenohRequest:
     """One query that waits for its answer."""
 
     key: str
+    selector: str
+    size: int
     payload: bytes
+    prefix: str
     query: zenoh.Query | None
+
+    def covers(self, key: str) -> bool:
+        """Say whether the selector stands for the key."""
+        return self.query is not None and self.query.key_expr.includes(zenoh.KeyExpr(f"{self.prefix}{key}"))
 
     def reply(self, payload: bytes) -> None:
         """Answer; a second answer is ignored."""
+        self.reply_each({self.key: payload})
+
+    def reply_each(self, answers: Mapping[str, bytes]) -> None:
+        """Answer under each key."""
         if self.query is not None:
-            query, self.query = self.query, None
-            query.reply(query.key_expr, payload, express=True)
-            query.drop()  # type: ignore[no-untyped-call]
+            for key, payload in answers.items():
+                self.query.reply(f"{self.prefix}{key}", payload, express=True)
+            self.end()
+
+    def refuse(self, payload: bytes) -> None:
+        """Answer with an error."""
+        if self.query is not None:
+            self.query.reply_err(payload, encoding=zenoh.Encoding.APPLICATION_JSON)
+            self.end()
+
+    def end(self) -> None:
+        """End without an answer."""
+        if self.query is not None:
+            self.query.drop()  # type: ignore[no-untyped-call]
+            self.query = None
 
 
 @dataclass(eq=False)
@@ -146,9 +182,7 @@ class ZenohDesk:
             self.queryable.undeclare()  # type: ignore[no-untyped-call]
             self.queryable = None
         for request in self.waiting.drain():
-            if request.query is not None:
-                request.query.drop()  # type: ignore[no-untyped-call]
-                request.query = None
+            request.end()
 
 
 def open_session(config: zenoh.Config, endpoint: str) -> zenoh.Session:
@@ -249,18 +283,22 @@ class ZenohBus:
         )
         return pending
 
-    def serve(self, key: str) -> Desk:
+    def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
         """Answer queries on the key expression."""
-        desk = ZenohDesk()
-        start = len(self._prefix) + 1
+        desk, prefix = ZenohDesk(), f"{self._prefix}/"
 
         def asked(query: zenoh.Query) -> None:
-            name = str(query.key_expr)[start:]
-            if not desk.waiting.has_room(name):
+            whole = str(query.key_expr)
+            selector = whole.removeprefix(prefix)
+            own = next((each for each in (key, selector) if "*" not in each), "")
+            # All selectors share one queue: they are no keys, and whoever makes them up gets no more room.
+            line = "" if "*" in selector else selector
+            if not desk.waiting.has_room(line):
                 query.drop()  # type: ignore[no-untyped-call]
                 return
-            body = b"" if query.payload is None else query.payload.to_bytes()
-            desk.waiting.put(name, ZenohRequest(name, body, query))
+            size = 0 if query.payload is None else len(query.payload)
+            body = b"" if query.payload is None or size > limit else query.payload.to_bytes()
+            desk.waiting.put(line, ZenohRequest(own, selector, size, body, prefix, query))
             self.waker.wake()
 
         desk.queryable = self._session.declare_queryable(f"{self._prefix}/{key}", asked)

@@ -137,6 +137,80 @@ def test_a_query_is_answered(pair: Pair) -> None:
     assert pair.until(asked)
 
 
+def test_a_selector_is_told_from_a_key_and_answered_under_one(pair: Pair) -> None:
+    desk = pair.a.serve("task/list")
+    seen: list[tuple[str, str, bool]] = []
+
+    def answer() -> bool:
+        for request in desk.drain():
+            seen.append((request.key, request.selector, request.covers("task/list")))
+            request.reply(b"here")
+        return bool(seen)
+
+    def asked(selector: str) -> bytes | None:
+        seen.clear()
+        pending = pair.b.query(selector, b"")
+        pair.until(lambda: answer() or pending.done())
+        pair.until(pending.done)
+        return pending.poll()
+
+    assert pair.until(lambda: asked("task/list") == b"here")
+    assert seen == [("task/list", "task/list", True)]
+    assert asked("task/**") == b"here"
+    assert seen == [("task/list", "task/**", True)]
+
+
+def test_at_a_pattern_no_selector_is_a_key(pair: Pair) -> None:
+    desk = pair.a.serve("task/*/status")
+    seen: list[tuple[str, str]] = []
+
+    def asked(selector: str) -> bytes | None:
+        seen.clear()
+        pending = pair.b.query(selector, b"")
+
+        def answer() -> bool:
+            for request in desk.drain():
+                seen.append((request.key, request.selector))
+                request.reply_each({key: b"here" for key in ["task/x/status"] if request.covers(key)})
+            return bool(seen) or pending.done()
+
+        pair.until(answer)
+        pair.until(pending.done)
+        return pending.poll()
+
+    assert pair.until(lambda: asked("task/x/status") == b"here")
+    assert seen == [("task/x/status", "task/x/status")]
+    assert asked("**") == b"here"
+    assert seen == [("", "**")]
+
+
+def test_a_query_may_be_answered_with_an_error(pair: Pair) -> None:
+    desk = pair.a.serve("task/list")
+
+    def refused() -> bool:
+        pending = pair.b.query("task/list", b"")
+        pair.until(lambda: bool([each.refuse(b'"no"') for each in desk.drain()]) or pending.done())
+        pair.until(pending.done)
+        return pending.refusal() == b'"no"' and pending.poll() is None
+
+    assert pair.until(refused)
+
+
+def test_of_too_heavy_a_query_only_the_size_is_kept(pair: Pair) -> None:
+    desk = pair.a.serve("task/list", limit=10)
+    seen: list[tuple[int, bytes]] = []
+
+    def asked() -> bool:
+        pending = pair.b.query("task/list", b"x" * 11)
+        pair.until(
+            lambda: bool([seen.append((each.size, each.payload)) for each in desk.drain()]) or pending.done()
+        )
+        return bool(seen)
+
+    assert pair.until(asked)
+    assert seen == [(11, b"")]
+
+
 def test_a_query_that_nobody_serves_ends_empty(pair: Pair) -> None:
     pending = pair.b.query("no/one", b"", timeout=0.5)
     assert pair.until(pending.done)

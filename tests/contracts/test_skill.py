@@ -114,7 +114,17 @@ def test_a_second_goal_finds_the_server_busy(slow: Stage) -> None:
     assert status.state is GoalState.REJECTED
     assert kind(status) is FailureKind.BUSY
     assert slow.ask().state is GoalState.RUNNING
-    assert slow.ask("task/node/2").state is GoalState.UNKNOWN, "it may be sent again later"
+    assert slow.ask("task/node/2").state is GoalState.REJECTED
+
+
+def test_a_goal_refused_as_busy_stays_refused_when_it_arrives_again(slow: Stage) -> None:
+    slow.send()
+    assert kind(slow.send(goal_id="task/node/2")) is FailureKind.BUSY
+    slow.command(Command.CANCEL)
+    slow.until_ended(steps=300)
+    again = slow.send(goal_id="task/node/2")
+    assert again.state is GoalState.REJECTED, "it would run for nobody: its client has given up"
+    assert slow.ask().state is GoalState.CANCELED
 
 
 @pytest.mark.parametrize("steps", [0, 1, 20])

@@ -7,8 +7,8 @@ import json
 import pytest
 from surroundings import WAIT, Surroundings, WaitRequest
 
-from executive.documents import parse
 from executive.requests import Asked, Refused, read_request
+from skills.ports.documents import parse
 from skills.ports.site import Site
 from skills.ports.tasks import REQUEST, TASK_ANSWERS, Problem, TaskState
 from skills.site import load

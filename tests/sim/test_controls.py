@@ -94,14 +94,14 @@ def test_an_obstacle_is_placed_moved_and_removed(room: Room, ask: Asking) -> Non
 @pytest.mark.parametrize(
     ("key", "document", "said"),
     [
-        (PLACE_ITEM.key, b"{", "Invalid JSON"),
+        (PLACE_ITEM.key, b"{", "expected JSON"),
         (PLACE_ITEM.key, {"tag": 500, "support": "table", "x": 1, "y": 0.5}, "knows no item 500"),
         (PLACE_ITEM.key, {"tag": 29, "support": "sofa", "x": 1, "y": 0.5}, "no furniture 'sofa'"),
         (REMOVE.key, {"name": "nothing"}, "nothing movable is called 'nothing'"),
         (MOVE.key, {"name": "mug", "pose": {"position": [0, 0]}}, "pose.position"),
         (RESET.key, {"seed": -1}, "seed"),
         (FAULT.key, {"fault": {"kind": "camera_blue"}}, "camera_dark"),
-        (PHOTOGRAPH, {"eye": [0, 0, 3], "target": [0, 0, 0]}, "differ in x or y"),
+        (PHOTOGRAPH.key, {"eye": [0, 0, 3], "target": [0, 0, 0]}, "differ in x or y"),
         (PLACE_ITEM.key, b" " * 70000, "at most 65536 bytes"),
     ],
 )
@@ -124,4 +124,4 @@ def test_a_fault_is_passed_on(ask: Asking) -> None:
 
 
 def test_a_photograph_is_answered_with_its_picture(ask: Asking) -> None:
-    assert ask(PHOTOGRAPH, {"width": 64, "height": 32}) == b"64x32"
+    assert ask(PHOTOGRAPH.key, {"width": 64, "height": 32}) == b"64x32"

@@ -9,7 +9,7 @@ import pytest
 
 from benchmarks.rig import GRASP, LIFT, Rig
 from skills.ports import keys
-from skills.ports.hardware import Answer, BaseVelocity, MotionState, Stop
+from skills.ports.hardware import Answer, BaseVelocity, MotionState, Stop, StopRelease
 
 
 @pytest.fixture
@@ -73,7 +73,7 @@ def test_the_stop_brings_all_to_rest_and_keeps_it_there(rig: Rig) -> None:
     rig.drive(0.3, 0.0, 0.5)
     assert np.allclose(where[0], rig.positions("arm_left"), atol=1e-3)
     assert np.allclose(where[1], rig.body.base_pose()[0], atol=1e-3)
-    keys.STOP_RELEASE.query(rig.bus, keys.Nothing())
+    keys.STOP_RELEASE.query(rig.bus, StopRelease(by="test"))
     rig.ticks(1)
     assert rig.send("arm_left", rig.goal("arm_left", LIFT, 1.5)).accepted
 

@@ -1,30 +1,51 @@
 """JSON from strangers: bounded, and each thing that is wrong with it is named by its path.
 
-Python's own parser takes more than JSON is (NaN, a name twice, half of a surrogate pair). Here it first
-makes a plain tree that still shows all of that; a walk over the tree then makes the document, and says
-where it found what.
+Python's own parser takes more than JSON is (NaN, a name twice, half of a surrogate pair). A document that
+shows no sign of such things is parsed at once. Any other first becomes a plain tree that still shows all of
+them; a walk over the tree then makes the document, and says where it found what.
 """
 
 from __future__ import annotations
 
 import json
 import math
+import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
-from pydantic import JsonValue
+from pydantic import JsonValue, ValidationError
 
+from skills.ports.limits import MAX_DEPTH
 from skills.ports.message import MAX_REQUEST_BYTES
 from skills.ports.tasks import Problem
 
 WHOLE: Final = "(the document)"
 """The path of the document itself."""
-MAX_DEPTH: Final = 16
-"""Objects and arrays within each other, at the most."""
 MAX_DIGITS: Final = 300
 """Digits of a number, at the most."""
 SHOWN: Final = 80
 """Characters of what was found that an answer repeats."""
+MAX_PROBLEMS: Final = 16
+"""Problems of one document that an answer names."""
+_SUSPECT: Final = re.compile(rb"\\u[dD]|[eE]\+?\d{3}|\d{301}|NaN|Infinity")
+"""What may be half of a surrogate pair, too large a number, NaN or Infinity, or only looks like it."""
+_TEXT: Final = re.compile(r'"(?:[^"\\]+|\\.)*"?', re.DOTALL)
+_NO_BRACKET: Final = re.compile(r"[^][{}]+")
+_EXPECTED: Final[Mapping[str, str]] = {
+    "missing": "a value",
+    "extra_forbidden": "no such field",
+    "int_type": "a whole number",
+    "float_type": "a number",
+    "string_type": "text",
+    "bool_type": "true or false",
+    "finite_number": "a finite number",
+    "tuple_type": "an array",
+    "list_type": "an array",
+    "dict_type": "an object",
+    "model_type": "an object",
+    "none_required": "null",
+}
 
 
 @dataclass(frozen=True)
@@ -41,34 +62,89 @@ class _NoNumber:
     text: str
 
 
-def parse(payload: bytes, *, limit: int = MAX_REQUEST_BYTES) -> dict[str, JsonValue] | tuple[Problem, ...]:
+def parse(
+    payload: bytes, *, limit: int = MAX_REQUEST_BYTES, depth: int = MAX_DEPTH
+) -> dict[str, JsonValue] | tuple[Problem, ...]:
     """Return the JSON object in ``payload``, or what is wrong with it and where.
 
     Args:
         payload: what was sent.
         limit: bytes that it may have.
+        depth: objects and arrays that it may have within each other.
     """
-    raw = _read(payload, limit)
+    text = _read(payload, limit, depth)
+    if isinstance(text, Problem):
+        return (text,)
+    plain = None if _SUSPECT.search(payload) else _plain(text)
+    return _thorough(text) if plain is None else plain
+
+
+def problems_of(error: ValidationError) -> tuple[Problem, ...]:
+    """Return pydantic's findings as problems."""
+    found = []
+    for finding in error.errors(include_url=False, include_context=False)[:MAX_PROBLEMS]:
+        kind, message = finding["type"], finding["msg"]
+        expected = _EXPECTED.get(kind, message.removeprefix("Input should be ").removeprefix("Value error, "))
+        shown = "" if kind == "missing" else show(finding["input"])
+        found.append(Problem(path=path_of(finding["loc"]), expected=expected, found=shown))
+    return tuple(found) or (Problem(path=WHOLE, expected="a request"),)
+
+
+def in_words(problems: tuple[Problem, ...]) -> str:
+    """Return problems as a sentence: where, what was expected, what was found."""
+    return "; ".join(
+        f"{each.path}: expected {each.expected}" + (f", found {each.found}" if each.found else "")
+        for each in problems
+    )
+
+
+class _TwiceError(ValueError):
+    """A name stands twice in an object."""
+
+
+def _plain(text: str) -> dict[str, JsonValue] | None:
+    """Return the object, or None when only the thorough way tells what is wrong with it."""
+    try:
+        made: object = json.loads(text, object_pairs_hook=_object_once)
+    except ValueError:
+        return None
+    return made if isinstance(made, dict) else None
+
+
+def _object_once(pairs: list[tuple[str, object]]) -> dict[str, object]:
+    made = dict(pairs)
+    if len(made) != len(pairs):
+        raise _TwiceError
+    return made
+
+
+def _thorough(text: str) -> dict[str, JsonValue] | tuple[Problem, ...]:
+    raw = _tree(text)
     if isinstance(raw, Problem):
         return (raw,)
     walk = _Walk()
     document = walk.convert(raw, ())
     if walk.problems:
-        return tuple(walk.problems)
+        return tuple(walk.problems[:MAX_PROBLEMS])
     return document if isinstance(document, dict) else (_wrong("a JSON object", show(document)),)
 
 
-def _read(payload: bytes, limit: int) -> object:
-    """Return the tree that the payload says, with what is no JSON still in it, or a problem."""
+def _read(payload: bytes, limit: int, most: int) -> str | Problem:
+    """Return the payload's text, or a problem that shows without parsing it."""
     if len(payload) > limit:
         return _wrong(f"at most {limit} bytes", f"{len(payload)} bytes")
     try:
         text = payload.decode("utf-8")
     except UnicodeDecodeError as error:
         return _wrong("JSON in UTF-8", f"byte 0x{payload[error.start]:02x} at {error.start}")
-    depth = _depth(text)
-    if depth > MAX_DEPTH:
-        return _wrong(f"at most {MAX_DEPTH} objects and arrays within each other", str(depth))
+    depth = _depth(text, most)
+    if depth > most:
+        return _wrong(f"at most {most} objects and arrays within each other", f"{depth} or more")
+    return text
+
+
+def _tree(text: str) -> object:
+    """Return the tree that the text says, with what is no JSON still in it, or a problem."""
     try:
         raw: object = json.loads(
             text,
@@ -155,19 +231,18 @@ def _short(text: str) -> str:
     return text if len(text) <= SHOWN else f"{text[: SHOWN - 1]}…"
 
 
-def _depth(text: str) -> int:
-    """Return how deep brackets are nested outside strings; the parser itself would overflow its stack."""
+def _depth(text: str, most: int) -> int:
+    """Return how deep brackets are nested outside strings, counting no further than one more than ``most``.
+
+    The parser itself would overflow its stack.
+    """
     deepest = depth = 0
-    quoted = escaped = False
-    for char in text:
-        if quoted:
-            quoted = escaped or char != '"'
-            escaped = char == "\\" and not escaped
-        elif char == '"':
-            quoted = True
-        elif char in "[{":
+    for char in _NO_BRACKET.sub("", _TEXT.sub("", text)):
+        if char in "[{":
             depth += 1
             deepest = max(deepest, depth)
-        elif char in "]}":
+            if deepest > most:
+                break
+        else:
             depth -= 1
     return deepest
