@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
 
-from executive.report import PACKAGES, installed
+from executive.provenance import PACKAGES, installed, processor
 
 _PROC: Final = Path("/proc")
 
@@ -23,7 +23,7 @@ def describe() -> str:
     versions = ", ".join(f"{name} {installed(name)}" for name in PACKAGES)
     load = os.getloadavg()[0]
     return (
-        f"{_processor()}, {os.cpu_count()} cores, load average {load:.1f} before; {platform.system()} "
+        f"{processor()}, {os.cpu_count()} cores, load average {load:.1f} before; {platform.system()} "
         f"{platform.release()}; Python {platform.python_version()}; {versions}"
     )
 
@@ -99,12 +99,3 @@ def _busy_seconds() -> float:
 def _own_seconds() -> float:
     kinds = (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
     return sum(used.ru_utime + used.ru_stime for used in map(resource.getrusage, kinds))
-
-
-def _processor() -> str:
-    try:
-        text = (_PROC / "cpuinfo").read_text(encoding="utf-8")
-    except OSError:
-        return platform.processor()
-    found = re.search(r"^model name\s*: (.*)$", text, re.MULTILINE)
-    return found[1] if found else platform.processor()

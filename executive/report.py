@@ -9,12 +9,12 @@ import os
 import platform
 import sys
 from collections.abc import Iterator, Mapping
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Final, Literal
 
 from pydantic import Field, JsonValue
 
+from executive.provenance import PACKAGES, installed
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.failure import Failure
@@ -32,16 +32,6 @@ from skills.ports.tasks import (
     TreeNode,
 )
 
-PACKAGES: Final = (
-    "tandem-executive",
-    "py-trees",
-    "pybullet",
-    "ompl",
-    "eclipse-zenoh",
-    "pydantic",
-    "pin",
-    "coal",
-)
 DEPTH: Final = 4096
 """Messages that the recorder's inboxes hold between two steps."""
 
@@ -263,14 +253,6 @@ def walk(root: TreeNode) -> Iterator[TreeNode]:
     yield root
     for child in root.children:
         yield from walk(child)
-
-
-def installed(package: str) -> str:
-    """Return a package's version, "" when it is not installed."""
-    try:
-        return version(package)
-    except PackageNotFoundError:
-        return ""
 
 
 def write_report(path: Path, report: Report) -> None:

@@ -93,7 +93,7 @@ def _machine() -> list[Finding]:
 def _packages() -> list[Finding]:
     import importlib.util  # noqa: PLC0415
 
-    from executive.report import installed  # noqa: PLC0415
+    from executive.provenance import installed  # noqa: PLC0415
 
     found = [Finding("tandem", True, installed("tandem-executive") or "not installed, run from its folder")]
     for distribution, module, purpose in PACKAGES:
@@ -106,7 +106,7 @@ def _packages() -> list[Finding]:
 
 
 def _robot_files() -> Finding:
-    from executive.report import installed  # noqa: PLC0415
+    from executive.provenance import installed  # noqa: PLC0415
     from skills.ports.packages import resolve  # noqa: PLC0415
 
     try:
