@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 
-.PHONY: setup demo test check bench format clean
+.PHONY: setup demo test check bench figures clean-figures format clean
 
 setup: $(STAMP)
 
@@ -28,6 +28,52 @@ check: $(STAMP)
 
 bench: $(STAMP)
 	$(BIN)/tandem bench
+
+# Everything that docs/ tells in figures, made anew: some hours on two cores. A file that is there is not made
+# again, so an interrupted `make figures` continues; `make clean-figures figures` begins anew.
+FIGURES ?= out/figures
+TANDEM := $(BIN)/tandem
+EXPERIMENT = $(TANDEM) experiment
+SERIES := --runs 60 --seed 1
+
+$(FIGURES)/fetch.json:
+	-$(TANDEM) campaign fetch $(SERIES) --report $@
+$(FIGURES)/recovery.json:
+	-$(TANDEM) campaign recovery $(SERIES) --hopeless 20 --report $@
+$(FIGURES)/crash.json:
+	-$(TANDEM) campaign crash --runs 200 --seed 1 --report $@
+$(FIGURES)/crash-physics.json:
+	-$(TANDEM) campaign crash --physics --seed 1 --report $@
+$(FIGURES)/soak.json:
+	-$(TANDEM) campaign soak --tasks 2000 --report $@
+$(FIGURES)/fuzz.json:
+	-$(TANDEM) campaign fuzz --inputs 100000 --seed 1 --report $@
+$(FIGURES)/uncoordinated.json:
+	-$(EXPERIMENT) uncoordinated $(SERIES) --report $@
+$(FIGURES)/uncoordinated-grasp.json:
+	-$(EXPERIMENT) uncoordinated --series grasp $(SERIES) --report $@
+$(FIGURES)/uncoordinated-planned-once.json:
+	-$(EXPERIMENT) uncoordinated --method rrtconnect $(SERIES) --report $@
+$(FIGURES)/uncoordinated-planned-again.json:
+	-$(EXPERIMENT) uncoordinated --method rrtconnect_replan $(SERIES) --report $@
+$(FIGURES)/crossing.json:
+	-$(EXPERIMENT) crossing $(SERIES) --report $@
+$(FIGURES)/crossing-faithful.json:
+	-$(EXPERIMENT) crossing --mode faithful $(SERIES) --report $@
+$(FIGURES)/crossing-sequential.json:
+	-$(EXPERIMENT) crossing --sequential $(SERIES) --report $@
+$(FIGURES)/coordinated.json:
+	-$(EXPERIMENT) coordinated $(SERIES) --report $@
+
+# A command that misses its aim exits 1 and has written its file all the same: what was missed is published too.
+MADE := $(shell sed -n 's|^$$(FIGURES)/\([a-z-]*\)\.json:$$|$(FIGURES)/\1.json|p' $(firstword $(MAKEFILE_LIST)))
+
+figures: $(STAMP) $(MADE)
+	$(TANDEM) bench --markdown docs/benchmarks.md
+	$(BIN)/python -m benchmarks.figures $(FIGURES) docs/campaigns.md docs/experiments.md
+
+clean-figures:
+	rm -rf $(FIGURES)
 
 format: $(STAMP)
 	$(BIN)/ruff format .

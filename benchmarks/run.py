@@ -15,11 +15,13 @@ import json
 import re
 import subprocess
 import sys
+import time
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from benchmarks.machine import Others, describe
 from benchmarks.rows import Row
+from executive.provenance import provenance
 
 HERE = Path(__file__).parent
 MISSED = 1
@@ -91,6 +93,7 @@ def main(argv: list[str]) -> int:
     unknown = [name for name in given.names if name not in there]
     if unknown:
         parser.error(f"no benchmark {', '.join(unknown)}; there are {', '.join(there)}")
+    made = provenance(("tandem", "bench", *argv), time.time())
     where, rows, failed = describe(), list[Row](), False
     for name in given.names or there:
         print(f"{name} ...", file=sys.stderr, flush=True)
@@ -101,10 +104,14 @@ def main(argv: list[str]) -> int:
             print(error, file=sys.stderr)
     print(f"{where}\n\n{table(rows)}")
     if given.report is not None:
-        document = {"machine": where, "rows": [dataclasses.asdict(row) for row in rows]}
+        document = {
+            "made": made.model_dump(mode="json"),
+            "machine": where,
+            "rows": [dataclasses.asdict(row) for row in rows],
+        }
         _write(given.report, f"{json.dumps(document, indent=2)}\n")
     if given.markdown is not None:
-        _write(given.markdown, page(where, rows))
+        _write(given.markdown, page(f"{made.line()}.\n\n{where}", rows))
     return MISSED if failed else 0
 
 

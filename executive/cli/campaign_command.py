@@ -12,6 +12,7 @@ from rich.console import Console
 from executive.cli.arguments import Connect
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
+from executive.cli.telling import told
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -70,11 +71,9 @@ def fetch(
         _tell(run, console)
     done.sort(key=lambda each: each.run)
     right = sum(run.right for run in done)
-    console.print(f"{right} of {runs} right (seed {seed})")
-    if report is not None:
-        report.parent.mkdir(parents=True, exist_ok=True)
-        campaign = FetchCampaign(scenario=scenario, seed=seed, right=right, runs=tuple(done))
-        report.write_text(campaign.model_dump_json(indent=2) + "\n", encoding="utf-8")
+    summary = [f"{right} of {runs} right (seed {seed})"]
+    campaign = FetchCampaign(scenario=scenario, seed=seed, right=right, runs=tuple(done))
+    told(console, report, summary, campaign)
     raise typer.Exit(ExitCode.OK if right == runs else ExitCode.TASK_FAILED)
 
 
@@ -111,22 +110,20 @@ def recovery(
     recovered = sum(run.right for run in done if not run.hopeless)
     right_kind = sum(run.right for run in done if run.hopeless)
     unstruck = sum(bool(run.unstruck) for run in done)
-    console.print(f"{recovered} of {runs} recovered, {right_kind} of {hopeless} hopeless ones ended rightly")
+    summary = [f"{recovered} of {runs} recovered, {right_kind} of {hopeless} hopeless ones ended rightly"]
     if unstruck:
-        console.print(f"{unstruck} of these count as not right because a fault never struck")
-    if report is not None:
-        report.parent.mkdir(parents=True, exist_ok=True)
-        campaign = RecoveryCampaign(
-            scenario=scenario,
-            seed=seed,
-            recovered=recovered,
-            recoverable=runs,
-            right_kind=right_kind,
-            hopeless=hopeless,
-            unstruck=unstruck,
-            runs=tuple(done),
-        )
-        report.write_text(campaign.model_dump_json(indent=2) + "\n", encoding="utf-8")
+        summary.append(f"{unstruck} of these count as not right because a fault never struck")
+    campaign = RecoveryCampaign(
+        scenario=scenario,
+        seed=seed,
+        recovered=recovered,
+        recoverable=runs,
+        right_kind=right_kind,
+        hopeless=hopeless,
+        unstruck=unstruck,
+        runs=tuple(done),
+    )
+    told(console, report, summary, campaign)
     reached = recovered >= runs * RECOVERED_SHARE and right_kind == hopeless
     raise typer.Exit(ExitCode.OK if reached else ExitCode.TASK_FAILED)
 
@@ -147,16 +144,14 @@ def fuzz(
         ) from error
     console = Console(highlight=False, soft_wrap=True)
     counts = run_fuzz(inputs, seed, lambda fed: console.print(f"{fed} of {inputs}", end="\r"))
-    console.print(
-        f"{counts.inputs} inputs (seed {seed}): {counts.accepted} requests taken, {counts.refused} refused; "
-        f"{counts.verbs_taken} verbs taken, {counts.verbs_refused} refused; "
-        f"{counts.answered} questions answered"
-    )
-    for reason, times in counts.reasons.items():
-        console.print(f"  {times:7d}  expected {reason}", markup=False)
-    if report is not None:
-        report.parent.mkdir(parents=True, exist_ok=True)
-        report.write_text(counts.model_dump_json(indent=2) + "\n", encoding="utf-8")
+    summary = [
+        f"{counts.inputs} inputs (seed {seed})",
+        f"requests: {counts.accepted} taken, {counts.refused} refused",
+        f"verbs: {counts.verbs_taken} taken, {counts.verbs_refused} refused",
+        f"questions: {counts.answered} answered",
+        *(f"  {times:7d}  expected {reason}" for reason, times in counts.reasons.items()),
+    ]
+    told(console, report, summary, counts)
     if counts.broken:
         console.print(f"neither taken nor refused: {counts.broken}", style="red", markup=False)
     raise typer.Exit(ExitCode.TASK_FAILED if counts.broken else ExitCode.OK)
@@ -230,10 +225,7 @@ def crash(
         else:
             many = 200 if runs is None else runs
             made = _mocked(Path(folder), connect, many, console, seed=seed, first=first, points=points)
-    console.print(f"{made.right} of {len(made.runs)} right (seed {seed})")
-    if report is not None:
-        report.parent.mkdir(parents=True, exist_ok=True)
-        report.write_text(made.model_dump_json(indent=2) + "\n", encoding="utf-8")
+    told(console, report, [f"{made.right} of {len(made.runs)} right (seed {seed})"], made)
     raise typer.Exit(ExitCode.OK if made.right == len(made.runs) else ExitCode.TASK_FAILED)
 
 
@@ -317,17 +309,16 @@ def soak(
             made = run_soak(Path(folder), connect, tasks, metrics=metrics, tell=tell, warm_up=warm_up)
         except (RefusedError, SystemFailure) as error:
             raise CommandError(str(error)) from error
-    for each in made.processes:
-        console.print(
+    states = ", ".join(f"{count} {state.lower()}" for state, count in sorted(made.ended.items()))
+    summary = [
+        *(
             f"{each.role:12} {each.memory:7.2f} MB, grew by {each.growth:5.2f}; "
             f"handles {each.handles[0]} to {each.handles[1]}, threads {each.threads[0]} to {each.threads[1]}"
-        )
-    console.print(f"ledger: {made.ledger_bytes_a_task / 1000:.1f} kB a task")
-    states = ", ".join(f"{count} {state.lower()}" for state, count in sorted(made.ended.items()))
-    console.print(f"{made.tasks} tasks: {states}")
-    for wrong in made.wrong:
-        console.print(f"WRONG: {wrong}", style="red", markup=False)
-    if report is not None:
-        report.parent.mkdir(parents=True, exist_ok=True)
-        report.write_text(made.model_dump_json(indent=2) + "\n", encoding="utf-8")
+            for each in made.processes
+        ),
+        f"ledger: {made.ledger_bytes_a_task / 1000:.1f} kB a task",
+        f"{made.tasks} tasks: {states}",
+        *(f"WRONG: {wrong}" for wrong in made.wrong),
+    ]
+    told(console, report, summary, made)
     raise typer.Exit(ExitCode.TASK_FAILED if made.wrong else ExitCode.OK)

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.console import Console
-from rich.table import Table
 
 from executive.cli.campaign_command import First, Jobs, ReportFile, Seed
 from executive.cli.exit_codes import ExitCode
+from executive.cli.telling import told
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from executive.experiments.run import ExperimentRun
     from executive.experiments.settings import Kind, Options
@@ -143,17 +143,12 @@ def _run(  # noqa: PLR0917 - the command's options, in their order
         done.append(run)
         _tell(run, console)
     done.sort(key=lambda each: each.run)
-    _show(options, done, console)
-    if report is not None:
-        report.parent.mkdir(parents=True, exist_ok=True)
-        report.write_text(
-            Experiment(options=options, runs=tuple(done)).model_dump_json(indent=1) + "\n", encoding="utf-8"
-        )
     if figures is not None:
         _draw(options, done, figures)
     untouched = not any(run.touches for run in done)
     reached = picked(done) == runs and untouched
-    console.print(f"{picked(done)} of {runs} right in both arms (seed {seed})")
+    summary = [*_tables(options, done), f"{picked(done)} of {runs} right in both arms (seed {seed})"]
+    told(console, report, summary, Experiment(options=options, runs=tuple(done)))
     raise typer.Exit(ExitCode.OK if reached else ExitCode.TASK_FAILED)
 
 
@@ -168,14 +163,17 @@ def _tell(run: ExperimentRun, console: Console) -> None:
     )
 
 
-def _show(options: Options, runs: Sequence[ExperimentRun], console: Console) -> None:
+def _tables(options: Options, runs: Sequence[ExperimentRun]) -> Iterator[str]:
+    """Yield the lines of the tables: what, here, in the thesis."""
     from executive.experiments.tables import tables  # noqa: PLC0415
 
     for title, rows in tables(options, runs):
-        table = Table("", "here", "thesis", title=title, title_justify="left", box=None)
-        for row in rows:
-            table.add_row(*row)
-        console.print(table)
+        whats, ours, theirs = zip(("", "here", "thesis"), *rows, strict=True)
+        widths = [max(map(len, column)) for column in (whats, ours, theirs)]
+        yield title
+        for row in zip(whats, ours, theirs, strict=True):
+            yield "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+        yield ""
 
 
 def _draw(options: Options, runs: Sequence[ExperimentRun], folder: Path) -> None:

@@ -19,5 +19,5 @@ def test_a_drawn_fetch_is_right(tmp_path: Path) -> None:
     program = f"import sys; sys.argv = {argv!r}; from executive.cli.main import run; run()"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
-    campaign = json.loads(report.read_text("utf-8"))
+    campaign = json.loads(report.read_text("utf-8"))["result"]
     assert [(run["right"], run["slot"], run["wrong"]) for run in campaign["runs"]] == [(True, 0, [])]

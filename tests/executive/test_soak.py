@@ -67,7 +67,7 @@ def test_a_short_soak_measures_every_process_and_leaves_no_handle_open(tmp_path:
         check=False,
         capture_output=True,
     )
-    told = json.loads(report.read_text())
+    told = json.loads(report.read_text())["result"]
     assert told["ended"] == {"CANCELED": 3, "FAILED": 3, "SUCCEEDED": 24}
     assert [each["role"] for each in told["processes"]] == [
         "supervisor", "router", "mock", "executive", "observer",

@@ -1,0 +1,21 @@
+"""How a series of runs ends: its summary on the screen, and in the file of ``--report``."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from rich.console import Console
+
+from skills.ports.message import Message
+
+
+def told(console: Console, report: Path | None, summary: Sequence[str], result: Message) -> None:
+    """Print the summary, and write it with the whole result if a report was asked for."""
+    for line in summary:
+        console.print(line, style="red" if line.startswith("WRONG") else None, markup=False)
+    if report is not None:
+        from executive.figures import write_figures  # noqa: PLC0415 - asks git
+
+        write_figures(report, tuple(sys.argv), tuple(summary), result)
