@@ -6,13 +6,12 @@ typed by hand, and each names its command, commit, date and machine.
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 from typing import Literal
 
 from pydantic import JsonValue
 
-from executive.provenance import Provenance, provenance
+from executive.provenance import Provenance
 from skills.ports.message import Message
 
 
@@ -27,17 +26,17 @@ class Figures(Message):
     """All of it; its form is the command's."""
 
 
-def write_figures(path: Path, words: tuple[str, ...], summary: tuple[str, ...], result: Message) -> None:
+def write_figures(path: Path, made: Provenance, summary: tuple[str, ...], result: Message) -> None:
     """Write the file; its folder is made.
 
     Args:
         path: where.
-        words: the command line, the program's path first.
+        made: where the result comes from.
         summary: the lines that the command printed in the end.
         result: all of it.
     """
     figures = Figures(
-        made=provenance(words, time.time()),
+        made=made,
         summary=summary,
         result=result.model_dump(mode="json"),
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import time
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -16,6 +17,7 @@ def told(console: Console, report: Path | None, summary: Sequence[str], result: 
     for line in summary:
         console.print(line, style="red" if line.startswith("WRONG") else None, markup=False)
     if report is not None:
-        from executive.figures import write_figures  # noqa: PLC0415 - asks git
+        from executive.figures import write_figures  # noqa: PLC0415 - few need it
+        from executive.provenance import provenance  # noqa: PLC0415 - as above
 
-        write_figures(report, tuple(sys.argv), tuple(summary), result)
+        write_figures(report, provenance(sys.argv, time.time()), tuple(summary), result)

@@ -28,8 +28,9 @@ class Result(Message):
 
 def test_a_block_is_filled_with_what_was_printed_and_where_it_comes_from(tmp_path: Path) -> None:
     words = ("/somewhere/bin/tandem", "campaign", "fetch", "--runs", "60")
-    write_figures(tmp_path / "fetch.json", words, ("60 of 60 right",), Result(right=60))
-    made = Figures.model_validate_json((tmp_path / "fetch.json").read_bytes()).made
+    made = provenance(words, MADE_AT)
+    write_figures(tmp_path / "fetch.json", made, ("60 of 60 right",), Result(right=60))
+    assert Figures.model_validate_json((tmp_path / "fetch.json").read_bytes()).made == made
     page = fill(PAGE, tmp_path)
     assert "old" not in page
     assert "```text\n60 of 60 right\n```" in page
