@@ -26,12 +26,13 @@ from executive.systems import (
     System,
     SystemFailure,
 )
-from sim.scenario import Scenario, ScenarioError, load_scenario
+from sim.scenario import Scenario, read_scenario
 from sim.scene import build_scene
 from sim.truth import Truth, lies_on
 from skills.ports.geometry import Pose
 from skills.ports.site import Site
-from skills.site import DocumentError, load
+from skills.ports.sources import DocumentError
+from skills.site import load
 from skills.testing.faulty_bus import BusFaults
 
 DEMO_REQUEST: Final[dict[str, JsonValue]] = {"task": "fetch", "item": 29, "to": "depot"}
@@ -80,7 +81,7 @@ def _ended(work: Callable[[Console], ExitCode]) -> ExitCode:
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # a service manager's Ctrl-C
     try:
         return work(console)
-    except (ScenarioError, DocumentError) as error:
+    except DocumentError as error:
         console.print(f"error: {error}", style="red", markup=False)
         return ExitCode.BAD_INPUT
     except RefusedError as error:
@@ -98,9 +99,9 @@ def _ended(work: Callable[[Console], ExitCode]) -> ExitCode:
 
 
 def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
-    scenario = load_scenario(options.scenario)
+    scenario, source = read_scenario(options.scenario)
     site = load(scenario.site)
-    build_scene(site, scenario, source=options.scenario)
+    build_scene(site, scenario, source=source)
     if options.faults is None:
         return scenario, site, None
     more = check_faults(options.faults, site)

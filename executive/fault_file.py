@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pydantic import ValidationError
-
 from sim.faults import Fault, JointStall
-from sim.scenario import ScenarioError, mistakes, read_yaml
 from sim.scene import fault_problems
 from skills.ports.message import Message
 from skills.ports.site import Site
+from skills.ports.sources import DocumentError, Source
 from skills.testing.faulty_bus import BusFaults
+from skills.yaml_file import read_document, validate
 
 
 class FaultFile(Message):
@@ -26,31 +25,31 @@ def load_faults(path: str | Path) -> FaultFile:
     """Return what a YAML file says.
 
     Raises:
-        ScenarioError: with one line for each mistake: file, path in it, what was expected.
+        DocumentError: with one line for each mistake: file, path and line in it, what was expected.
     """
-    document, source = read_yaml(Path(path))
-    if not isinstance(document, dict):
-        raise ScenarioError(f"{source}: a mapping with faults: [...], bus: {{...}} or both was expected")
-    try:
-        return FaultFile.model_validate(document)
-    except ValidationError as error:
-        raise ScenarioError("\n".join(mistakes(error, source))) from error
+    return _read(path)[0]
+
+
+def _read(path: str | Path) -> tuple[FaultFile, Source]:
+    data, source = read_document(Path(path))
+    if not isinstance(data, dict):
+        raise DocumentError(f"{source.name}: a mapping with faults: [...], bus: {{...}} or both was expected")
+    return validate(data, source, FaultFile), source
 
 
 def check_faults(path: str | Path, site: Site) -> FaultFile:
     """Return what a file says, when its faults fit the site and the robot.
 
     Raises:
-        ScenarioError: as ``load_faults``.
+        DocumentError: as ``load_faults``.
     """
-    file = load_faults(path)
-    problems = fault_problems(site, file.faults, str(path))
-    if problems:
-        raise ScenarioError("\n".join(problems))
+    file, source = _read(path)
+    if problems := fault_problems(site, file.faults, source):
+        raise DocumentError("\n".join(problems))
     if any(isinstance(fault, JointStall) for fault in file.faults):
         # Only what names joints needs the robot, which takes a moment to be put together.
         from sim.defects import check_faults as check_joints  # noqa: PLC0415
         from sim.robot import compose_robot  # noqa: PLC0415
 
-        check_joints(file.faults, compose_robot().description, source=str(path))
+        check_joints(file.faults, compose_robot().description, source=source)
     return file

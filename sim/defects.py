@@ -21,6 +21,7 @@ from sim.gripper import HandDefects
 from sim.lens import Freeze, darken
 from sim.scenario import ScenarioError
 from skills.ports import keys
+from skills.ports.sources import Source
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -121,13 +122,16 @@ def misfit(fault: Fault, robot: RobotDescription) -> str:
     return ""
 
 
-def check_faults(faults: Iterable[Fault], robot: RobotDescription, *, source: str = "scenario") -> None:
+def check_faults(faults: Iterable[Fault], robot: RobotDescription, *, source: Source) -> None:
     """Check what the faults name of a robot.
 
     Raises:
         ScenarioError: with one line for each mistake.
     """
-    found = [(index, misfit(fault, robot)) for index, fault in enumerate(faults)]
-    problems = [f"{source}: faults.{index}.{problem}" for index, problem in found if problem]
+    problems = []
+    for index, fault in enumerate(faults):
+        field, _, expected = misfit(fault, robot).partition(": ")
+        if expected:
+            problems.append(f"{source.at(f'faults.{index}.{field}')}: {expected}")
     if problems:
         raise ScenarioError("\n".join(problems))

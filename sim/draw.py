@@ -76,7 +76,7 @@ def draw_fetch(site: Site, scenario: Scenario, rng: np.random.Generator, robot_r
         ScenarioError: when the scenario doesn't fit the site, has no items or no surface with an area, or no
             free place was found.
     """
-    build_scene(site, scenario, source=scenario.name)
+    build_scene(site, scenario)
     if not scenario.items:
         raise ScenarioError(f"{scenario.name}: items: at least one was expected to draw from")
     item = scenario.items[int(rng.integers(len(scenario.items)))]

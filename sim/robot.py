@@ -15,6 +15,7 @@ from typing import Final, Literal
 import numpy as np
 
 from sim.camera import camera_sensor
+from sim.footprint import FOOTPRINT_RADIUS, HEIGHT
 from sim.laser import laser_sensor
 from sim.model import ROOT, Hand, RobotModel, Wheels
 from sim.postures import POSTURES
@@ -48,11 +49,6 @@ DRIVE: Final = Drive(
 )
 """PAL's configuration of the PMB2 base, and our dead-man."""
 WHEELS: Final = Wheels("wheel_left_joint", "wheel_right_joint", radius=0.0985, track=0.4044, effort=6.0)
-
-FOOTPRINT_RADIUS: Final = 0.37
-"""The arms at home reach 0.364 m from the base's axis; the base itself 0.30 m."""
-HEIGHT: Final = 1.6
-"""With the torso up."""
 
 ARMS_CROSSING: Final = ArmsCrossing(k=0.21, gamma=0.0, mu=0.0, clearance=0.03)
 """Found with ``python -m benchmarks.crossing_tuning``; see docs/decisions/005-arms-crossing.md."""

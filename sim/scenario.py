@@ -1,8 +1,8 @@
 """What a run starts from: where things truly are, how noisy the sensors are, where items may be put.
 
 Only the sim reads a scenario; skills know the site file. A scenario is typed, frozen data: an unknown key or
-a wrong value is an error that names the file, the path in it and what was expected. (A field can't be called
-``on``: YAML reads that as true.)
+a wrong value is an error that names the file, the path and line in it, and what was expected. (A field can't
+be called ``on``: some parsers read that as true.)
 """
 
 from __future__ import annotations
@@ -11,18 +11,19 @@ from importlib import resources
 from pathlib import Path
 from typing import Annotated, Final
 
-import yaml
-from pydantic import Field, ValidationError, model_validator
+from pydantic import Field, JsonValue, model_validator
 
 from sim.faults import Fault
 from sim.things import Angle, Coordinate, Name, Obstacle, TrueItem
 from skills.ports.geometry import FloorPose
 from skills.ports.message import Message
+from skills.ports.sources import DocumentError, Source
+from skills.yaml_file import parse_document, read_document, validate
 
 SUFFIXES: Final = (".yaml", ".yml")
 
 
-class ScenarioError(Exception):
+class ScenarioError(DocumentError):
     """A scenario that can't be used. The text names the file, the path in it and what was expected."""
 
 
@@ -132,70 +133,26 @@ def load_scenario(name_or_path: str | Path) -> Scenario:
     """Return a scenario by the name of one that comes with the sim, or by the path of a YAML file.
 
     Raises:
-        ScenarioError: when there is none, or it has mistakes.
+        ScenarioError: when there is no such scenario.
+        DocumentError: when it has mistakes.
     """
-    document, source = read_yaml(name_or_path)
-    return parse_scenario(document, source)
+    return read_scenario(name_or_path)[0]
 
 
-def read_yaml(name_or_path: str | Path) -> tuple[object, str]:
-    """Return the document in a YAML file, or in a scenario that comes with the sim, and what to call it.
-
-    Raises:
-        ScenarioError: when there is none, or it is no YAML.
-    """
-    text, source = _read(name_or_path)
-    try:
-        return yaml.safe_load(text), source
-    except yaml.YAMLError as error:
-        raise ScenarioError(f"{source}: not YAML: {' '.join(str(error).split())}") from error
+def read_scenario(name_or_path: str | Path) -> tuple[Scenario, Source]:
+    """Return a scenario as ``load_scenario`` does, and where its parts stand in its file."""
+    data, source = _document(name_or_path)
+    if not isinstance(data, dict):
+        raise ScenarioError(f"{source.name}: a mapping with name, start, items, ... was expected")
+    return validate(data, source, Scenario), source
 
 
-def parse_scenario(document: object, source: str) -> Scenario:
-    """Return the scenario in a document read from YAML or JSON.
-
-    Raises:
-        ScenarioError: with one line for each mistake.
-    """
-    if not isinstance(document, dict):
-        raise ScenarioError(f"{source}: a mapping with name, start, items, ... was expected")
-    try:
-        return Scenario.model_validate(document)
-    except ValidationError as error:
-        raise ScenarioError("\n".join(mistakes(error, source))) from error
-
-
-def mistakes(error: ValidationError, source: str) -> list[str]:
-    """Return a line for each mistake in a document: its source, the path in it, what was expected."""
-    lines = []
-    for part in error.errors():
-        where = ".".join(str(step) for step in part["loc"]) or "(the whole document)"
-        given = repr(part["input"])
-        shown = "" if part["type"] == "missing" or len(given) > 80 else f", found {given}"
-        lines.append(f"{source}: {where}: {_expectation(part['type'], part['msg'])}{shown}")
-    return lines
-
-
-def _expectation(kind: str, message: str) -> str:
-    if kind == "extra_forbidden":
-        return "no such field was expected"
-    if kind == "missing":
-        return "this field was expected and is missing"
-    return message[:1].lower() + message[1:]
-
-
-def _read(name_or_path: str | Path) -> tuple[str, str]:
+def _document(name_or_path: str | Path) -> tuple[JsonValue, Source]:
     text = str(name_or_path)
-    is_path = isinstance(name_or_path, Path) or text.endswith(SUFFIXES) or "/" in text
-    if is_path:
-        path = Path(text)
-        try:
-            return path.read_text(encoding="utf-8"), text
-        except (OSError, UnicodeDecodeError) as error:
-            reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
-            raise ScenarioError(f"{text}: can't be read: {reason}") from error
+    if isinstance(name_or_path, Path) or text.endswith(SUFFIXES) or "/" in text:
+        return read_document(Path(text))
     if text not in scenario_names():
         known = ", ".join(scenario_names())
         raise ScenarioError(f"no scenario '{text}'; there are {known}, or give the path of a .yaml file")
     packaged = resources.files("sim").joinpath("scenarios", f"{text}.yaml")
-    return packaged.read_text(encoding="utf-8"), f"{text}.yaml"
+    return parse_document(packaged.read_text(encoding="utf-8"), f"{text}.yaml")

@@ -11,11 +11,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Final
 
+from sim import placing
 from sim.faults import DepotTaken, Fault, ItemMoves, ObstacleAppears, Place
 from sim.scenario import Scenario, ScenarioError
 from sim.things import FLOOR, BoxShape, CylinderShape, Obstacle, TrueItem
 from skills.ports.geometry import Pose, about
 from skills.ports.site import Site, SiteBox
+from skills.ports.sources import Source
 from skills.ports.world import Box
 
 GAP: Final = 0.0005
@@ -52,20 +54,23 @@ def item_name(tag: int) -> str:
     return f"item_{tag}"
 
 
-def build_scene(site: Site, scenario: Scenario, *, source: str = "scenario") -> tuple[SceneBody, ...]:
+def build_scene(site: Site, scenario: Scenario, source: Source | None = None) -> tuple[SceneBody, ...]:
     """Return the bodies: furniture, items, obstacles, in this order.
 
     Raises:
-        ScenarioError: when the scenario doesn't fit the site; ``source`` is the file that is named.
+        ScenarioError: when the scenario doesn't fit the site, or two things would be in one place; ``source``
+            is the file that is named; without one, the scenario.
     """
-    problems = _problems(site, scenario, source)
-    if problems:
+    source = source or Source(scenario.name)
+    if problems := _problems(site, scenario, source):
         raise ScenarioError("\n".join(problems))
-    return (
-        *furniture_bodies(site),
-        *(item_body(site, item) for item in scenario.items),
-        *(obstacle_body(site, obstacle) for obstacle in scenario.obstacles),
-    )
+    furniture = furniture_bodies(site)
+    items = tuple(item_body(site, item) for item in scenario.items)
+    obstacles = tuple(obstacle_body(site, obstacle) for obstacle in scenario.obstacles)
+    clashes = placing.clashes(furniture, items, obstacles, scenario.start)
+    if told := [f"{source.at(where)}: {reason}" for where, reason in clashes]:
+        raise ScenarioError("\n".join(told))
+    return (*furniture, *items, *obstacles)
 
 
 def furniture_bodies(site: Site) -> tuple[SceneBody, ...]:
@@ -149,65 +154,89 @@ def _covers(box: SiteBox, x: float, y: float) -> bool:
     return abs(c * dx + s * dy) <= box.size[0] / 2 and abs(c * dy - s * dx) <= box.size[1] / 2
 
 
-def _problems(site: Site, scenario: Scenario, source: str) -> list[str]:
+def _problems(site: Site, scenario: Scenario, source: Source) -> list[str]:
     """Return a line for each thing in the scenario that the site has no place or no name for."""
     found: list[str] = []
     taken = {item_name(item.tag) for item in scenario.items}
     for index, item in enumerate(scenario.items):
         if site.item(item.tag) is None:
             known = ", ".join(str(each.item) for each in site.items)
-            found.append(f"{source}: items.{index}.tag: one of {known} was expected, found {item.tag}")
-        found += _support_problem(site, item, f"{source}: items.{index}")
+            where = source.at(f"items.{index}.tag")
+            found.append(f"{where}: one of {known} was expected, found {item.tag}")
+        found += _support_problem(site, item, f"items.{index}", source)
     for index, obstacle in enumerate(scenario.obstacles):
         if obstacle.name in taken:
-            found.append(f"{source}: obstacles.{index}.name: {obstacle.name} is an item's name")
-        found += _support_problem(site, obstacle, f"{source}: obstacles.{index}")
+            where = source.at(f"obstacles.{index}.name")
+            found.append(f"{where}: {obstacle.name} is an item's name")
+        found += _support_problem(site, obstacle, f"obstacles.{index}", source)
     for index, surface in enumerate(scenario.surfaces):
         for corner, (x, y) in (("lower", surface.lower), ("upper", surface.upper)):
             try:
                 support_height(site, surface.support, x, y)
             except KeyError as error:
-                found.append(f"{source}: surfaces.{index}.{corner}: {error.args[0]}")
+                found.append(f"{source.at(f'surfaces.{index}.{corner}')}: {error.args[0]}")
     found += fault_problems(site, scenario.faults, source)
     x_min, y_min, x_max, y_max = site.bounds
     if not (x_min < scenario.start.x < x_max and y_min < scenario.start.y < y_max):
-        found.append(f"{source}: start: a place in the room was expected, {site.bounds} (x, y from; x, y to)")
+        expected = f"a place in the room was expected, {site.bounds} (x, y from; x, y to)"
+        found.append(f"{source.at('start')}: {expected}")
     return found
 
 
-def fault_problems(site: Site, faults: Iterable[Fault], source: str) -> list[str]:
+def fault_problems(site: Site, faults: Iterable[Fault], source: Source) -> list[str]:
     """Return a line for each thing in the faults that the site has no place or no name for."""
     found = []
     for index, fault in enumerate(faults):
-        where = f"{source}: faults.{index}"
+        where = f"faults.{index}"
         tag = getattr(fault, "tag", None)
         if tag is not None and site.item(tag) is None:
             known = ", ".join(str(each.item) for each in site.items)
-            found.append(f"{where}.tag: one of {known} was expected, found {tag}")
+            found.append(f"{source.at(f'{where}.tag')}: one of {known} was expected, found {tag}")
         if isinstance(fault, DepotTaken):
-            found += _slot_problem(site, fault, where)
+            found += _slot_problem(site, fault, where, source)
         elif isinstance(fault, ObstacleAppears) and fault.x is not None and fault.y is not None:
-            found += _support_problem(site, Place(support=fault.support, x=fault.x, y=fault.y), where)
+            place = Place(support=fault.support, x=fault.x, y=fault.y)
+            made = Obstacle(**fault.model_dump(include=set(Obstacle.model_fields)))
+            found += _support_problem(site, place, where, source) or _furniture_problem(
+                site, obstacle_body(site, made), where, source
+            )
         elif isinstance(fault, ItemMoves) and fault.to is not None:
-            found += _support_problem(site, fault.to, f"{where}.to")
+            found += _place_problem(site, fault, f"{where}.to", source)
     return found
 
 
-def _slot_problem(site: Site, fault: DepotTaken, where: str) -> list[str]:
+def _place_problem(site: Site, fault: ItemMoves, where: str, source: Source) -> list[str]:
+    assert fault.to is not None
+    found = _support_problem(site, fault.to, where, source)
+    if found or fault.tag is None or site.item(fault.tag) is None:
+        return found
+    return _furniture_problem(
+        site, item_body(site, TrueItem(tag=fault.tag, **fault.to.model_dump())), where, source
+    )
+
+
+def _furniture_problem(site: Site, body: SceneBody, where: str, source: Source) -> list[str]:
+    """Return what a fault puts into furniture; what else is there then, the physics tells."""
+    other = placing.inside(body, furniture_bodies(site))
+    return [f"{source.at(where)}: {body.name} would be in one place with {other}"] if other else []
+
+
+def _slot_problem(site: Site, fault: DepotTaken, where: str, source: Source) -> list[str]:
     depot = site.depot(fault.depot)
     if depot is None:
         known = ", ".join(each.name for each in site.depots)
-        return [f"{where}.depot: one of {known} was expected, found {fault.depot}"]
+        return [f"{source.at(f'{where}.depot')}: one of {known} was expected, found {fault.depot}"]
     if fault.slot >= len(depot.slots):
-        return [f"{where}.slot: 0 to {len(depot.slots) - 1} was expected, found {fault.slot}"]
+        expected = f"0 to {len(depot.slots) - 1} was expected, found {fault.slot}"
+        return [f"{source.at(f'{where}.slot')}: {expected}"]
     return []
 
 
-def _support_problem(site: Site, thing: TrueItem | Obstacle | Place, where: str) -> list[str]:
+def _support_problem(site: Site, thing: TrueItem | Obstacle | Place, where: str, source: Source) -> list[str]:
     try:
         support_height(site, thing.support, thing.x, thing.y)
     except KeyError as error:
-        return [f"{where}.support: {error.args[0]}"]
+        return [f"{source.at(f'{where}.support')}: {error.args[0]}"]
     return []
 
 

@@ -29,6 +29,7 @@ from sim.truth import Truth, read_truth
 from sim.world import World, spawn
 from skills.ports.bus import Bus
 from skills.ports.site import Site
+from skills.ports.sources import Source
 
 
 @dataclass(frozen=True)
@@ -144,8 +145,8 @@ class Station:
         if scenario.site != self._site.name:
             expected = f"{self._site.name} was expected, found {scenario.site}"
             raise ScenarioError(f"{scenario.name}: site: {expected}; another site needs another start")
-        build_scene(self._site, scenario, source=scenario.name)
-        check_faults(scenario.faults, self.model.description, source=scenario.name)
+        build_scene(self._site, scenario)
+        check_faults(scenario.faults, self.model.description, source=Source(scenario.name))
 
     def _fill(self, scenario: Scenario) -> tuple[World, RobotBody]:
         world = spawn(self.physics, self._site, scenario)

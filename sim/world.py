@@ -97,7 +97,7 @@ def spawn(physics: Physics, site: Site, scenario: Scenario) -> World:
         ScenarioError: when the scenario doesn't fit the site.
     """
     world = World(physics)
-    for body in build_scene(site, scenario, source=scenario.name):
+    for body in build_scene(site, scenario):
         world.put(body)
     return world
 

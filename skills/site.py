@@ -1,46 +1,16 @@
-"""Read a site file: YAML checked against ``skills.ports.site.Site``."""
+"""Read a site file: YAML checked against ``skills.ports.site.Site``, and for places that can't be."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from importlib import resources
 from pathlib import Path
-from typing import TypeVar
 
-import yaml
-from pydantic import BaseModel, ValidationError
-
+from skills.ports.floor_plan import FloorPlan
+from skills.ports.geometry import FloorPose
 from skills.ports.site import Site
-
-Document = TypeVar("Document", bound=BaseModel)
-
-
-class DocumentError(ValueError):
-    """A file that can't be taken: says the file, the path in it, and what was expected."""
-
-
-def describe(error: ValidationError) -> str:
-    """Return pydantic's findings as lines "path: what was expected"."""
-    lines = []
-    for finding in error.errors(include_url=False):
-        path = ".".join(str(part) for part in finding["loc"]) or "(the document)"
-        lines.append(f"{path}: {finding['msg']}")
-    return "\n".join(lines)
-
-
-def parse(text: str, model: type[Document], source: str) -> Document:
-    """Return the YAML text as a model.
-
-    Raises:
-        DocumentError: naming ``source``, the path in it, and what was expected.
-    """
-    try:
-        data = yaml.safe_load(text)
-    except yaml.YAMLError as error:
-        raise DocumentError(f"{source}: YAML was expected: {error}") from None
-    try:
-        return model.model_validate(data)
-    except ValidationError as error:
-        raise DocumentError(f"{source}: {describe(error)}") from None
+from skills.ports.sources import DocumentError
+from skills.yaml_file import parse_document, read_document, validate
 
 
 def names() -> tuple[str, ...]:
@@ -59,14 +29,29 @@ def load(name_or_path: str) -> Site:
     """
     path = Path(name_or_path)
     if path.suffix in {".yaml", ".yml"}:
-        try:
-            return parse(path.read_text(encoding="utf-8"), Site, str(path))
-        except OSError as error:
-            raise DocumentError(f"{path}: a readable site file was expected: {error.strerror}") from None
-    if name_or_path not in names():
+        data, source = read_document(path)
+    elif name_or_path in names():
+        packaged = resources.files("skills") / "sites" / f"{name_or_path}.yaml"
+        data, source = parse_document(packaged.read_text("utf-8"), f"{name_or_path}.yaml")
+    else:
         raise DocumentError(
             f"no site {name_or_path!r}; there are {', '.join(names())}, or give a path to a .yaml"
         )
-    return parse(
-        (resources.files("skills") / "sites" / f"{name_or_path}.yaml").read_text("utf-8"), Site, name_or_path
-    )
+    site = validate(data, source, Site)
+    if misplaced := [f"{source.at(where)}: {reason}" for where, reason in _misplaced(site)]:
+        raise DocumentError("\n".join(misplaced))
+    return site
+
+
+def _misplaced(site: Site) -> Iterator[tuple[str, str]]:
+    """Give the paths of places where no robot can stand, with the reason."""
+    x_min, y_min, x_max, y_max = site.bounds
+    if not (x_min < x_max and y_min < y_max):
+        yield "bounds", "x_min, y_min, x_max, y_max with each minimum below its maximum were expected"
+        return
+    plan = FloorPlan(site)
+    stands: list[tuple[str, FloorPose]] = [("home", site.home)]
+    stands += [(f"spots.{index}.pose", spot.pose) for index, spot in enumerate(site.spots)]
+    for where, pose in stands:
+        if plan.room(pose.x, pose.y) <= 0.0:
+            yield where, f"({pose.x:g}, {pose.y:g}) is inside furniture or outside the bounds"

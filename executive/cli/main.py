@@ -35,6 +35,7 @@ from executive.cli.errors import CommandError
 from executive.cli.exit_codes import MEANINGS, ExitCode
 from executive.cli.logs import LogOptions
 from executive.parts import LogFormat
+from skills.ports.sources import DocumentError
 
 _LOG = logging.getLogger(__name__)
 
@@ -78,9 +79,9 @@ def main(argv: Sequence[str]) -> int:
     """Carry the command out and return its exit code. The user sees words, and no trace."""
     try:
         build(argv)(args=list(argv), prog_name="tandem")
-    except CommandError as error:
+    except (CommandError, DocumentError) as error:
         _say(f"error: {error}")
-        return int(error.code)
+        return int(error.code if isinstance(error, CommandError) else ExitCode.BAD_INPUT)
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else int(end.code is not None)
     except KeyboardInterrupt:

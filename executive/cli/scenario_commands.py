@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from executive.cli.errors import CommandError
-
 if TYPE_CHECKING:
     from executive.fault_file import FaultFile
     from sim.scenario import Scenario
@@ -61,17 +59,14 @@ def checked(name_or_path: str) -> Scenario:
     """Return the scenario.
 
     Raises:
-        CommandError: naming the file, the path in it, and what was expected.
+        DocumentError: naming the file, the path and line in it, and what was expected.
     """
-    from sim.scenario import ScenarioError, load_scenario  # noqa: PLC0415
+    from sim.scenario import read_scenario  # noqa: PLC0415
     from sim.scene import build_scene  # noqa: PLC0415
-    from skills.site import DocumentError, load  # noqa: PLC0415
+    from skills.site import load  # noqa: PLC0415
 
-    try:
-        scenario = load_scenario(name_or_path)
-        build_scene(load(scenario.site), scenario, source=name_or_path)
-    except (ScenarioError, DocumentError) as error:
-        raise CommandError(str(error)) from error
+    scenario, source = read_scenario(name_or_path)
+    build_scene(load(scenario.site), scenario, source=source)
     return scenario
 
 
@@ -79,13 +74,9 @@ def checked_faults(path: Path, scenario: Scenario) -> FaultFile:
     """Return a file of faults that fits a scenario's site.
 
     Raises:
-        CommandError: naming the file, the path in it, and what was expected.
+        DocumentError: naming the file, the path and line in it, and what was expected.
     """
     from executive.fault_file import check_faults  # noqa: PLC0415
-    from sim.scenario import ScenarioError  # noqa: PLC0415
     from skills.site import load  # noqa: PLC0415
 
-    try:
-        return check_faults(path, load(scenario.site))
-    except ScenarioError as error:
-        raise CommandError(str(error)) from error
+    return check_faults(path, load(scenario.site))

@@ -170,16 +170,13 @@ def _built(task: str, request: str, site_name: str) -> TreeNode:
     from executive.render.example import NoExampleError, example_request, tree_of  # noqa: PLC0415
     from executive.requests import Refused, read_request  # noqa: PLC0415
     from skills.ports.documents import parse  # noqa: PLC0415
-    from skills.site import DocumentError, load  # noqa: PLC0415
+    from skills.site import load  # noqa: PLC0415
     from trees.registry import discover  # noqa: PLC0415
 
     kinds = discover()
     if task not in kinds:
         raise CommandError(f"no task {task!r}; there are {', '.join(kinds)}")
-    try:
-        site = load(site_name)
-    except DocumentError as error:
-        raise CommandError(str(error)) from error
+    site = load(site_name)
     if not request:
         try:
             return tree_of(kinds[task], site, example_request(kinds[task], site))

@@ -9,11 +9,11 @@ from functools import cache
 from importlib.resources import files
 from typing import Final
 
-import yaml
 from pydantic import TypeAdapter
 
 from executive.security.role import Part, Role
 from skills.ports.message import Message
+from skills.yaml_file import parse_document
 
 NAME_IN_KEY: Final = "{name}"
 _FOR_ALL_CLIENTS: Final = "clients"
@@ -46,7 +46,7 @@ class Rights(Message):
 @cache
 def _table() -> dict[str, Rights]:
     text = files("executive.security").joinpath("access.yaml").read_text("utf-8")
-    return TypeAdapter(dict[str, Rights]).validate_python(yaml.safe_load(text))
+    return TypeAdapter(dict[str, Rights]).validate_python(parse_document(text, "access.yaml")[0])
 
 
 def rights_of(role: Role, part: Part | None = None) -> Rights:

@@ -12,8 +12,9 @@ from executive.lockstep import Digest, Lockstep
 from executive.options import BusOptions, RunOptions
 from executive.systems import ProcessSystem
 from sim.faults import CameraDark, HandOpens, HardwareSilent, ItemLifted
-from sim.scenario import ScenarioError, load_scenario
+from sim.scenario import load_scenario
 from skills.ports.keys import BUMPERS, Latest
+from skills.ports.sources import DocumentError
 from skills.ports.tasks import REQUEST
 from skills.site import load
 from skills.testing.faulty_bus import BusFaults
@@ -64,7 +65,7 @@ def test_what_a_file_says_is_what_is_read(tmp_path: Path) -> None:
 )
 def test_a_mistake_is_told_with_file_and_path(tmp_path: Path, text: str, path: str, said: str) -> None:
     file = written(tmp_path, text)
-    with pytest.raises(ScenarioError) as caught:
+    with pytest.raises(DocumentError) as caught:
         check_faults(file, load("lab"))
     assert str(caught.value).startswith(f"{file}: {path}")
     assert said in str(caught.value)

@@ -9,13 +9,14 @@ import pybullet
 import pytest
 
 from sim.draw import FINGER_GAP, FLOOR_MARGIN, Draw, draw_fetch
+from sim.footprint import FOOTPRINT_RADIUS
 from sim.physics import Physics
 from sim.scenario import Scenario, ScenarioError, SpawnSurface, load_scenario
 from sim.things import BoxShape, Obstacle
 from sim.world import spawn
 from skills.site import load
 
-RADIUS = 0.27
+RADIUS = FOOTPRINT_RADIUS
 
 
 def draws(count: int, seed: int = 1, scenario: Scenario | None = None) -> list[Draw]:

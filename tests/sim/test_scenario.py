@@ -10,6 +10,7 @@ from sim.scenario import ScenarioError, load_scenario, scenario_names
 from sim.scene import build_scene
 from sim.things import TrueItem
 from skills.ports.geometry import FloorPose
+from skills.ports.sources import DocumentError, Source
 from skills.site import load
 
 
@@ -49,7 +50,7 @@ def test_the_demo_has_what_is_promised() -> None:
 def test_a_mistake_is_told_with_file_and_path(tmp_path: Path, text: str, path: str, said: str) -> None:
     file = tmp_path / "mine.yaml"
     file.write_text(text)
-    with pytest.raises(ScenarioError) as caught:
+    with pytest.raises(DocumentError) as caught:
         load_scenario(file)
     assert str(caught.value).startswith(str(file))
     assert path in str(caught.value)
@@ -62,7 +63,7 @@ def test_an_unknown_name_is_answered_with_the_names_there_are() -> None:
 
 
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
-    with pytest.raises(ScenarioError, match=r"none\.yaml: can't be read"):
+    with pytest.raises(DocumentError, match=r"none\.yaml: can't be read"):
         load_scenario(tmp_path / "none.yaml")
 
 
@@ -84,7 +85,7 @@ def test_a_tag_may_be_there_once() -> None:
 def test_what_the_site_has_no_place_for_is_refused(item: TrueItem, said: str) -> None:
     scenario = load_scenario("Defaults").model_copy(update={"items": (item,)})
     with pytest.raises(ScenarioError, match=r"mine\.yaml") as caught:
-        build_scene(load("lab"), scenario, source="mine.yaml")
+        build_scene(load("lab"), scenario, source=Source("mine.yaml"))
     assert said in str(caught.value)
 
 
