@@ -118,6 +118,7 @@ class Control:
             context.answers[question.node] = asked.answer
             turn.run.look_again()
         elif asked.answer == GO_ON:
+            turn.run.told_to_go_on = True
             turn.run.resume()
         else:
             turn.run.interrupt(not_taken_up(turn.asked.kind.name, "the operator had it given up"))

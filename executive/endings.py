@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from py_trees.behaviour import Behaviour
 
 from skills.ports.failure import Failure, FailureKind
-from skills.ports.tasks import NodeStatus, Problem, TaskState, TreeNode
+from skills.ports.tasks import NodeStatus, Problem, Progress, TaskState, TreeNode
 from trees.snapshot import snapshot
 
 
@@ -75,6 +75,26 @@ def not_taken_up(where: str, why: str) -> Failure:
     """Return the failure of a task that was under way when the executive ended, and does not go on."""
     text = f"it was under way when the executive ended, and {why}; how far it came is not known"
     return Failure(kind=FailureKind.INTERRUPTED, message=text, where=where)
+
+
+def crashed_at(where: str, crashes: int, progress: Progress, died: str) -> Failure:
+    """Return the failure of a task at which the executive crashed again and again.
+
+    Args:
+        where: the kind of task.
+        crashes: how often, since the task last came further.
+        progress: how far it had come.
+        died: the last crash in words; empty when nobody knows.
+    """
+    last = died or "how it ended is not known: nobody told the executive that was started after it"
+    return Failure(
+        kind=FailureKind.INTERRUPTED,
+        message=f"the executive crashed {crashes} times at this task, which did not come further in between; "
+        "it is not taken up once more",
+        where=where,
+        evidence={"crashes": crashes, "phase": progress.phase, "fraction": progress.fraction},
+        causes=(Failure(kind=FailureKind.INTERRUPTED, message=f"the last crash: {last}", where="executive"),),
+    )
 
 
 def no_longer_valid(where: str, problems: Iterable[Problem]) -> Failure:

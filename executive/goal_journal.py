@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from executive.ledger.port import Ledger, SentGoal
 
 
@@ -10,13 +12,15 @@ class LedgerJournal:
 
     Args:
         ledger: where goals are written.
+        before: called before each is written; what it writes is on disk with the goal.
     """
 
-    def __init__(self, ledger: Ledger) -> None:
-        self._ledger = ledger
+    def __init__(self, ledger: Ledger, before: Callable[[], None]) -> None:
+        self._ledger, self._before = ledger, before
 
     def sending(self, goal_id: str, action: str) -> None:
         """Have it on disk."""
+        self._before()
         self._ledger.goal(SentGoal(goal_id, action))
         self._ledger.commit()
 

@@ -38,6 +38,11 @@ class Hold:
         """Whether the tree may be ticked."""
         return self.state is TaskState.RUNNING
 
+    @property
+    def stepping(self) -> Step:
+        """How far the tree goes on before it is paused again."""
+        return self._stepping
+
     def pause(self) -> None:
         """Have all goals come to rest; ``step`` sees when they have."""
         self._stepping = ""

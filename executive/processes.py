@@ -36,6 +36,10 @@ NO_USE: Final = (REFUSED, UNKEPT)
 """Exit codes that say that another start would end the same way."""
 RESTARTS: Final = 3
 """Times that a process is started again ..."""
+RESTARTS_OF_EXECUTIVE: Final = 10
+"""The executive's: it gives up a task at which it crashes at the fourth start; two such tasks fit in."""
+QUOTED: Final = 2000
+"""Characters of a dead process's last words that its successor is told."""
 RESTARTS_WITHIN: Final = 60.0
 """... in so many seconds; one that dies more often has a fault that no new start mends."""
 TRIM_EVERY: Final = 1.0
@@ -157,8 +161,9 @@ class Supervisor:
     def restart(self, role: str) -> bool:
         """Start a dead process again, as it was; return whether it may be."""
         child, now = self.child(role), time.monotonic()
-        times = self._restarted.setdefault(role, deque(maxlen=RESTARTS))
-        often = len(times) == RESTARTS and now - times[0] < RESTARTS_WITHIN
+        bound = RESTARTS_OF_EXECUTIVE if role == "executive" else RESTARTS
+        times = self._restarted.setdefault(role, deque(maxlen=bound))
+        often = len(times) == bound and now - times[0] < RESTARTS_WITHIN
         if role not in RESTARTED or often or child.process.returncode in NO_USE:
             return False
         times.append(now)
@@ -166,7 +171,8 @@ class Supervisor:
         child.stream.close()
         self._orphans[child.process.pid] = now + FOLLOWERS_END_WITHIN
         _tell_group(child.process.pid, signal.SIGTERM)
-        self.start(child.settings.model_copy(update={"again": True, "crash_at": None}))
+        died = Death(role, child.process.returncode, child.last_words()).describe()[-QUOTED:]
+        self.start(child.settings.model_copy(update={"again": True, "crash_at": None, "died": died}))
         return True
 
     def give_up(self, role: str) -> None:

@@ -7,17 +7,21 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Final, Literal
 
-from executive.endings import no_longer_valid, not_taken_up
+from executive.endings import crashed_at, no_longer_valid, not_taken_up
 from executive.ledger.port import Entry, Ledger
 from executive.on_restart import OnRestart
 from executive.requests import Asked, Refused
 from executive.task_book import KEPT, TaskBook
+from executive.task_memory import TaskMemory
+from skills.ports.failure import Failure
 from skills.ports.message import RobotTime
 from skills.ports.tasks import AskHistory, Question, TaskState, TaskStatus
 
 Read = Callable[[bytes], Asked | Refused]
 """Checks a request's document."""
-How = Literal["go on", "paused", "ask", "cancel"]
+How = Literal["go on", "paused", "ask", "cancel", "step"]
+RESUMES: Final = 3
+"""Times that a task is taken up after a crash without having come further; after another crash it ends."""
 
 GO_ON: Final = "resume"
 GIVE_UP: Final = "interrupt"
@@ -53,9 +57,18 @@ class Comeback:
 
 
 def take_up(
-    ledger: Ledger, book: TaskBook, read: Read, default: OnRestart, now: RobotTime | None
+    ledger: Ledger, book: TaskBook, read: Read, default: OnRestart, now: RobotTime | None, *, died: str = ""
 ) -> Comeback:
-    """Fill the book from the ledger. ``default``: for requests that say nothing of a restart."""
+    """Fill the book from the ledger.
+
+    Args:
+        ledger: what was accepted.
+        book: to be filled.
+        read: checks requests once more.
+        default: for requests that say nothing of a restart.
+        now: robot time.
+        died: how the executive of before ended, in words; empty when nobody knows.
+    """
     found = Comeback()
     lately = ledger.history(AskHistory(limit=KEPT)).tasks
     book.ended_lately(tuple(status for status in reversed(lately) if status.state.terminal))
@@ -67,9 +80,33 @@ def take_up(
         elif entry.status.state is TaskState.QUEUED:
             book.put(entry.status.task, asked)
         else:
-            _go_on(book, entry, asked, now, found, entry.on_restart or default)
+            memory = _after_crash(ledger, entry)
+            book.remember(entry.status.task, memory)
+            end = memory.given_up or _poisonous(entry.status, memory, died)
+            if end is not None:
+                found.changed.append(book.end(entry.status.task, TaskState.INTERRUPTED, now, end))
+            else:
+                _go_on(book, entry, asked, now, found, entry.on_restart or default)
     book.keep()
     return found
+
+
+def _after_crash(ledger: Ledger, entry: Entry) -> TaskMemory:
+    """Return the task's memory with the crash counted, if there was one while its tree was at work."""
+    status, memory = entry.status, entry.memory
+    if memory.in_order or status.state not in {TaskState.RUNNING, TaskState.CANCELING}:
+        return memory.model_copy(update={"in_order": False})
+    came, fraction = ledger.nodes_done(status.task), status.progress.fraction
+    further = came > memory.came or fraction > memory.fraction
+    update = {"crashes": 1 if further else memory.crashes + 1, "came": came, "fraction": fraction}
+    return memory.model_copy(update=update)
+
+
+def _poisonous(status: TaskStatus, memory: TaskMemory, died: str) -> Failure | None:
+    """Return why a task is not taken up once more, if the executive crashes at it again and again."""
+    if memory.crashes <= RESUMES:
+        return None
+    return crashed_at(status.kind, memory.crashes, status.progress, died)
 
 
 def _refuse(book: TaskBook, entry: Entry, refused: Refused, now: RobotTime | None) -> TaskStatus:
@@ -84,9 +121,10 @@ def _refuse(book: TaskBook, entry: Entry, refused: Refused, now: RobotTime | Non
 def _go_on(  # noqa: PLR0917 - all that a decision needs
     book: TaskBook, entry: Entry, asked: Asked, now: RobotTime | None, found: Comeback, wish: OnRestart
 ) -> None:
-    task, state = entry.status.task, entry.status.state
-    if state is TaskState.CANCELING or wish == "resume":
-        found.under_way = UnderWay(task, asked, _HOW[state])
+    task, state, memory = entry.status.task, entry.status.state, entry.memory
+    if state is TaskState.CANCELING or wish == "resume" or memory.go_on:
+        how = "step" if state is TaskState.RUNNING and memory.step else _HOW[state]
+        found.under_way = UnderWay(task, asked, how)
     elif wish == "ask":
         found.under_way = UnderWay(task, asked, "ask")
         found.changed.append(book.change(task, TaskState.PAUSED, question=QUESTION, running=()))

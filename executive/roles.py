@@ -146,10 +146,12 @@ def executive_node(
     host: str = "",
     ledger: Ledger | None = None,
     on_restart: OnRestart = "resume",
+    died: str = "",
 ) -> Node:
     """Return the executive, with all tasks there are; ``start`` becomes a part of the tasks' ids.
 
-    ``host`` names this start of the host, within which its monotonic clock goes on.
+    ``host`` names this start of the host, within which its monotonic clock goes on; ``died`` tells how the
+    executive of before ended.
 
     Without a ``ledger`` it keeps what it must not forget in memory.
     """
@@ -170,6 +172,7 @@ def executive_node(
         version=version("tandem-executive"),
         ledger=ledger,
         policy=Policy(on_restart=on_restart),
+        died=died,
     )
     doors.tasks = executive.book.all
     return executive
@@ -366,7 +369,14 @@ def _executive(settings: WorkerSettings, bus: Bus, clocks: Clocks, site: Site) -
         bus, ledger = CrashBus(bus, points), None if ledger is None else CrashLedger(ledger, points)
     start, host = start_id(), host_start()
     return executive_node(
-        bus, clocks, site, start=start, host=host, ledger=ledger, on_restart=settings.on_restart
+        bus,
+        clocks,
+        site,
+        start=start,
+        host=host,
+        ledger=ledger,
+        on_restart=settings.on_restart,
+        died=settings.died,
     )
 
 

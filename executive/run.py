@@ -25,6 +25,7 @@ from executive.endings import (
 from executive.halt import Halt
 from executive.hold import Hold, Step
 from executive.ledger.port import LedgerError
+from executive.task_memory import Winding
 from executive.tree_view import TreeView
 from skills.ports.clocks import Clocks
 from skills.ports.failure import Failure
@@ -85,6 +86,10 @@ class Run:
         self.ticks = 0
         self.canceling = False
         """Whether it has been cancelled."""
+        self.winding: Winding = ""
+        """How far it is with what is done after a cancel."""
+        self.told_to_go_on = False
+        """Whether an operator had it go on after a restart."""
         self._root, self._kind, self._clocks, self._halt = root, kind, clocks, halt
         self._ticked = ticked
         self._hold = Hold(context, clocks)
@@ -142,6 +147,8 @@ class Run:
 
         What is to be done after a cancel is done then; cancelled once more, that is stopped as well.
         """
+        if self.canceling and self.winding == "begun":
+            self.winding = "left"
         if self._ending is None or self.yielding:
             self.canceling, self.yielding = True, False
             self._hold.resume()
@@ -154,6 +161,15 @@ class Run:
             self.yielding = True
             self._stop_tree()
             self._end_with(Ending(TaskState.QUEUED))
+
+    def step_on(self, step: Step) -> None:
+        """Go on, just built, until one more leaf has ended or by one tick, and pause then."""
+        self._hold.resume(step)
+
+    @property
+    def stepping(self) -> Step:
+        """How far it goes on before it is paused again."""
+        return self._hold.stepping
 
     def interrupt(self, failure: Failure) -> None:
         """Stop the tree: the task ends as INTERRUPTED when all is at rest."""
@@ -344,10 +360,13 @@ class Run:
         tree = self.context.wind_down
         if not self.canceling or tree is None or self._winding is not None or ending.failure is not None:
             return False
+        if self.winding == "left":
+            return False
         stop = self.context.knowledge.stopped
         if stop.stopped:
             self._end_with(Ending(ending.state, kept_from_winding_down(tree.name, stop.by)))
             return False
+        self.winding = "begun"
         self._before_winding = self.context.failures[-1] if self.context.failures else None
         self._winding, self._ending = Elapsed(self._clocks), None
         self._root, self._view, self._shown = tree, TreeView(tree), None

@@ -17,7 +17,7 @@ from executive.goal_journal import LedgerJournal
 from executive.halt import Halt
 from executive.intake import Intake
 from executive.ledger.memory import MemoryLedger
-from executive.ledger.port import Ledger
+from executive.ledger.port import Ledger, LedgerError
 from executive.leftovers import Leftovers
 from executive.on_restart import OnRestart
 from executive.pictures import Album, Tries
@@ -89,6 +89,7 @@ class Executive:
         version: of this program, told to who asks.
         ledger: what was accepted and what became of it; in memory unless given. Closed with the service.
         policy: how the service treats tasks.
+        died: how the executive of before ended, in words; empty when it did not crash, or nobody knows.
 
     Raises:
         LedgerError: also in ``step``, when the ledger can't be written: nothing may be told then.
@@ -106,11 +107,12 @@ class Executive:
         version: str = "",
         ledger: Ledger | None = None,
         policy: Policy | None = None,
+        died: str = "",
     ) -> None:
         self._ledger: Ledger = MemoryLedger() if ledger is None else ledger
         self._policy = Policy() if policy is None else policy
         self.knowledge = Knowledge(bus, clocks, site)
-        self.clients = Clients(bus, clocks, NAME, LedgerJournal(self._ledger))
+        self.clients = Clients(bus, clocks, NAME, LedgerJournal(self._ledger, self._remember))
         self._wall = WallClock(clocks, self._ledger.reading(), host)
         self.book = TaskBook(self._ledger, self._wall, start, bound=self._policy.waiting)
         self._bus, self._clocks, self._kinds, self._version = bus, clocks, dict(tasks), version
@@ -119,14 +121,14 @@ class Executive:
         self._intake = Intake(bus, self.book, self._kinds, site)
         self._control = Control(self.book, clocks, lambda: self._turn, self._tell)
         self._control.changed = self._changed
-        self._verbs, self._album = Verbs(bus, self._control.verbs()), Album(bus)
+        self._verbs, self._album = Verbs(bus, self._control.verbs(), self._keep), Album(bus)
         self._questions = Questions(bus, self.book, self._ledger, info=self._info, tree=self._tree)
         self._tries: list[Tries] = []  # of the running task, and of those before whose picture is under way
         self._pulse, self._task_log = Pulse(bus, clocks), TaskLog()
         self._leftovers = Leftovers(bus, clocks, self.clients, self.knowledge)
         self._ended = 0
         self._closed = False
-        self._come_back()
+        self._come_back(died)
         bus.announce(NAME)
 
     @property
@@ -178,17 +180,33 @@ class Executive:
                 self._control.cancel(CancelTask(task=self._turn.task))
         elif self._turn is not None:
             self._turn.run.make_room()
+            self._note_order(self._turn)
         for end in (self._intake, self._verbs, self._album, self._questions):
             end.close()
         self.clients.close()
         self.knowledge.close()
         self._ledger.close()
 
+    def _note_order(self, turn: Turn) -> None:
+        """Note that the task is left in order: that it is under way at the next start is no crash."""
+        try:
+            memory = self.book.entry(turn.task).memory
+            self.book.remember(turn.task, memory.model_copy(update={"in_order": True}))
+            self.book.keep()
+        except LedgerError:
+            _LOG.exception("that the executive ends in order could not be noted")
+
     # After a start.
 
-    def _come_back(self) -> None:
-        now = self._clocks.robot()
-        found: Comeback = take_up(self._ledger, self.book, self._intake.read, self._policy.on_restart, now)
+    def _come_back(self, died: str) -> None:
+        found: Comeback = take_up(
+            self._ledger,
+            self.book,
+            self._intake.read,
+            self._policy.on_restart,
+            self._clocks.robot(),
+            died=died,
+        )
         self._leftovers.adopt(self._ledger.open_goals())
         for status in found.changed:
             self._tell(status)
@@ -261,8 +279,15 @@ class Executive:
         self._changed(self._turn)
 
     def _build(self, task: str, asked: Asked) -> Turn:
+        memory = self.book.entry(task).memory
         context = TreeContext(
-            task, self.clients, self.knowledge, self._clocks, goals_before=self._ledger.attempts(task)
+            task,
+            self.clients,
+            self.knowledge,
+            self._clocks,
+            goals_before=self._ledger.attempts(task),
+            notes=dict(memory.notes),
+            answers_before=dict(memory.answers),
         )
         status = self.book.get(task)
         context.enter("", 0.0 if status is None else status.progress.fraction)
@@ -280,6 +305,16 @@ class Executive:
 
     # What is told.
 
+    def _remember(self) -> None:
+        """Note what a restart must know of the task under way; on disk with what is kept next."""
+        if self._turn is not None:
+            self._turn.remember()
+
+    def _keep(self) -> None:
+        """Have all that holds now on disk."""
+        self._remember()
+        self.book.keep()
+
     def _tell(self, status: TaskStatus) -> None:
         """Publish a status once it is on disk."""
         self.book.keep()
@@ -289,6 +324,7 @@ class Executive:
         task_status(status.task).publish(self._bus, status)
 
     def _changed(self, turn: Turn) -> None:
+        turn.remember()
         tree = turn.run.changed_tree()
         if tree is not None:
             self._last_tree = tree

@@ -33,6 +33,8 @@ class WorkerSettings(Message):
     """What becomes of a task that was under way when the executive ended, unless its request says so."""
     again: bool = False
     """Whether it takes the place of one that is known to be dead."""
+    died: str = ""
+    """How the process whose place it takes ended, with its last words; empty: nobody knows, or it did not."""
     crash_at: str | None = None
     """Kill this process at a point by its name (``executive.crash_points``); for the campaign of crashes."""
     crash_log: str | None = None

@@ -42,7 +42,7 @@ LEADS_TO: Final = MappingProxyType(
         _S.CANCELING: {
             _S.CANCELED: "all is at rest",
             _S.FAILED: "a skill did not come to rest, or the hardware is lost",
-            _S.INTERRUPTED: "abandoned: the hardware does not answer",
+            _S.INTERRUPTED: "abandoned: the hardware is silent; or the executive crashed at it repeatedly",
         },
         _S.SUCCEEDED: {},
         _S.FAILED: {},

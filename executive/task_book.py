@@ -5,12 +5,14 @@ from __future__ import annotations
 import logging
 import uuid
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Final
 
 from executive.ledger.port import Entry, Ledger, LedgerError
 from executive.ledger.stubs import same_request
 from executive.requests import Asked
 from executive.states import FIRST, check
+from executive.task_memory import TaskMemory
 from executive.task_queue import TaskQueue, Waiting
 from executive.wall_clock import WallClock
 from skills.ports.failure import Failure
@@ -195,15 +197,22 @@ class TaskBook:
         check(task, entry.status.state, state)
         status = entry.status.model_copy(update={**update, "state": state})
         self._ledger.change(status, self._utc())
-        self._entries[task] = Entry(status, entry.number, entry.on_restart, entry.test_run)
+        self._entries[task] = replace(entry, status=status)
         return status
 
     def note(self, task: str, **update: object) -> TaskStatus:
         """Note what need not be on disk before it is told: it is written with the next change."""
         entry = self._entries[task]
         status = entry.status.model_copy(update=update)
-        self._entries[task] = Entry(status, entry.number, entry.on_restart, entry.test_run)
+        self._entries[task] = replace(entry, status=status)
         return status
+
+    def remember(self, task: str, memory: TaskMemory) -> None:
+        """Note what a restart must know of a task that has not ended, if that is something new."""
+        entry = self._entries[task]
+        if entry.memory != memory:
+            self._ledger.remember(task, memory)
+            self._entries[task] = replace(entry, memory=memory)
 
     def tried(self, task: str, tried: tuple[Attempt, ...]) -> TaskStatus | None:
         """Note what went wrong so far; also of a task that has just ended, whose picture came late."""

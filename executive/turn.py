@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import logging
 from dataclasses import dataclass
 from typing import Final
+
+from py_trees.common import Status
 
 from executive.expectation import Expectation
 from executive.requests import Asked
 from executive.resume import QUESTION, How
 from executive.run import Run
 from executive.task_book import TaskBook
+from executive.task_memory import Held, TaskMemory
 from skills.ports.clocks import Clocks
 from skills.ports.tasks import Progress, TaskState, TaskStatus
 
+_LOG = logging.getLogger(__name__)
 PROGRESS_STEP: Final = 0.01
 """A status is published when the fraction has grown by this much."""
 
@@ -43,12 +48,48 @@ class Turn:
 
     def take_up(self, how: How) -> None:
         """Bring a run that has just been built to where it stood before a restart."""
+        self._restore(self.book.entry(self.task).memory)
         if how == "cancel":
             self.run.cancel()
+        elif how == "step":
+            self.run.step_on(self.book.entry(self.task).memory.step)
         elif how != "go on":
             self.run.pause()
         if how == "ask":
             self.run.context.question = QUESTION
+
+    def _restore(self, memory: TaskMemory) -> None:
+        run, gates = self.run, self.run.gates
+        run.winding = memory.winding
+        for held in memory.breakpoints:
+            node = gates.find(held.node)
+            if isinstance(node, str):
+                _LOG.warning("a breakpoint is left out: %s", node, extra={"task": self.task})
+            else:
+                gates.hold(node, before=held.before)
+        for path, status in memory.forced.items():
+            node = gates.find(path)
+            if isinstance(node, str):
+                _LOG.warning("a forced node is left out: %s", node, extra={"task": self.task})
+            else:
+                gates.force(node, Status(status))
+
+    def remember(self) -> None:
+        """Note what a restart must know of it; on disk after the book's ``keep``."""
+        run, context = self.run, self.run.context
+        ending = run.ending
+        update: dict[str, object] = {
+            "notes": dict(context.notes),
+            "answers": {**context.answers_before, **context.answers},
+            "step": run.stepping,
+            "go_on": run.told_to_go_on and run.ticks == 0,
+            "winding": run.winding,
+            "given_up": ending.failure if ending and ending.state is TaskState.INTERRUPTED else None,
+        }
+        if not run.canceling:
+            update["breakpoints"] = tuple(Held(node=node, before=before) for node, before in run.gates.held())
+            update["forced"] = {path: status.value for path, status in run.gates.forced().items()}
+        self.book.remember(self.task, self.book.entry(self.task).memory.model_copy(update=update))
 
     def progress(self) -> TaskStatus | None:
         """Return the task's status if there is something to be told; to be kept first."""

@@ -43,9 +43,11 @@ class Verbs:
     Args:
         bus: where clients are.
         verbs: all of them.
+        keep: has on disk what a verb has changed; called before it is answered.
     """
 
-    def __init__(self, bus: Bus, verbs: Iterable[Verb[Message]]) -> None:
+    def __init__(self, bus: Bus, verbs: Iterable[Verb[Message]], keep: Callable[[], None]) -> None:
+        self._keep = keep
         self._desks: list[tuple[Desk, Verb[Message]]] = [
             (bus.serve(each.service.key), each) for each in verbs
         ]
@@ -54,7 +56,9 @@ class Verbs:
         """Answer all who asked."""
         for desk, verb in self._desks:
             for request in desk.drain():
-                request.reply(verb.answer(request.payload).model_dump_json().encode())
+                answer = verb.answer(request.payload)
+                self._keep()
+                request.reply(answer.model_dump_json().encode())
 
     def close(self) -> None:
         """Stop serving."""

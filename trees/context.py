@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Final
+from typing import Final, TypeVar
 
 from py_trees.behaviour import Behaviour
+from pydantic import JsonValue, ValidationError
 
 from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.failure import Failure, FailureKind
+from skills.ports.message import Message
 from skills.ports.site import Site
 from skills.ports.tasks import Attempt, Progress, Question
 from skills.ports.world import Sighting, WorldState
@@ -17,6 +19,7 @@ from trees.clients import Clients
 from trees.knowledge import Knowledge
 from trees.resources import Resources
 
+M = TypeVar("M", bound=Message)
 ATTEMPTS: Final = 32
 """Attempts that are kept."""
 CAUSES: Final = 8
@@ -53,10 +56,14 @@ class TreeContext:
     """Says at the end where everything is: evidence of the task's failure. The task's builder sets it."""
     goals_before: Mapping[str, int] = field(default_factory=dict)
     """The number of the last goal of each node, from before this tree began (once more)."""
+    notes: dict[str, JsonValue] = field(default_factory=dict)
+    """What ``keep`` noted, by name; also by the tree of before a restart."""
     question: Question | None = None
     """What the tree asks an operator now."""
     answers: dict[str, str] = field(default_factory=dict)
     """What was answered, by the node that asked, until it takes the answer."""
+    answers_before: dict[str, str] = field(default_factory=dict)
+    """What had been answered before a restart, and not been taken."""
     open_doors: dict[str, None] = field(default_factory=dict)
     """The nodes at work that may be interrupted (``trees.behaviours.interruptible``)."""
     _numbered: dict[str, int] = field(default_factory=dict)
@@ -72,6 +79,17 @@ class TreeContext:
         number = self._numbered.get(node, self.goals_before.get(node, 0)) + 1
         self._numbered[node] = number
         return number
+
+    def keep(self, name: str, what: Message) -> None:
+        """Note what this tree or its wind-down must know after a restart; on disk before the next goal."""
+        self.notes[name] = what.model_dump(mode="json")
+
+    def kept(self, name: str, model: type[M]) -> M | None:
+        """Return what was kept; None when nothing was, or by a release with another model."""
+        try:
+            return model.model_validate(self.notes[name]) if name in self.notes else None
+        except ValidationError:
+            return None
 
     @property
     def seconds(self) -> float:

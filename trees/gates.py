@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from py_trees.behaviour import Behaviour
@@ -63,6 +63,23 @@ class Gates:
     def force(self, node: Behaviour, status: Status | None) -> None:
         """Have a node end with a status instead of working; None lets it work again."""
         self._gate(node).forced = status
+
+    def held(self) -> tuple[tuple[str, bool], ...]:
+        """Return the breakpoints: the node's path, and whether it is before the node."""
+        return tuple(
+            (path, before)
+            for path, gate in self._by_path()
+            for before, on in ((True, gate.before), (False, gate.after))
+            if on
+        )
+
+    def forced(self) -> Mapping[str, Status]:
+        """Return the nodes that are forced, by path."""
+        return {path: gate.forced for path, gate in self._by_path() if gate.forced is not None}
+
+    def _by_path(self) -> Iterator[tuple[str, _Gate]]:
+        if self._gates:
+            yield from ((path, self._gates[node]) for path, node in _paths(self.root) if node in self._gates)
 
     def release(self) -> None:
         """Let the tree go on from where it is held."""

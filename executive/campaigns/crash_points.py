@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from executive.ledger.port import Entry, Ledger, Reading, SentGoal, Transition
+from executive.task_memory import TaskMemory
 from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
 from skills.ports.message import MAX_REQUEST_BYTES
 from skills.ports.tasks import AskHistory, History, TaskStatus
@@ -184,6 +185,11 @@ class CrashLedger:
         self._written[str(status.state)] = None
         self.inner.change(status, at)
 
+    def remember(self, task: str, memory: TaskMemory) -> None:
+        """As the ledger."""
+        self._written["memory"] = None
+        self.inner.remember(task, memory)
+
     def goal(self, sent: SentGoal) -> None:
         """As the ledger."""
         self._written[f"goal of {sent.action}"] = None
@@ -231,6 +237,10 @@ class CrashLedger:
     def attempts(self, task: str) -> Mapping[str, int]:
         """As the ledger."""
         return self.inner.attempts(task)
+
+    def nodes_done(self, task: str) -> int:
+        """As the ledger."""
+        return self.inner.nodes_done(task)
 
     def open_goals(self) -> tuple[SentGoal, ...]:
         """As the ledger."""

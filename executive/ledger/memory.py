@@ -9,6 +9,8 @@ from typing import Final
 
 from executive.ledger.port import Entry, Reading, SentGoal, Transition
 from executive.ledger.stubs import stub_of
+from executive.task_memory import TaskMemory
+from skills.ports.action import GoalState
 from skills.ports.tasks import AskHistory, History, TaskStatus
 
 KEPT_IDS: Final = 2000
@@ -32,6 +34,7 @@ class MemoryLedger:
         self._number = 0
         self._forgotten: dict[str, Entry] = {}  # by the client's id
         self._reading: Reading | None = None
+        self._done: dict[str, set[str]] = {}
 
     def enter(self, entry: Entry) -> None:
         """Keep it."""
@@ -53,15 +56,22 @@ class MemoryLedger:
                 goal_id: sent for goal_id, sent in self._goals.items() if task_of(goal_id) != status.task
             }
 
+    def remember(self, task: str, memory: TaskMemory) -> None:
+        """Keep it."""
+        self._entries[task] = replace(self._entries[task], memory=memory)
+
     def goal(self, sent: SentGoal) -> None:
         """Keep it."""
         self._goals[sent.goal_id] = sent
         task, node, attempt = split(sent.goal_id)
         self._attempts.setdefault(task, {})[node] = attempt
 
-    def goal_ended(self, goal_id: str, how: str) -> None:  # noqa: ARG002 - only that it has ended counts here
-        """Forget it."""
+    def goal_ended(self, goal_id: str, how: str) -> None:
+        """Forget it, but for the node if it ended well."""
         self._goals.pop(goal_id, None)
+        if how == GoalState.SUCCEEDED:
+            task, node, _ = split(goal_id)
+            self._done.setdefault(task, set()).add(node)
 
     def learn(self, kind: str, remaining: Mapping[str, float]) -> None:
         """Keep the newest."""
@@ -105,6 +115,10 @@ class MemoryLedger:
         """Return them."""
         return dict(self._attempts.get(task, {}))
 
+    def nodes_done(self, task: str) -> int:
+        """Return how many are kept."""
+        return len(self._done.get(task, ()))
+
     def open_goals(self) -> tuple[SentGoal, ...]:
         """Return them."""
         return tuple(self._goals.values())
@@ -128,7 +142,7 @@ class MemoryLedger:
             if status.client_id:
                 stub = replace(self._entries[status.task], status=stub_of(status))
                 self._forgotten[status.client_id] = stub
-            for kept in (self._entries, self._transitions, self._attempts):
+            for kept in (self._entries, self._transitions, self._attempts, self._done):
                 kept.pop(status.task, None)
             self._clients.pop(status.client_id, None)
         while len(self._forgotten) > KEPT_IDS:

@@ -7,10 +7,11 @@ at once, or none of it. ``tests/contracts/test_ledger.py`` holds both ledgers to
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 from executive.on_restart import OnRestart
+from executive.task_memory import TaskMemory
 from skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
 
 
@@ -36,6 +37,8 @@ class Entry:
     """As the request asks; None: as the service is configured."""
     test_run: bool = False
     """Whether its nodes may be forced."""
+    memory: TaskMemory = field(default_factory=TaskMemory)
+    """What a restart must know of it beside its status."""
 
 
 @dataclass(frozen=True)
@@ -88,6 +91,10 @@ class Ledger(Protocol):
         """
         ...
 
+    def remember(self, task: str, memory: TaskMemory) -> None:
+        """Write what a restart must know of a task."""
+        ...
+
     def goal(self, sent: SentGoal) -> None:
         """Write a goal down, which is to be sent once this is committed."""
         ...
@@ -126,6 +133,10 @@ class Ledger(Protocol):
 
     def attempts(self, task: str) -> Mapping[str, int]:
         """Return the number of the last goal of each node of a task."""
+        ...
+
+    def nodes_done(self, task: str) -> int:
+        """Return how many nodes of a task have had a goal that ended well."""
         ...
 
     def open_goals(self) -> tuple[SentGoal, ...]:

@@ -62,6 +62,7 @@ MIGRATIONS: Final[tuple[tuple[str, ...], ...]] = (
         """INSERT INTO clock (one, utc, host, monotonic, doubt)
             SELECT 1, max(at), '', 0.0, 0.0 FROM transitions HAVING count(*) > 0""",
     ),
+    ("ALTER TABLE tasks ADD COLUMN memory TEXT NOT NULL DEFAULT '{}'",),  # TaskMemory as JSON
 )
 """By version: what leads from the one before to it. Add to the end; never change what was released."""
 

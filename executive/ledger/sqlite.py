@@ -19,6 +19,7 @@ from executive.ledger.port import Entry, LedgerError, LedgerLockedError, Reading
 from executive.ledger.schema import MIGRATIONS
 from executive.ledger.stubs import KEPT_IDS, stub_of
 from executive.on_restart import OnRestart
+from executive.task_memory import TaskMemory
 from skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
 
 FILE: Final = "ledger.sqlite"
@@ -26,9 +27,9 @@ LOCK: Final = "ledger.lock"
 
 P = ParamSpec("P")
 T = TypeVar("T")
-_ENTRY: Final = "SELECT number, on_restart, test_run, status FROM tasks"
+_ENTRY: Final = "SELECT number, on_restart, test_run, memory, status FROM tasks"
 _OLD: Final = (
-    "SELECT number, on_restart, test_run, status FROM tasks "
+    "SELECT number, on_restart, test_run, memory, status FROM tasks "
     "WHERE open = 0 AND forgotten = 0 AND number < ? AND (ended_at < ? OR number IN "
     "(SELECT number FROM tasks WHERE open = 0 AND forgotten = 0 ORDER BY number DESC LIMIT -1 OFFSET ?))"
 )
@@ -116,11 +117,12 @@ class SqliteLedger:
             status.accepted_at,
             entry.on_restart,
             int(entry.test_run),
+            entry.memory.model_dump_json(exclude_defaults=True),
             status.model_dump_json(),
         )
         self._write(
             "INSERT INTO tasks (number, task, kind, state, open, client_id, accepted_at, on_restart, "
-            "test_run, status) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+            "test_run, memory, status) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
             row,
         )
         self._transition(status, status.accepted_at)
@@ -142,6 +144,12 @@ class SqliteLedger:
             self._write(
                 "UPDATE goals SET how = 'with its task' WHERE task = ? AND how IS NULL", (status.task,)
             )
+
+    @_told
+    def remember(self, task: str, memory: TaskMemory) -> None:
+        """Write the row's part."""
+        words = memory.model_dump_json(exclude_defaults=True)
+        self._write("UPDATE tasks SET memory = ? WHERE task = ?", (words, task))
 
     @_told
     def goal(self, sent: SentGoal) -> None:
@@ -213,6 +221,12 @@ class SqliteLedger:
         return dict(
             self._db.execute("SELECT node, max(attempt) FROM goals WHERE task = ? GROUP BY node", (task,))
         )
+
+    @_told
+    def nodes_done(self, task: str) -> int:
+        """Count them."""
+        counted = "SELECT count(DISTINCT node) FROM goals WHERE task = ? AND how = 'SUCCEEDED'"
+        return int(self._db.execute(counted, (task,)).fetchone()[0])
 
     @_told
     def open_goals(self) -> tuple[SentGoal, ...]:
@@ -294,8 +308,9 @@ class SqliteLedger:
         return tuple(_entry(*row) for row in self._db.execute(statement, values))
 
 
-def _entry(number: int, on_restart: OnRestart | None, test_run: int, status: str) -> Entry:
-    return Entry(TaskStatus.model_validate_json(status), number, on_restart, bool(test_run))
+def _entry(number: int, on_restart: OnRestart | None, test_run: int, memory: str, status: str) -> Entry:
+    kept = TaskMemory.model_validate_json(memory)
+    return Entry(TaskStatus.model_validate_json(status), number, on_restart, bool(test_run), kept)
 
 
 def _lock(folder: Path) -> int:

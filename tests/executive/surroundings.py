@@ -146,6 +146,7 @@ class Surroundings:
     ledger: Callable[[], Ledger] = MemoryLedger
     policy: Policy = field(default_factory=Policy)
     kinds: dict[str, TaskType[Message]] = field(default_factory=lambda: {"wait": WAIT})
+    died: str = ""
 
     def __post_init__(self) -> None:
         self.bus = self.hub.endpoint()
@@ -158,7 +159,13 @@ class Surroundings:
         self.kept = self.ledger()
         self.end = self.hub.endpoint()
         self.executive = Executive(
-            self.end, self.clocks, load("lab"), self.kinds, ledger=self.kept, policy=self.policy
+            self.end,
+            self.clocks,
+            load("lab"),
+            self.kinds,
+            ledger=self.kept,
+            policy=self.policy,
+            died=self.died,
         )
 
     def crash(self) -> None:

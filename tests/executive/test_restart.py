@@ -3,25 +3,37 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Literal
 
 import pytest
+from py_trees.behaviour import Behaviour
 from surroundings import WAIT as KIND
 from surroundings import Skill, Surroundings
 
+from executive.ledger.port import SentGoal
 from executive.ledger.sqlite import SqliteLedger
+from executive.resume import RESUMES
 from executive.service import Policy
+from executive.why import explain
 from skills.ports.action import GoalState
 from skills.ports.failure import FailureKind
+from skills.ports.message import Message
 from skills.ports.skill import Command
 from skills.ports.tasks import (
+    TASK_ABANDON,
     TASK_ANSWER,
     TASK_PAUSE,
     TASK_RESUME,
     AnswerQuestion,
     AskHistory,
+    ControlAnswer,
+    NameTask,
     TaskState,
     TaskStatus,
 )
+from trees.behaviours.ask import Ask
+from trees.context import TreeContext
+from trees.task import TaskType
 
 S = TaskState
 WAIT = {"task": "wait", "item": 29}
@@ -197,6 +209,120 @@ def test_an_executive_that_is_ended_keeps_what_waits_and_what_runs(here: Surroun
     here.end.close()
     here.begin()
     assert states(here) == {tasks[0]: S.RUNNING, tasks[1]: S.QUEUED}
+
+
+def crash_again(here: Surroundings, times: int, died: str = "") -> None:
+    for _ in range(times):
+        here.died = died
+        restart(here)
+        here.step(3)
+
+
+def test_a_task_at_which_the_executive_crashes_again_and_again_ends_and_the_next_runs(
+    here: Surroundings,
+) -> None:
+    poison, after = here.ask(WAIT).task, here.ask(WAIT).task
+    crash_again(here, RESUMES)
+    assert states(here) == {poison: S.RUNNING, after: S.QUEUED}
+    crash_again(here, 1, died="the executive process ended (signal 11); its last words:\nboom")
+    assert states(here) == {poison: S.INTERRUPTED, after: S.RUNNING}
+    told = explain(status(here, poison))
+    assert "crashed 4 times" in told
+    assert "signal 11" in told
+    assert "boom" in told
+
+
+def test_an_executive_that_ends_in_order_has_not_crashed(here: Surroundings) -> None:
+    task = here.ask(WAIT).task
+    for _ in range(2 * RESUMES):
+        here.executive.close()
+        here.end.close()
+        here.begin()
+        here.step(3)
+    assert states(here)[task] is S.RUNNING
+
+
+def test_a_task_that_comes_further_between_crashes_is_taken_up_each_time(here: Surroundings) -> None:
+    task = here.ask(WAIT).task
+    for number in range(3 * RESUMES):
+        here.kept.goal(SentGoal(f"{task}/node {number}/1", "test/nudge"))
+        here.kept.goal_ended(f"{task}/node {number}/1", "SUCCEEDED")
+        here.kept.commit()
+        crash_again(here, 1)
+    assert states(here)[task] is S.RUNNING
+
+
+def test_a_task_that_stands_paused_is_not_blamed(here: Surroundings) -> None:
+    task = here.ask(WAIT).task
+    here.verb(TASK_PAUSE, task)
+    crash_again(here, 2 * RESUMES)
+    assert states(here)[task] is S.PAUSED
+
+
+def test_a_poisonous_cancel_ends_too(here: Surroundings) -> None:
+    task = here.ask({**WAIT, "weight": 5.0}).task
+    here.cancel(task)
+    crash_again(here, RESUMES + 1)
+    assert states(here)[task] is S.INTERRUPTED
+
+
+@pytest.mark.parametrize(("answer", "end"), [("resume", S.RUNNING), ("interrupt", S.INTERRUPTED)])
+def test_an_answer_that_was_taken_holds_although_it_had_no_effect_yet(
+    here: Surroundings, answer: str, end: TaskState
+) -> None:
+    here.policy = Policy(on_restart="ask")
+    skill = Skill(here)
+    task = here.ask(NUDGING).task
+    skill.step()
+    here.step()
+    restart(here)
+    assert here.say(TASK_ANSWER, AnswerQuestion(task=task, answer=answer)).accepted
+    restart(here)
+    assert states(here)[task] is end
+
+
+def test_an_abandoned_task_stays_abandoned(here: Surroundings) -> None:
+    skill = Skill(here)
+    here.hardware()
+    task = here.ask(NUDGING).task
+    skill.step()
+    here.step()
+    here.cancel(task)
+    here.step(1, seconds=5.0)
+    pending = TASK_ABANDON.query(here.bus, NameTask(task=task))
+    here.executive._verbs.step()
+    answer = pending.poll()
+    assert answer is not None
+    assert ControlAnswer.model_validate_json(answer).accepted
+    restart(here)
+    assert status(here, task).state is S.INTERRUPTED
+    assert "abandoned" in status(here, task).failure.message
+
+
+class AskingRequest(Message):
+    task: Literal["asking"] = "asking"
+    item: int
+
+
+def build_asking(_: AskingRequest, context: TreeContext) -> Behaviour:
+    return Ask("which", context, "Left or right?", ("left", "right"), lambda _: None)
+
+
+ASKING = TaskType("asking", "Ask.", AskingRequest, lambda _, __: (), build_asking)
+
+
+def test_an_answer_to_the_tree_holds_until_it_is_taken(here: Surroundings) -> None:
+    here.kinds = {"asking": ASKING}
+    restart(here)
+    task = here.ask({"task": "asking", "item": 29}).task
+    here.step(3)
+    assert status(here, task).question is not None
+    pending = TASK_ANSWER.query(here.bus, AnswerQuestion(task=task, answer="left"))
+    here.executive._verbs.step()
+    assert pending.poll() is not None
+    restart(here)
+    here.step(3)
+    assert states(here)[task] is S.SUCCEEDED
 
 
 YEAR = 365 * 86_400.0

@@ -15,7 +15,7 @@ from trees.context import TreeContext
 class Ask(Behaviour):
     """RUNNING until ``task/answer`` brings one of the choices; then SUCCESS, or FAILURE as ``take`` says.
 
-    A task that is taken up again after a restart asks again.
+    A task that is taken up again after a restart asks again, unless the answer came before and was not taken.
 
     Args:
         name: unique in the tree.
@@ -43,8 +43,9 @@ class Ask(Behaviour):
 
     def update(self) -> Status:
         """Ask when nobody else does; take the answer."""
-        answer = self._context.answers.pop(self.name, None)
-        if answer is None:
+        before = self._context.answers_before.pop(self.name, None)
+        answer = self._context.answers.pop(self.name, before)
+        if answer not in self._question.choices:
             if self._context.question is None:
                 self._context.question = self._question
             self.feedback_message = f"asks: {self._question.text}"

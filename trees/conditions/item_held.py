@@ -7,7 +7,7 @@ from trees.board import FetchBoard
 from trees.context import TreeContext
 
 
-def item_held(context: TreeContext, board: FetchBoard) -> Check:
+def item_held(context: TreeContext, board: FetchBoard, name: str = "item held?") -> Check:
     """Return the condition "the item is in a hand"; which hand becomes the task's arm."""
 
     def holds() -> bool:
@@ -19,4 +19,4 @@ def item_held(context: TreeContext, board: FetchBoard) -> Check:
                 return True
         return False
 
-    return Check("item held?", holds)
+    return Check(name, holds)

@@ -6,11 +6,10 @@ from collections.abc import Callable
 
 from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
 from skills.ports.failure import Failure
-from skills.ports.geometry import compose
-from skills.ports.site import Slot
 from trees.behaviours.act import Act
 from trees.board import FetchBoard
 from trees.context import TreeContext
+from trees.fetch_notes import lets_go
 
 Edit = Act[EditGoal, EditFeedback, EditResult]
 
@@ -32,10 +31,6 @@ def attach(context: TreeContext, board: FetchBoard) -> Edit:
         )
 
     def note(_: EditResult) -> None:
-        # The hand goes to the item's middle; it stands half its height below.
-        x, y, z = compose(board.chosen_grasp().grasp, board.chosen_grasp().item_in_tool).position
-        bottom = (x, y, z - board.site_item(context).size[2] / 2.0)
-        board.origin = Slot(position=bottom, facing=board.facing or 0.0)
         board.sides = (board.chosen_side(),)
         board.forget_tries()
 
@@ -46,6 +41,7 @@ def detach(context: TreeContext, board: FetchBoard) -> Edit:
     """Return the leaf: the item stands in its slot from now on."""
 
     def goal() -> EditGoal:
+        lets_go(context, board)
         return EditGoal(
             edit=SceneEdit.DETACH,
             item=board.item,

@@ -13,6 +13,7 @@ from skills.ports.grasping import face, outward, proximity_poses
 from skills.ports.world import Side
 from trees.board import FetchBoard
 from trees.context import TreeContext
+from trees.fetch_notes import closes
 from trees.item_failures import fallen_over
 from trees.leaves.edit_scene import add_to_scene, attach
 from trees.leaves.grip import grip_with
@@ -28,6 +29,11 @@ from trees.subtrees.stand import stand_near, unknown
 def pick(context: TreeContext, board: FetchBoard) -> Behaviour:
     """Return the subtree: SUCCESS when the hand is full and tucked in."""
     width, open_width = board.site_item(context).size[1], board.open_width(context)
+
+    def close() -> GripGoal:
+        closes(context, board)
+        return GripGoal(grip=Grip.GRASP, width=width)
+
     return Sequence(
         "pick item",
         memory=True,
@@ -37,7 +43,7 @@ def pick(context: TreeContext, board: FetchBoard) -> Behaviour:
             grip_with("open", context, board, lambda: GripGoal(grip=Grip.OPEN, width=open_width)),
             add_to_scene(context, board),
             reach(context, board),
-            grip_with("close", context, board, lambda: GripGoal(grip=Grip.GRASP, width=width)),
+            grip_with("close", context, board, close),
             attach(context, board),
             retract(context, board),
             _verify(context, board, width),

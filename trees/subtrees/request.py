@@ -54,7 +54,7 @@ def request(context: TreeContext, board: FetchBoard) -> Behaviour:
     )
 
 
-def ready(context: TreeContext) -> WaitFor:
+def ready(context: TreeContext, name: str = "robot is ready", *, patience: float = PATIENCE) -> WaitFor:
     """Return the leaf that waits until all has been heard that a task needs, and no stop is set."""
 
     def otherwise() -> Failure:
@@ -67,7 +67,7 @@ def ready(context: TreeContext) -> WaitFor:
     def heard() -> bool:
         return not context.knowledge.missing() and not context.knowledge.stopped.stopped
 
-    return WaitFor("robot is ready", context, heard, otherwise, patience=PATIENCE, for_a_process=True)
+    return WaitFor(name, context, heard, otherwise, patience=patience, for_a_process=True)
 
 
 def _bind_arm(context: TreeContext, board: FetchBoard) -> Decide:
