@@ -295,7 +295,7 @@ class Run:
         self.ticks += 1
         self._touched = True
         try:
-            ticked = tuple(self._root.tick())
+            ticked = tuple(self._view.heed(self._root.tick()))
             self._judge(ticked)
             # Last, and so also when the tree has ended: nothing of it runs any more.
             self.running = tuple(n.name for n in ticked if not n.children and n.status is Status.RUNNING)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
@@ -12,13 +14,18 @@ from trees.snapshot import kind_of
 class TreeView:
     """Looks at the tree below a behaviour, again and again.
 
-    ``look`` returns what ``trees.snapshot.snapshot`` would, and the very same object as long as nothing has
-    changed. Names and types of nodes don't change; children may be added and removed.
+    ``look`` returns what ``trees.snapshot.snapshot`` would, with how each node ended last, and the very same
+    object as long as nothing has changed. Names and types of nodes don't change; children may be added and
+    removed.
     """
 
-    def __init__(self, behaviour: Behaviour, above: str = "") -> None:
-        """``above``: the path of its parent."""
+    def __init__(
+        self, behaviour: Behaviour, above: str = "", ended: dict[Behaviour, NodeStatus] | None = None
+    ) -> None:
+        """``above``: the path of its parent; ``ended``: how nodes ended, as the root's view has heeded it."""
         self._behaviour = behaviour
+        self._ended = {} if ended is None else ended
+        self._last = NodeStatus.INVALID
         self._path = f"{above}/{behaviour.name}" if above else behaviour.name
         self._behaviours: list[Behaviour] = []
         self._children: list[TreeView] = []
@@ -26,15 +33,32 @@ class TreeView:
         self._message = ""
         self._node: TreeNode | None = None
 
+    def heed(self, ticked: Iterator[Behaviour]) -> Iterator[Behaviour]:
+        """Pass on the nodes of a tick, and note how each ends.
+
+        A recovery may set back what has failed within the same tick: it would look as if it had never run.
+        """
+        for node in ticked:
+            if node.status in {Status.SUCCESS, Status.FAILURE}:
+                self._ended[node] = NodeStatus(node.status.name)
+            else:
+                self._ended.pop(node, None)
+            yield node
+
     def look(self) -> TreeNode:
         """Return the tree as it is now."""
         seen = self._behaviour
         if seen.children != self._behaviours:
             self._behaviours = list(seen.children)
-            self._children = [TreeView(child, self._path) for child in self._behaviours]
+            self._children = [TreeView(child, self._path, self._ended) for child in self._behaviours]
             self._node = None
-        node = self._node
-        changed = node is None or seen.status is not self._status or seen.feedback_message != self._message
+        node, last = self._node, self._ended.get(seen, NodeStatus.INVALID)
+        changed = (
+            node is None
+            or seen.status is not self._status
+            or last is not self._last
+            or seen.feedback_message != self._message
+        )
         children: list[TreeNode] = []
         for child in self._children:
             before = child._node  # noqa: SLF001 - one of us
@@ -43,13 +67,14 @@ class TreeView:
             children.append(now)
         if node is not None and not changed:
             return node
-        self._status, self._message = seen.status, seen.feedback_message
+        self._status, self._last, self._message = seen.status, last, seen.feedback_message
         self._node = TreeNode(
             path=self._path,
             name=seen.name,
             kind=kind_of(seen) if node is None else node.kind,
             type=type(seen).__name__,
             status=NodeStatus(self._status.name),
+            last=last,
             message=self._message,
             children=tuple(children),
         )

@@ -24,7 +24,7 @@ def dot(root: TreeNode) -> str:
 
 def _nodes(node: TreeNode) -> Iterator[str]:
     label = _quoted(f"{KIND_SIGNS[node.kind]} {node.name}")
-    fill, edge = _quoted(FILLS[node.status]), _quoted(EDGES[node.kind])
+    fill, edge = _quoted(FILLS[node.shown]), _quoted(EDGES[node.kind])
     yield f"  {_quoted(node.path)} [label={label}, fillcolor={fill}, color={edge}];"
     for child in node.children:
         yield f"  {_quoted(node.path)} -> {_quoted(child.path)};"

@@ -53,7 +53,7 @@ def _draw_box(picture: Picture, box: PlacedNode) -> None:
     edge = _colour(EDGES[node.kind])
     corner = {"condition": BOX_HEIGHT / 2.0, "action": 3.0}.get(node.kind, 7.0)
     outline = _rounded(box.x, box.y - BOX_HEIGHT / 2.0, box.width, corner)
-    cv2.fillPoly(picture, [outline], _colour(FILLS[node.status]), lineType=cv2.LINE_AA, shift=_SHIFT)
+    cv2.fillPoly(picture, [outline], _colour(FILLS[node.shown]), lineType=cv2.LINE_AA, shift=_SHIFT)
     cv2.polylines(
         picture, [outline], isClosed=True, color=edge, thickness=2, lineType=cv2.LINE_AA, shift=_SHIFT
     )

@@ -69,4 +69,4 @@ EDGES: Final = MappingProxyType(
 
 def has_run(node: TreeNode) -> bool:
     """Say whether any node of the tree has been ticked."""
-    return node.status is not NodeStatus.INVALID or any(has_run(child) for child in node.children)
+    return node.shown is not NodeStatus.INVALID or any(has_run(child) for child in node.children)

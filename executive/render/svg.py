@@ -54,11 +54,13 @@ def _box(box: PlacedNode) -> str:
     corner = {"condition": BOX_HEIGHT / 2.0, "action": 3.0}.get(node.kind, 7.0)
     names = node.path.split("/")
     above = node.path if len(names) <= TIP_NAMES else f"…/{'/'.join(names[-TIP_NAMES:])}"
-    tip = f"{above}\n{node.type} ({node.kind}), {node.status}" + (f"\n{node.message}" if node.message else "")
+    since = "" if node.shown is node.status else ", set back since"
+    tip = f"{above}\n{node.type} ({node.kind}), {node.shown}{since}"
+    tip += f"\n{node.message}" if node.message else ""
     return (
         f"<g><title>{escape(tip)}</title>"
         f'<rect x="{box.x:.0f}" y="{top:.1f}" width="{box.width:.0f}" height="{BOX_HEIGHT:.0f}"'
-        f' rx="{corner:.0f}" fill="{FILLS[node.status]}" stroke="{edge}"/>'
+        f' rx="{corner:.0f}" fill="{FILLS[node.shown]}" stroke="{edge}"/>'
         f'<text class="s" x="{box.x + 13.0:.0f}" y="{box.y + 4.0:.1f}" fill="{edge}">'
         f"{escape(KIND_SIGNS[node.kind])}</text>"
         f'<text x="{box.x + 25.0:.0f}" y="{box.y + 4.0:.1f}">{escape(node.name)}</text></g>'

@@ -24,6 +24,9 @@ class Line:
     name: str
     message: str
     status: NodeStatus
+    """How it stands, or ended last."""
+    past: bool = False
+    """Whether its parent has set it back since."""
     folded: int = 0
 
     def __str__(self) -> str:
@@ -69,8 +72,9 @@ def _walk(
     statuses = STATUS_SIGNS_ASCII if ascii_only else STATUS_SIGNS
     tee, corner, bar = ("|- ", "`- ", "|  ") if ascii_only else ("├─ ", "└─ ", "│  ")
     fold = fold_below <= 0 and bool(node.children) and not _runs(node)
-    sign = f"{statuses[node.status]} {kinds[node.kind]}" if with_status else kinds[node.kind]
-    yield Line(lead, sign, node.name, node.message, node.status, _count(node) - 1 if fold else 0)
+    sign = f"{statuses[node.shown]} {kinds[node.kind]}" if with_status else kinds[node.kind]
+    past = node.shown is not node.status
+    yield Line(lead, sign, node.name, node.message, node.shown, past, _count(node) - 1 if fold else 0)
     if fold:
         return
     for index, child in enumerate(node.children):

@@ -236,8 +236,15 @@ class TreeNode(Message):
     type: str
     """The class of the behaviour."""
     status: NodeStatus = NodeStatus.INVALID
+    last: NodeStatus = NodeStatus.INVALID
+    """How it ended when it was last ticked, although its parent has set it back to INVALID since."""
     message: str = ""
     children: tuple[TreeNode, ...] = ()
+
+    @property
+    def shown(self) -> NodeStatus:
+        """Its status; of one that has been set back how it ended last."""
+        return self.last if self.status is NodeStatus.INVALID else self.status
 
 
 class TreeSnapshot(Message):

@@ -56,3 +56,31 @@ def test_a_child_that_is_added_or_removed_is_seen() -> None:
     assert view.look() == snapshot(root)
     root.remove_child(root.children[0])
     assert view.look() == snapshot(root)
+
+
+def test_a_leaf_that_failed_and_was_set_back_shows_how_it_ended() -> None:
+    root = tree()
+    view = TreeView(root)
+    tuple(view.heed(root.tick()))
+    root.children[0].stop(Status.INVALID)
+    failed, succeeded = view.look().children[0].children
+    assert (failed.status, failed.last, failed.shown) == ("INVALID", "FAILURE", "FAILURE")
+    assert (succeeded.status, succeeded.shown) == ("INVALID", "SUCCESS")
+
+
+def test_a_leaf_that_was_set_back_within_its_tick_is_not_missed() -> None:
+    root = tree()
+    view = TreeView(root)
+    for node in view.heed(root.tick()):
+        if node.status is Status.FAILURE:
+            node.stop(Status.INVALID)
+    assert view.look().children[0].children[0].shown == "FAILURE"
+
+
+def test_a_leaf_that_is_interrupted_shows_no_end() -> None:
+    root = Sequence("root", memory=True, children=[leaf("a", Status.FAILURE, Status.RUNNING)])
+    view = TreeView(root)
+    for _ in range(2):
+        tuple(view.heed(root.tick()))
+    root.stop(Status.INVALID)
+    assert view.look().children[0].shown == "INVALID"
