@@ -16,7 +16,7 @@ from typing import Protocol, Self
 from executive.client.errors import ClientError, NotConnectedError, TaskFailedError, UnknownTaskError
 from executive.client.following import Following, FollowingTree
 from executive.client.questions import By, Forced, Questions, Request, When, new_id
-from executive.client.talks import PATIENCE, T, Talk, Talks
+from executive.client.talks import LOST_AFTER, PATIENCE, T, Talk, Talks
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
 from executive.security.holders import KeysError
 from executive.security.identity import Identity
@@ -79,6 +79,7 @@ class AsyncClient:
         site: first part of every key.
         robot: second part of every key.
         patience: seconds in which router and executive must answer.
+        lost_after: seconds of silence after which waiting for a task's end is given up.
         identity: whose key is shown to a router that speaks TLS: ``Identity(Path(folder), name)`` of what
             ``tandem keys`` made.
         link: an end of a bus to use instead of a session of its own, as tests do.
@@ -93,12 +94,14 @@ class AsyncClient:
         site: str = DEFAULT_SITE,
         robot: str = DEFAULT_ROBOT,
         patience: float = PATIENCE,
+        lost_after: float = LOST_AFTER,
         identity: Identity | None = None,
         link: AsyncLink | None = None,
         ids: Callable[[], str] = new_id,
         monotonic: Callable[[], float] = time.monotonic,
     ) -> None:
-        self._endpoint, self._prefix, self._patience = endpoint, f"{site}/{robot}", patience
+        self._endpoint, self._prefix = endpoint, f"{site}/{robot}"
+        self._patience, self._lost_after = patience, lost_after
         self._link, self._ids, self._monotonic = link, ids, monotonic
         self._identity = identity
 
@@ -285,7 +288,9 @@ class AsyncClient:
     def _ask(self) -> Questions:
         where = f"{self._prefix} at {self._endpoint}"
         return Questions(
-            Talks(self._open.bus, self._monotonic, where, self._patience), self._ids, self._identity
+            Talks(self._open.bus, self._monotonic, where, self._patience, self._lost_after),
+            self._ids,
+            self._identity,
         )
 
     @property

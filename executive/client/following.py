@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from typing import Final, Generic, TypeVar
 
-from executive.client.errors import TimedOutError
+from executive.client.errors import NotConnectedError, TimedOutError
 from executive.client.questions import Questions
 from executive.client.talks import Talk
 from skills.ports.keys import Latest, Topic
@@ -21,14 +21,18 @@ M = TypeVar("M", bound=Message)
 
 
 class _Following(Generic[M]):
-    """Hears a topic from when it is made, so that nothing is missed between two calls of ``next``."""
+    """Hears a topic from when it is made, so that nothing is missed between two calls of ``next``.
+
+    Silence is not the task's end: an executive that is started again takes the task up. So a question without
+    an answer is put again, until nothing has been heard for ``Talks.lost_after``.
+    """
 
     def __init__(self, questions: Questions, topic: Topic[M], task: str, timeout: float | None) -> None:
         self._questions, self._task, self._timeout = questions, task, timeout
         self._monotonic = questions.talks.monotonic
         self._news = Latest(questions.talks.bus, topic, depth=DEPTH)
         self._ready: deque[M] = deque()
-        self._began = self._monotonic()
+        self._began = self._heard_at = self._monotonic()
         self._quiet_since = float("-inf")  # the first thing is to ask how it stands
 
     def close(self) -> None:
@@ -47,6 +51,15 @@ class _Following(Generic[M]):
 
     def _due(self) -> bool:
         return self._monotonic() - self._quiet_since >= ASK_EVERY
+
+    def _note_word(self) -> None:
+        self._quiet_since = self._heard_at = self._monotonic()
+
+    def _bear(self, silence: NotConnectedError) -> None:
+        """Go on without an answer, unless it has been silent for too long."""
+        if self._monotonic() - self._heard_at >= self._questions.talks.lost_after:
+            raise silence
+        self._quiet_since = self._monotonic()
 
 
 class Following(_Following[TaskStatus]):
@@ -67,6 +80,7 @@ class Following(_Following[TaskStatus]):
 
         Raises:
             TimedOutError: when the task has not ended in time.
+            NotConnectedError: when nothing has been heard for ``Talks.lost_after``.
             UnknownTaskError: when there is no such task.
         """
         if self._last is not None and self._last.state.terminal:
@@ -83,17 +97,23 @@ class Following(_Following[TaskStatus]):
             yield from self._rest()
 
     def _ask(self) -> Talk[None]:
-        status = yield from self._questions.status(self._task)
+        try:
+            status = yield from self._questions.status(self._task)
+        except NotConnectedError as silence:
+            self._hear()
+            if not self._ready:
+                self._bear(silence)
+            return
         # What came meanwhile may be newer than the answer, and what is to be heard anyway is in order.
         self._hear()
-        self._quiet_since = self._monotonic()
+        self._note_word()
         if not self._ready:
             self._ready.append(status)
 
     def _hear(self) -> None:
         news = self._news.take()
         if news:
-            self._quiet_since = self._monotonic()
+            self._note_word()
             self._ready.extend(news)
 
 
@@ -117,6 +137,7 @@ class FollowingTree(_Following[TreeSnapshot]):
 
         Raises:
             TimedOutError: when the task has not ended in time.
+            NotConnectedError: when nothing has been heard for ``Talks.lost_after``.
             UnknownTaskError: when there is no such task.
         """
         while True:
@@ -138,10 +159,16 @@ class FollowingTree(_Following[TreeSnapshot]):
         self._statuses.close()
 
     def _ask(self) -> Talk[None]:
-        status = yield from self._questions.status(self._task)
-        tree = yield from self._questions.tree()
+        try:
+            status = yield from self._questions.status(self._task)
+            tree = yield from self._questions.tree()
+        except NotConnectedError as silence:
+            self._hear()
+            if not (self._ready or self._over):
+                self._bear(silence)
+            return
         self._hear()
-        self._quiet_since = self._monotonic()
+        self._note_word()
         self._over = self._over or status.state.terminal
         if tree.task == self._task and not self._ready:
             self._ready.append(tree)
@@ -151,6 +178,6 @@ class FollowingTree(_Following[TreeSnapshot]):
         ends = [each for each in self._statuses.take() if each.task == self._task and each.state.terminal]
         news = [each for each in self._news.take() if each.task == self._task]
         if news:
-            self._quiet_since = self._monotonic()
+            self._note_word()
             self._ready.extend(news)
         self._over = self._over or bool(ends)

@@ -15,7 +15,7 @@ from typing import Protocol, Self
 from executive.client.errors import ClientError, NotConnectedError, TaskFailedError, UnknownTaskError
 from executive.client.following import Following, FollowingTree
 from executive.client.questions import By, Forced, Questions, Request, When, new_id
-from executive.client.talks import PATIENCE, T, Talk, Talks
+from executive.client.talks import LOST_AFTER, PATIENCE, T, Talk, Talks
 from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
 from executive.security.holders import KeysError
 from executive.security.identity import Identity
@@ -76,6 +76,7 @@ class Client:
         site: first part of every key.
         robot: second part of every key.
         patience: seconds in which router and executive must answer.
+        lost_after: seconds of silence after which waiting for a task's end is given up.
         identity: whose key is shown to a router that speaks TLS: ``Identity(Path(folder), name)`` of what
             ``tandem keys`` made.
         link: an end of a bus to use instead of a session of its own, as tests do.
@@ -93,6 +94,7 @@ class Client:
         site: str = DEFAULT_SITE,
         robot: str = DEFAULT_ROBOT,
         patience: float = PATIENCE,
+        lost_after: float = LOST_AFTER,
         identity: Identity | None = None,
         link: Link | None = None,
         ids: Callable[[], str] = new_id,
@@ -107,7 +109,7 @@ class Client:
             except (BusError, KeysError) as error:
                 raise NotConnectedError(str(error)) from error
         self._link: Link | None = link
-        self._ask = Questions(Talks(link.bus, monotonic, where, patience), ids, identity)
+        self._ask = Questions(Talks(link.bus, monotonic, where, patience, lost_after), ids, identity)
 
     def __enter__(self) -> Self:
         """Stay open until the context is left."""

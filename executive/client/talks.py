@@ -31,6 +31,9 @@ PATIENCE: Final = 2.5
 """Seconds of the host in which somebody must answer."""
 AGAIN_AFTER: Final = 0.2
 """Seconds after which a question that ended without an answer is put again."""
+LOST_AFTER: Final = 60.0
+"""Seconds of silence after which following a task is given up. An executive is back within 1 s of a crash, a
+whole simulated robot within about 20 s; on a busy machine it takes twice that."""
 
 
 @dataclass(frozen=True)
@@ -42,12 +45,14 @@ class Talks:
         monotonic: seconds of the host's monotonic clock.
         where: the bus in words, for errors.
         patience: host seconds in which somebody must answer.
+        lost_after: host seconds of silence that who follows a task bears.
     """
 
     bus: Bus
     monotonic: Callable[[], float]
     where: str
     patience: float = PATIENCE
+    lost_after: float = LOST_AFTER
 
     def ask(self, service: Service[Sent, Answered], message: Sent) -> Talk[Answered]:
         """Return the answer of a service."""

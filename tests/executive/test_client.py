@@ -48,7 +48,7 @@ class Stepping:
         if self.served:
             self.here.step()
         else:
-            self.here.clocks.advance(seconds)
+            self.here.clocks.advance(max(seconds, 1e-6))  # less is lost in a large number of seconds
 
     def close(self) -> None:
         self.bus.close()
@@ -224,6 +224,35 @@ def test_an_executive_that_is_silent_is_waited_for_no_longer_than_said(
     with pytest.raises(NotConnectedError, match="no executive answers on lab/tiago"):
         client.info()
     assert link.here.clocks.seconds - before == pytest.approx(2.5)
+
+
+def test_waiting_outlives_an_executive_that_is_silent_for_a_while(client: Client, link: Stepping) -> None:
+    task = client.submit(WAIT)
+
+    def back_after(seconds: float) -> None:
+        """Serve again after so many seconds, and have the task succeed soon afterwards."""
+        link.served = False
+        end, wait = link.here.clocks.seconds + seconds, link.wait
+
+        def waiting(left: float) -> None:
+            if link.here.clocks.seconds >= end and not link.served:
+                link.served, link.events = True, {link.steps + 5: 1}
+            wait(left)
+
+        link.wait = waiting  # type: ignore[method-assign]
+
+    back_after(40.0)
+    assert client.wait(task).state is TaskState.SUCCEEDED
+    assert link.here.clocks.seconds > 40.0
+
+
+def test_waiting_ends_after_a_silence_that_no_restart_explains(client: Client, link: Stepping) -> None:
+    task = client.submit(WAIT)
+    link.served = False
+    before = link.here.clocks.seconds
+    with pytest.raises(NotConnectedError, match="no executive answers on lab/tiago"):
+        client.wait(task)
+    assert 60.0 <= link.here.clocks.seconds - before < 70.0
 
 
 class Losing(Stepping):
