@@ -9,7 +9,6 @@ import contextlib
 import os
 import signal
 import subprocess
-import sys
 import threading
 import time
 from collections import deque
@@ -19,6 +18,7 @@ from pathlib import Path
 from types import FrameType
 from typing import IO, Final, Self
 
+from executive.isolation import isolated, python
 from executive.parts import OBSERVER, ROLES
 from executive.settings import REFUSED, UNKEPT, WAIT, WorkerSettings
 from executive.telemetry.log_files import trim
@@ -243,7 +243,8 @@ def _signals_later() -> Iterator[None]:
 
 def _launch(words: list[str], stream: IO[bytes], stdin: int) -> subprocess.Popen[bytes]:
     return subprocess.Popen(  # noqa: S603 - our own interpreter and our own module
-        [sys.executable, "-m", "executive.worker", *words],
+        python("-m", "executive.worker", *words),
+        env=isolated(),
         stdin=stdin,
         stdout=stream,
         stderr=subprocess.STDOUT,

@@ -15,6 +15,7 @@ from typing import Final
 
 from executive import roles
 from executive.ledger.port import LedgerError, LedgerLockedError
+from executive.screen import end_unheard
 from executive.settings import REFUSED, UNKEPT, WAIT, RefusalError, WorkerSettings
 from executive.telemetry.logs import formatter
 
@@ -73,5 +74,13 @@ def main(argv: list[str]) -> int:
     return 0
 
 
+def run() -> None:
+    """The entry point."""
+    code = main(sys.argv[1:])
+    logging.shutdown()
+    end_unheard()
+    sys.exit(code)
+
+
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    run()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -9,6 +10,7 @@ from typing import Annotated
 
 import typer
 
+from executive import isolation
 from executive.cli.errors import CommandError
 
 Names = Annotated[
@@ -42,7 +44,11 @@ def bench(
     options = [part for option, path in files.items() if path for part in (option, str(path.resolve()))]
     flags = [flag for flag, on in (("--list", list_them), ("--quick", quick)) if on]
     argv = [sys.executable, "-m", "benchmarks.run", *flags, *options, *(names or ())]
-    done = subprocess.run(argv, check=False, cwd=checkout())  # noqa: S603 - our own code
+    # The benchmarks are no installed package: they are found in the checkout's folder, which is ours.
+    env = {name: value for name, value in os.environ.items() if name != isolation.VARIABLE}
+    done = subprocess.run(  # noqa: S603 - our own code
+        argv, check=False, cwd=checkout(), env=env, stdout=sys.stdout, stderr=sys.stderr
+    )
     raise typer.Exit(done.returncode)
 
 

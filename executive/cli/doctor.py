@@ -11,10 +11,11 @@ from typing import Final
 
 import typer
 
-from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
+from executive.cli.arguments import connects
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
+from executive.isolation import isolated, python
+from executive.options import BusOptions
 
 PYTHON: Final = (3, 11)
 PACKAGES: Final = (
@@ -54,20 +55,16 @@ class Finding:
 
 def add_to(app: typer.Typer) -> None:
     """Add the command."""
-    app.command("doctor")(doctor)
+    app.command("doctor")(connects(doctor))
 
 
 def doctor(
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
-    keys: Keys = None,
-    holder: As = "",
+    *,
+    bus: BusOptions,
 ) -> None:
     """Say what is here and what is missing: versions, renderer, robot. Ends with 1 if something vital is."""
-    options = bus_options(connect, site_key, robot, keys, holder)
     looks: tuple[Callable[[], list[Finding]], ...] = (
-        _machine, _packages, _files, _renderer, lambda: _robot(options),
+        _machine, _packages, _files, _renderer, lambda: _robot(bus),
     )  # fmt: skip
     missing = []
     for look in looks:
@@ -131,7 +128,7 @@ def _renderer() -> list[Finding]:
 
     try:
         done = subprocess.run(  # noqa: S603 - our own code
-            [sys.executable, "-c", _TRY_EGL], capture_output=True, text=True, timeout=30, check=False
+            python("-c", _TRY_EGL), env=isolated(), capture_output=True, text=True, timeout=30, check=False
         )
     except subprocess.TimeoutExpired:
         return [Finding("renderer", False, "EGL hangs; TinyRenderer is used, which is slower", vital=False)]

@@ -24,6 +24,7 @@ from executive.cli import (
     run_commands,
     scenario_commands,
     schema_command,
+    stop_commands,
     task_commands,
     tree_commands,
     verb_commands,
@@ -34,7 +35,9 @@ from executive.cli import (
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import MEANINGS, ExitCode
 from executive.cli.logs import LogOptions
+from executive.isolation import isolate_children
 from executive.parts import LogFormat
+from executive.screen import Screen
 from skills.ports.sources import DocumentError
 
 _LOG = logging.getLogger(__name__)
@@ -43,6 +46,7 @@ _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     run_commands.add_to,
     task_commands.add_to,
     verb_commands.add_to,
+    stop_commands.add_to,
     watch_command.add_to,
     why_command.add_to,
     tree_commands.add_to,
@@ -75,10 +79,15 @@ def build(argv: Sequence[str]) -> typer.Typer:
     return app
 
 
-def main(argv: Sequence[str]) -> int:
-    """Carry the command out and return its exit code. The user sees words, and no trace."""
+def main(argv: Sequence[str], screen: Screen | None = None) -> int:
+    """Carry the command out and return its exit code. The user sees words, and no trace.
+
+    Args:
+        argv: the words after the command's name.
+        screen: what the words of libraries are kept from; None in a process that has other uses.
+    """
     try:
-        build(argv)(args=list(argv), prog_name="tandem")
+        build(argv)(args=list(argv), prog_name="tandem", obj=screen)
     except (CommandError, DocumentError) as error:
         _say(f"error: {error}")
         return int(error.code if isinstance(error, CommandError) else ExitCode.BAD_INPUT)
@@ -100,7 +109,8 @@ def main(argv: Sequence[str]) -> int:
 
 def run() -> None:
     """The entry point."""
-    sys.exit(main(sys.argv[1:]))
+    isolate_children(os.environ)
+    sys.exit(main(sys.argv[1:], Screen()))
 
 
 def _print_version(wanted: bool) -> None:  # noqa: FBT001 - as typer calls it
@@ -126,8 +136,11 @@ def _common(
         typer.Option("--version", help="Print the version.", is_eager=True, callback=_print_version),
     ] = False,
 ) -> None:
-    context.obj = LogOptions(log, verbose, log_format)
-    context.obj.apply()
+    logs, screen = LogOptions(log, verbose, log_format), context.find_object(Screen)
+    logs.apply()
+    if screen is not None:
+        screen.lead_to(log, verbose=verbose)
+    context.obj = logs
 
 
 def _say(text: str) -> None:

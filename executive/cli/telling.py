@@ -6,10 +6,12 @@ import sys
 import time
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 
-from skills.ports.message import Message
+if TYPE_CHECKING:
+    from skills.ports.message import Message
 
 
 def told(console: Console, report: Path | None, summary: Sequence[str], result: Message) -> None:
