@@ -12,9 +12,12 @@ from typing import Final
 from pydantic import JsonValue
 from rich.console import Console
 
+from executive import taking_up
 from executive.cli.exit_codes import ExitCode
 from executive.demo import Caller, succeeded
 from executive.fault_file import check_faults
+from executive.hint import hint
+from executive.ledger.port import LedgerError, LedgerLockedError
 from executive.options import RunOptions
 from executive.parts import ROLES
 from executive.report import Recorder, write_report
@@ -26,6 +29,7 @@ from executive.systems import (
     System,
     SystemFailure,
 )
+from executive.vacancy import EndpointError
 from sim.scenario import Scenario, read_scenario
 from sim.scene import build_scene
 from sim.truth import Truth, lies_on
@@ -56,10 +60,12 @@ def run_up(options: RunOptions) -> ExitCode:
     """Start router, stand-in, skills and executive, and watch them until Ctrl-C."""
 
     def work(console: Console) -> ExitCode:
-        scenario, _, bus_faults = _checked(options)
+        scenario, site, bus_faults = _checked(options)
+        for line in _taken_up(options):
+            console.print(line, markup=False)
         with _system(options, scenario, bus_faults, console) as system:
             console.print(f"ready: {options.scenario} on {options.bus.prefix} at {options.bus.endpoint}")
-            console.print("in another terminal: tandem request fetch --item 29 --wait", markup=False)
+            console.print(f"in another terminal: {hint(options, scenario, site)}", markup=False)
             console.print("Ctrl-C ends all")
             if options.report is None:
                 while True:  # nothing is recorded that nobody asked for: weeks of it fill the memory
@@ -75,13 +81,30 @@ def run_up(options: RunOptions) -> ExitCode:
     return _ended(work)
 
 
+def _taken_up(options: RunOptions) -> tuple[str, ...]:
+    """Return what the executive will take up, in words.
+
+    Raises:
+        RefusedError: when another process has the ledger.
+        LedgerFailure: when it can't be read.
+    """
+    if options.data is None or "executive" not in (options.only or ROLES):
+        return ()
+    try:
+        return taking_up.lines(taking_up.open_tasks(options.data), options.on_restart)
+    except LedgerLockedError as error:
+        raise RefusedError(str(error)) from error
+    except LedgerError as error:
+        raise LedgerFailure(str(error)) from error
+
+
 def _ended(work: Callable[[Console], ExitCode]) -> ExitCode:
     """Do the work; say in words how it ended when it did not end by itself."""
     console = Console(stderr=False, highlight=False, soft_wrap=True)
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # a service manager's Ctrl-C
     try:
         return work(console)
-    except DocumentError as error:
+    except (DocumentError, EndpointError) as error:
         console.print(f"error: {error}", style="red", markup=False)
         return ExitCode.BAD_INPUT
     except RefusedError as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Final, Protocol, Self
@@ -15,9 +15,10 @@ from executive.options import RunOptions
 from executive.parts import OBSERVER, ROLES, Role
 from executive.processes import RESTARTED, Death, Supervisor
 from executive.security.identity import Identity
-from executive.settings import UNKEPT, WorkerSettings
+from executive.settings import REFUSED, UNKEPT, WorkerSettings
 from executive.telemetry.log_files import UserLog
 from executive.telemetry.relay import LogRelay
+from executive.vacancy import TakenError, require_vacant
 from sim.chatter import unheard
 from sim.scenario import Scenario, load_scenario
 from skills.ports.bus import Bus, Pending
@@ -165,7 +166,8 @@ class ProcessSystem:
 
         Raises:
             SystemFailure: when a process ends or is not ready in time.
-            RefusedError: when there is such a system already.
+            RefusedError: when there is such a system already, or another program has its endpoint.
+            EndpointError: when nothing can listen at the endpoint.
         """
         try:
             self._start()
@@ -231,11 +233,19 @@ class ProcessSystem:
         try:
             self._open(0.3).close()
         except BusError:
+            self._require_vacant()
             return
         raise RefusedError(
             f"a router answers at {endpoint} already: another system runs there; "
             f"end it, or take another endpoint with --connect tcp/127.0.0.1:7448"
         )
+
+    def _require_vacant(self) -> None:
+        try:
+            for endpoint in (self._options.bus.endpoint, *self._options.listen):
+                require_vacant(endpoint)
+        except TakenError as error:
+            raise RefusedError(str(error)) from error
 
     def _connect(self) -> None:
         deadline = time.monotonic() + READY_WITHIN
@@ -301,9 +311,7 @@ class ProcessSystem:
             else:
                 fatal.append(death)
         if fatal:
-            unkept = any(death.code == UNKEPT for death in fatal)
-            words = "\n".join(death.describe() for death in fatal)
-            raise LedgerFailure(words) if unkept else SystemFailure(words)
+            raise _end_of(fatal)
         if self._ready:
             self._kill_hung()
         self._relay.step()
@@ -321,6 +329,14 @@ class ProcessSystem:
 def _to_stderr(line: str) -> None:
     sys.stderr.write(f"{line}\n")
     sys.stderr.flush()
+
+
+def _end_of(fatal: Sequence[Death]) -> Exception:
+    """Return the error that says which processes ended, and whether one refused or can't keep its ledger."""
+    words, codes = "\n".join(death.describe() for death in fatal), {death.code for death in fatal}
+    if UNKEPT in codes:
+        return LedgerFailure(words)
+    return RefusedError(words) if REFUSED in codes else SystemFailure(words)
 
 
 def wait_for(system: System, pending: Pending, within: float) -> bytes | None:

@@ -27,7 +27,7 @@ OPERATORS: Final = MappingProxyType(
     {
         FailureKind.HARDWARE_LOST: "See whether the robot has power and its link, start it anew, ask again.",
         FailureKind.HARDWARE_STOPPED: (
-            "See why the stop was set, and that nobody is in reach; release it (a query on hw/stop/release). "
+            "See why the stop was set, and that nobody is in reach; release it with `tandem release`. "
             "Then ask again."
         ),
         FailureKind.ITEM_NOT_FOUND: (

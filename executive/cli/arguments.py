@@ -1,30 +1,67 @@
-"""Options that several commands share."""
+"""Options that several commands share. Every command that connects has the same set, by ``connects``."""
 
 from __future__ import annotations
 
+import functools
+import inspect
 import re
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Final
+from typing import Annotated, Final, get_type_hints
 
 import typer
 
 from executive.cli.errors import CommandError
-from executive.options import DEFAULT_ENDPOINT, BusOptions
+from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
 
+PANEL: Final = "Connection"
+"""Heading in the help under which the shared options stand."""
 Connect = Annotated[
-    str, typer.Option("--connect", metavar="ENDPOINT", help="The router, such as tcp/127.0.0.1:7447.")
+    str,
+    typer.Option(
+        "--connect",
+        metavar="ENDPOINT",
+        envvar="TANDEM_CONNECT",
+        help="The router, such as tcp/127.0.0.1:7447.",
+        rich_help_panel=PANEL,
+    ),
 ]
-SiteKey = Annotated[str, typer.Option("--site-key", help="First part of every key.")]
-Robot = Annotated[str, typer.Option("--robot", help="Second part of every key.")]
+SiteKey = Annotated[
+    str,
+    typer.Option("--site-key", envvar="TANDEM_SITE", help="First part of every key.", rich_help_panel=PANEL),
+]
+Robot = Annotated[
+    str,
+    typer.Option("--robot", envvar="TANDEM_ROBOT", help="Second part of every key.", rich_help_panel=PANEL),
+]
 Keys = Annotated[
     Path | None,
     typer.Option(
-        "--keys", metavar="DIR", envvar="TANDEM_KEYS", help="Folder of keys, for a router with TLS."
+        "--keys",
+        metavar="DIR",
+        envvar="TANDEM_KEYS",
+        help="Folder of keys, for a router with TLS.",
+        rich_help_panel=PANEL,
     ),
 ]
 As = Annotated[
-    str, typer.Option("--as", metavar="NAME", envvar="TANDEM_AS", help="Whose key of that folder is shown.")
+    str,
+    typer.Option(
+        "--as",
+        metavar="NAME",
+        envvar="TANDEM_AS",
+        help="Whose key of that folder to show; not needed where it has one only.",
+        rich_help_panel=PANEL,
+    ),
 ]
+OwnEndpoint = Annotated[
+    str,
+    typer.Option("--connect", metavar="ENDPOINT", help="Where the router of this run listens."),
+]
+"""Of a command that runs a system of its own. No environment variable sets it: TANDEM_CONNECT names a robot
+at work."""
+OwnSite = Annotated[str, typer.Option("--site-key", help="First part of every key of this run.")]
+OwnRobot = Annotated[str, typer.Option("--robot", help="Second part of every key of this run.")]
 Output = Annotated[Path | None, typer.Option("--output", "-o", help="A file, instead of standard output.")]
 SiteFile = Annotated[str, typer.Option("--site", metavar="NAME|FILE", help="The site file.")]
 
@@ -33,6 +70,52 @@ TLS: Final = "tls/"
 """How an endpoint with TLS begins."""
 _PART: Final = re.compile(r"[A-Za-z0-9_.-]+")
 ENDPOINT: Final = re.compile(r"(tcp|tls|udp|quic|ws)/[^/\s]+:\d{1,5}|(unixsock-stream|serial|unixpipe)/\S+")
+
+
+def connects(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the options that say where the robot is; it receives them, checked, as ``bus``.
+
+    Args:
+        command: takes a keyword ``bus: BusOptions``, which no option of its own stands for.
+    """
+
+    @functools.wraps(command)
+    def connecting(*given: object, **named: object) -> None:
+        shared = {name: named.pop(name) for name in _SHARED}
+        command(*given, **named, bus=_bus(**shared))
+
+    hints = get_type_hints(command, include_extras=True)
+    own = [
+        each.replace(annotation=hints[each.name])
+        for each in inspect.signature(command).parameters.values()
+        if each.name != "bus"
+    ]
+    parameters = [*own, *shared_parameters()]
+    connecting.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    connecting.__annotations__ = {each.name: each.annotation for each in parameters}
+    return connecting
+
+
+def shared_parameters() -> list[inspect.Parameter]:
+    """Return the shared options as a function's parameters."""
+    return [
+        inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
+        for name, (annotation, default) in _SHARED.items()
+    ]
+
+
+_SHARED: Final[dict[str, tuple[object, object]]] = {
+    "connect": (Connect, DEFAULT_ENDPOINT),
+    "site_key": (SiteKey, DEFAULT_SITE),
+    "robot": (Robot, DEFAULT_ROBOT),
+    "keys": (Keys, None),
+    "holder": (As, ""),
+}
+
+
+def _bus(*, connect: object, site_key: object, robot: object, keys: object, holder: object) -> BusOptions:
+    folder = keys if isinstance(keys, Path) else None
+    return bus_options(str(connect), str(site_key), str(robot), folder, str(holder))
 
 
 def bus_options(
@@ -58,4 +141,6 @@ def bus_options(
         if connect != DEFAULT_ENDPOINT:
             raise CommandError(f"--keys: an endpoint {TLS}HOST:PORT was expected with it; found {connect!r}")
         connect = connect.replace("tcp/", TLS)
+    if keys is None and connect.startswith(TLS):
+        raise CommandError(f"--connect {connect}: TLS needs keys; name their folder with --keys")
     return BusOptions(endpoint=connect, site=site_key, robot=robot, keys=keys, holder=holder)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.console import Console
 
-from executive.cli.arguments import Connect
+from executive.cli.arguments import OwnEndpoint
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 from executive.cli.telling import told
@@ -211,7 +211,7 @@ def crash(
         ),
     ] = False,
     report: ReportFile = None,
-    connect: Connect = "tcp/127.0.0.1:7449",
+    connect: OwnEndpoint = "tcp/127.0.0.1:7449",
 ) -> None:
     """Kill processes, start them again. Ends with 0 only when nothing was lost, doubled or stuck."""
     import tempfile  # noqa: PLC0415
@@ -288,7 +288,7 @@ def soak(
         int, typer.Option("--warm-up", min=0, max=1_000_000, help="Tasks before growth counts.")
     ] = 200,
     report: ReportFile = None,
-    connect: Connect = "tcp/127.0.0.1:7450",
+    connect: OwnEndpoint = "tcp/127.0.0.1:7450",
     metrics: Annotated[
         str, typer.Option("--metrics", metavar="HOST:PORT", help="Of the observer's page.")
     ] = "127.0.0.1:9465",

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from dataclasses import replace
 from types import TracebackType
 from typing import Final, Self, TypeVar
 
 from pydantic import ValidationError
 
+from executive.cli.allowed import refuse_unless_allowed
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 from executive.options import BusOptions
 from executive.security.holders import KeysError
-from executive.security.identity import Identity
+from executive.security.identity import client_in
 from skills.ports.bus import Pending
 from skills.ports.keys import DESCRIPTION, Nothing, Service
 from skills.ports.message import Message
@@ -38,10 +39,10 @@ class Connection:
     """
 
     def __init__(self, options: BusOptions) -> None:
-        self.options = options
-        self._deadline = time.monotonic() + ANSWER_WITHIN
         try:
-            shown = None if options.keys is None else Identity(options.keys, options.holder).client()
+            self._identity = None if options.keys is None else client_in(options.keys, options.holder)
+            self.options = options if self._identity is None else replace(options, holder=self._identity.name)
+            shown = None if self._identity is None else self._identity.client()
             self.bus = ZenohBus(options.endpoint, options.prefix, patience=ROUTER_WITHIN, credentials=shown)
         except KeysError as error:
             raise CommandError(str(error)) from error
@@ -58,19 +59,24 @@ class Connection:
         """Close the session; a process that does not would hang at its end."""
         self.bus.close()
 
-    def ask(self, service: Service[Sent, Answered], message: Sent) -> Answered:
-        """Return the executive's answer.
+    def ask(self, service: Service[Sent, Answered], message: Sent, *, of: str = "executive") -> Answered:
+        """Return what a service answers.
+
+        Args:
+            service: the key and its models.
+            message: what is asked.
+            of: who serves it, in words for an error.
 
         Raises:
-            CommandError: NOBODY_THERE when there is none in time.
+            CommandError: NOBODY_THERE without an answer in time, REFUSED when the key does not allow it.
         """
-        return self.answer(service.key, message.model_dump_json().encode(), service.answered)
+        return self.answer(service.key, message.model_dump_json().encode(), service.answered, of=of)
 
-    def answer(self, key: str, payload: bytes, model: type[Answered]) -> Answered:
-        """Return the executive's answer to a document; asks again while nothing comes."""
-        document = self._first(lambda: self.bus.query(key, payload, timeout=ANSWER_WITHIN))
+    def answer(self, key: str, payload: bytes, model: type[Answered], *, of: str = "executive") -> Answered:
+        """Return the answer to a document; asks again while nothing comes. Errors as ``ask``."""
+        document = self.raw(key, payload)
         if document is None:
-            raise CommandError(self._nobody(), ExitCode.NOBODY_THERE)
+            raise CommandError(self._nobody(of), ExitCode.NOBODY_THERE)
         try:
             return model.model_validate_json(document)
         except ValidationError as error:
@@ -81,39 +87,29 @@ class Connection:
 
     def own(self, key: str) -> str:
         """Return the key at which the holder of a key asks in its own name; without keys the key itself."""
-        return key if self.options.keys is None else by_client(self.options.holder, key)
+        return key if self._identity is None else by_client(self._identity.name, key)
 
     def cancel_key(self) -> str:
         """Return where this client cancels: a requester its own tasks, everybody else any."""
-        options = self.options
-        if options.keys is None or Identity(options.keys, options.holder).role() != "requester":
-            return TASK_CANCEL.key
-        return self.own(TASK_CANCEL.key)
+        requester = self._identity is not None and self._identity.role() == "requester"
+        return self.own(TASK_CANCEL.key) if requester else TASK_CANCEL.key
+
+    def require_right(self, key: str) -> None:
+        """Raise REFUSED, with who may, when the key that is shown does not allow a question at this key."""
+        if self._identity is not None:
+            refuse_unless_allowed(self._identity, key)
 
     def raw(self, key: str, payload: bytes) -> bytes | None:
-        """Return what is answered as it is, or None when nobody answers in time."""
-        return self._first(lambda: self.bus.query(key, payload, timeout=ANSWER_WITHIN))
+        """Return what is answered as it is, or None when nobody answers in time.
 
-    def robot_name(self) -> str | None:
-        """Return the name that the robot's hardware tells, or None when no hardware answers."""
-        document = self._first(lambda: DESCRIPTION.query(self.bus, Nothing(), timeout=ANSWER_WITHIN))
-        return None if document is None else DESCRIPTION.decode_answer(document).name
-
-    def require_robot(self) -> None:
-        """Raise NOBODY_THERE, with what to do, when no hardware answers."""
-        if self.robot_name() is None:
-            raise CommandError(
-                f"no robot on {self.options.prefix}: nothing answers on hw/description; start the simulated "
-                "one with `tandem up`, or name another robot with --site-key and --robot",
-                ExitCode.NOBODY_THERE,
-            )
-
-    def _first(self, ask: Callable[[], Pending]) -> bytes | None:
-        deadline = max(self._deadline, time.monotonic() + AGAIN_AFTER)
+        Raises:
+            CommandError: REFUSED when the key that is shown does not allow the question.
+        """
+        self.require_right(key)
+        deadline = time.monotonic() + ANSWER_WITHIN
         while True:
-            pending, asked_at = ask(), time.monotonic()
-            while not pending.done() and pending.poll() is None and time.monotonic() < deadline:
-                self.bus.waker.wait(min(0.05, max(0.0, deadline - time.monotonic())))
+            pending, asked_at = self.bus.query(key, payload, timeout=ANSWER_WITHIN), time.monotonic()
+            self._await(pending, deadline)
             answer = pending.poll()
             if answer is not None or time.monotonic() >= deadline:
                 return answer
@@ -122,14 +118,23 @@ class Connection:
                 max(0.0, min(AGAIN_AFTER - (time.monotonic() - asked_at), deadline - time.monotonic()))
             )
 
-    def _nobody(self) -> str:
+    def robot_name(self) -> str | None:
+        """Return the name that the robot's hardware tells, or None when no hardware answers."""
+        document = self.raw(DESCRIPTION.key, Nothing().model_dump_json().encode())
+        return None if document is None else DESCRIPTION.decode_answer(document).name
+
+    def _await(self, pending: Pending, deadline: float) -> None:
+        while not pending.done() and pending.poll() is None and time.monotonic() < deadline:
+            self.bus.waker.wait(min(0.05, max(0.0, deadline - time.monotonic())))
+
+    def _nobody(self, of: str) -> str:
         options = self.options
         there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))
         seen = f"there are only {there}" if there else "nobody is there"
-        if there and options.keys is not None:
-            seen = f"{there} are there; perhaps the key of {options.holder} does not allow to ask there"
+        if there and self._identity is not None:
+            seen = f"{there} are there; perhaps the router no longer takes the key of {self._identity.name}"
         return (
-            f"no executive on {options.prefix} at {options.endpoint}: {seen}; "
+            f"no {of} answers on {options.prefix} at {options.endpoint}: {seen}; "
             "start the system with `tandem up`, or name another robot with --site-key and --robot"
         )
 

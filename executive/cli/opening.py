@@ -15,8 +15,12 @@ from executive.security.identity import Identity, refuse_other_hosts, robot_in
 from skills.wire.endpoints import is_loopback
 
 
-def owner_of(bus: BusOptions) -> BusOptions:
+def owner_of(bus: BusOptions, *, by_environment: bool = False) -> BusOptions:
     """Return the options with the robot whose keys the processes show.
+
+    Args:
+        bus: names the robot, or nobody where the folder has keys of one robot only.
+        by_environment: whether TANDEM_AS names the holder; the name of a client there is none of ours.
 
     Raises:
         CommandError: when the folder has no such robot.
@@ -24,7 +28,8 @@ def owner_of(bus: BusOptions) -> BusOptions:
     if bus.keys is None:
         return bus
     try:
-        robot = robot_in(bus.keys, bus.holder)
+        others = by_environment and (bus.keys / f"{bus.holder}.pem").exists()
+        robot = robot_in(bus.keys, "" if others else bus.holder)
     except KeysError as error:
         raise CommandError(str(error)) from error
     return replace(bus, holder=robot.name)

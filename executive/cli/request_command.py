@@ -5,13 +5,12 @@ from __future__ import annotations
 import inspect
 import uuid
 from collections.abc import Callable
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Final, Literal, get_args, get_origin
 
 import typer
 
-from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
+from executive.cli.arguments import connects
+from executive.options import BusOptions
 
 if TYPE_CHECKING:
     from pydantic import JsonValue
@@ -27,7 +26,7 @@ _ENVELOPE: Final = ("task", "id")
 def add_to(app: typer.Typer, *, with_kinds: bool) -> None:
     """Add the group; with the kinds of request only when they are needed, for they take time to load."""
     group = typer.Typer(help="Ask the robot for something.", no_args_is_help=True)
-    group.command("json")(from_json)
+    group.command("json")(connects(from_json))
     if with_kinds:
         from trees.registry import discover  # noqa: PLC0415
 
@@ -43,48 +42,31 @@ def from_json(
     document: Annotated[str, typer.Argument(help='Such as {"task": "fetch", "item": 29}.')],
     wait: Wait = False,  # noqa: FBT002
     *,
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
-    keys: Keys = None,
-    holder: As = "",
+    bus: BusOptions,
 ) -> None:
     """Send a request's document as it is."""
     from executive.cli.sending import send  # noqa: PLC0415
 
-    send(
-        document.encode("utf-8", "surrogateescape"),
-        bus_options(connect, site_key, robot, keys, holder),
-        wait=wait,
-    )
+    send(document.encode("utf-8", "surrogateescape"), bus, wait=wait)
 
 
 def command_of(kind: TaskType[Message]) -> Callable[..., None]:
     """Return a function whose signature has an option for each field of the request."""
     fields = {name: info for name, info in kind.request.model_fields.items() if name not in _ENVELOPE}
 
-    def command(**given: object) -> None:
+    def command(*, wait: bool, bus: BusOptions, **given: object) -> None:
         from executive.cli.sending import send_fields  # noqa: PLC0415
 
-        connect, site_key, robot = (str(given.pop(name)) for name in ("connect", "site_key", "robot"))
-        wait, holder = bool(given.pop("wait")), str(given.pop("holder"))
-        folder = given.pop("keys")
-        keys = folder if isinstance(folder, Path) else None
         document: dict[str, JsonValue] = {"task": kind.name, "id": uuid.uuid4().hex}
         document.update({name: _json(value) for name, value in given.items() if value is not None})
-        options: BusOptions = bus_options(connect, site_key, robot, keys, holder)
-        send_fields(document, options, wait=wait)
+        send_fields(document, bus, wait=wait)
 
-    parameters = [_parameter(name, info) for name, info in fields.items()]
-    parameters += [
-        parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY)
-        for name, parameter in inspect.signature(from_json, eval_str=True).parameters.items()
-        if name != "document"
-    ]
+    waits = inspect.Parameter("wait", inspect.Parameter.KEYWORD_ONLY, default=False, annotation=Wait)
+    parameters = [*(_parameter(name, info) for name, info in fields.items()), waits]
     command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
     command.__annotations__ = {each.name: each.annotation for each in parameters}
     command.__name__ = kind.name
-    return command
+    return connects(command)
 
 
 def _parameter(name: str, info: FieldInfo) -> inspect.Parameter:

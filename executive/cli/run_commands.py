@@ -8,10 +8,18 @@ from typing import Annotated, cast, get_args
 
 import typer
 
-from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
+from executive.cli.arguments import OwnEndpoint, OwnRobot, OwnSite, bus_options, connects
+from executive.cli.errors import CommandError
 from executive.cli.logs import LogOptions
 from executive.on_restart import OnRestart as Restart
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, RunOptions, default_data
+from executive.options import (
+    DEFAULT_ENDPOINT,
+    DEFAULT_ROBOT,
+    DEFAULT_SITE,
+    BusOptions,
+    RunOptions,
+    default_data,
+)
 from skills.wire.pulse import SILENT_AFTER
 
 Scenario = Annotated[
@@ -86,7 +94,7 @@ Only = Annotated[
 def add_to(app: typer.Typer) -> None:
     """Add the commands."""
     app.command("demo")(demo)
-    app.command("up")(up)
+    app.command("up")(connects(up))
 
 
 def demo(
@@ -100,12 +108,13 @@ def demo(
     lockstep: Lockstep = False,
     report: ReportFile = None,
     picture: Picture = None,
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
+    connect: OwnEndpoint = DEFAULT_ENDPOINT,
+    site_key: OwnSite = DEFAULT_SITE,
+    robot: OwnRobot = DEFAULT_ROBOT,
 ) -> None:
     """Start all, fetch an item, stop all. Ends with 0 only when the item truly lies in the depot."""
     logs = _logs(context)
+    _require_window(gui=gui, lockstep=lockstep)
     options = RunOptions(
         bus=bus_options(connect, site_key, robot),
         scenario=_scenario(scenario, faults),
@@ -139,21 +148,23 @@ def up(
     traces: TracesTo = "",
     data: Data = None,
     on_restart: OnRestart = "resume",
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
     listen: Listen = None,
     insecure: Insecure = False,
-    keys: Keys = None,
-    holder: As = "",
     only: Only = None,
     silent_after: SilentAfter = SILENT_AFTER,
+    bus: BusOptions,
 ) -> None:
     """Start router, simulated robot, skills and executive, and watch them until Ctrl-C."""
     from executive.cli.opening import checked_endpoints, checked_roles, owner_of  # noqa: PLC0415
 
     logs = _logs(context)
-    bus, roles = owner_of(bus_options(connect, site_key, robot, keys, holder)), checked_roles(only)
+    if lockstep:
+        raise CommandError(
+            "up --lockstep: lockstep runs in one thread with a bus of its own, so no client could reach it; "
+            "use `tandem demo --lockstep`, or leave it out"
+        )
+    _require_window(gui=gui, lockstep=False)
+    bus, roles = owner_of(bus, by_environment=_by_environment(context)), checked_roles(only)
     options = RunOptions(
         bus=bus,
         data=data or default_data(bus, os.environ),
@@ -163,13 +174,12 @@ def up(
         seed=seed,
         speed=_speed(speed),
         gui=gui,
-        lockstep=lockstep,
         report=report,
         log=logs.file,
         verbose=logs.verbose,
         log_format=logs.format,
-        metrics=_metrics(metrics, lockstep=lockstep),
-        traces=_traces(traces, lockstep=lockstep),
+        metrics=_metrics(metrics),
+        traces=_traces(traces),
         silent_after=silent_after,
         listen=checked_endpoints(bus, listen or (), insecure=insecure) if "router" in roles else (),
         only=roles,
@@ -177,6 +187,12 @@ def up(
     from executive.compose import run_up  # noqa: PLC0415 - loads the whole system
 
     raise typer.Exit(run_up(options))
+
+
+def _by_environment(context: typer.Context) -> bool:
+    """Say whether TANDEM_AS names the holder, which may be meant for the commands of a client."""
+    source = context.get_parameter_source("holder")
+    return source is not None and source.name == "ENVIRONMENT"
 
 
 def _on_restart(text: str) -> Restart:
@@ -200,7 +216,17 @@ def _speed(text: str) -> float | None:
     return speed
 
 
-def _metrics(text: str, *, lockstep: bool) -> str:
+def _require_window(*, gui: bool, lockstep: bool) -> None:
+    if not gui:
+        return
+    from executive.cli.display import require_display  # noqa: PLC0415
+
+    if lockstep:
+        raise CommandError("--gui: lockstep shows no window; leave out --gui or --lockstep")
+    require_display(os.environ)
+
+
+def _metrics(text: str) -> str:
     from executive.telemetry.process import host_and_port  # noqa: PLC0415
 
     if not text:
@@ -209,23 +235,13 @@ def _metrics(text: str, *, lockstep: bool) -> str:
         host_and_port(text)
     except ValueError as error:
         raise typer.BadParameter(str(error), param_hint="--metrics") from error
-    return _observed(text, "--metrics", lockstep=lockstep)
+    return text
 
 
-def _traces(text: str, *, lockstep: bool) -> str:
-    if not text:
-        return text
-    if not text.startswith(("http://", "https://")):
+def _traces(text: str) -> str:
+    if text and not text.startswith(("http://", "https://")):
         raise typer.BadParameter(
             f"an address such as http://127.0.0.1:4318 was expected; found {text!r}", param_hint="--traces"
-        )
-    return _observed(text, "--traces", lockstep=lockstep)
-
-
-def _observed(text: str, option: str, *, lockstep: bool) -> str:
-    if lockstep:
-        raise typer.BadParameter(
-            "the observer is a process of its own; leave out --lockstep", param_hint=option
         )
     return text
 

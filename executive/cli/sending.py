@@ -3,25 +3,19 @@
 from __future__ import annotations
 
 import json
-import time
 import uuid
-from typing import Final
 
 import typer
 from pydantic import JsonValue
-from rich.console import Console
-from rich.progress import BarColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
 
 from executive.cli.connection import Connection
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
+from executive.cli.waiting import Waiting
 from executive.options import BusOptions
 from skills.ports.failure import KINDS, Failure
-from skills.ports.keys import Latest, Nothing
-from skills.ports.tasks import REQUEST, TASK_LIST, TASK_STATUS, TaskAnswer, TaskState, TaskStatus
-
-ASK_EVERY: Final = 2.0
-"""Seconds after which the list is asked for: a status may have been lost with a lost link."""
+from skills.ports.keys import Latest
+from skills.ports.tasks import REQUEST, TASK_STATUS, TaskAnswer, TaskState, TaskStatus
 
 
 def send_fields(document: dict[str, JsonValue], options: BusOptions, *, wait: bool) -> None:
@@ -32,18 +26,31 @@ def send_fields(document: dict[str, JsonValue], options: BusOptions, *, wait: bo
 def send(payload: bytes, options: BusOptions, *, wait: bool) -> None:
     """Send a document; print the task's id, or what is wrong.
 
+    An id that was printed is an accepted request, also when no robot is there yet.
+
     Raises:
-        CommandError: BAD_INPUT for a rejected request, NOBODY_THERE, TASK_FAILED with ``wait``.
+        CommandError: BAD_INPUT for a rejected request, REFUSED, NOBODY_THERE, TASK_FAILED with ``wait``.
     """
     with Connection(options) as connection:
         statuses = Latest(connection.bus, TASK_STATUS)
         answer = connection.answer(connection.own(REQUEST), _with_id(payload), TaskAnswer)
         if not answer.accepted:
             raise CommandError(describe_problems(answer))
-        connection.require_robot()
+        # First of all: it is stored, and runs, whatever becomes of this command.
         typer.echo(answer.task)
+        _say_when_no_robot(connection, answer.task)
         if wait:
-            _end_as(_wait(connection, answer.task, statuses))
+            _end_as(Waiting(connection, answer.task, statuses).end())
+
+
+def _say_when_no_robot(connection: Connection, task: str) -> None:
+    """Say that an accepted task waits for a robot: it is no error, and it runs as soon as there is one."""
+    if connection.robot_name() is None:
+        typer.echo(
+            f"no robot answers on {connection.options.prefix}: {task} is queued, and runs once one does; "
+            f"take it back with `tandem cancel {task}`",
+            err=True,
+        )
 
 
 def describe_problems(answer: TaskAnswer) -> str:
@@ -79,40 +86,6 @@ def _with_id(payload: bytes) -> bytes:
         return payload
     # Put in as text: whatever else is wrong with the document, the executive shall see it and say so.
     return payload.replace(b"{", f'{{"id": "{uuid.uuid4().hex}"{", " if document else ""}'.encode(), 1)
-
-
-def _wait(connection: Connection, task: str, statuses: Latest[TaskStatus]) -> TaskStatus:
-    asked_at = time.monotonic()
-    console = Console(stderr=True)
-    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    try:
-        with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
-            bar = progress.add_task("queued", total=1.0)
-            while True:
-                connection.bus.waker.wait(0.2)
-                news = [each for each in statuses.take() if each.task == task]
-                if not news and time.monotonic() - asked_at > ASK_EVERY:
-                    asked_at = time.monotonic()
-                    news = [_ask(connection, task)]
-                for status in news:
-                    _show(progress, bar, status)
-                    if status.state.terminal:
-                        return status
-    except KeyboardInterrupt:
-        typer.echo(f"{task} goes on; stop it with `tandem cancel {task}`", err=True)
-        raise
-
-
-def _ask(connection: Connection, task: str) -> TaskStatus:
-    found = [each for each in connection.ask(TASK_LIST, Nothing()).tasks if each.task == task]
-    if not found:
-        raise CommandError(f"the executive was started anew and has forgotten {task}", ExitCode.TASK_FAILED)
-    return found[0]
-
-
-def _show(progress: Progress, bar: TaskID, status: TaskStatus) -> None:
-    phase = f" {status.progress.phase}" if status.progress.phase else ""
-    progress.update(bar, completed=status.progress.fraction, description=f"{status.state}{phase}")
 
 
 def _end_as(status: TaskStatus) -> None:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from executive.cli.arguments import As, Connect, Keys, Output, Robot, SiteKey, bus_options
+from executive.cli.arguments import Output, connects
 from executive.cli.errors import CommandError
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
+from executive.options import BusOptions
 
 if TYPE_CHECKING:
     from skills.ports.tasks import AskHistory, TaskState, TaskStatus
@@ -22,13 +22,15 @@ Data = Annotated[
 Since = Annotated[
     str, typer.Option("--since", metavar="WHEN", help="2026-11-24, 2026-11-24T08:30, or 90m, 12h, 7d ago.")
 ]
+ENDLESS: Final = 100_000
+"""Columns of a line that is not for a terminal."""
 States = Annotated[list[str] | None, typer.Option("--state", metavar="STATE", help="Only these.")]
 
 
 def add_to(app: typer.Typer) -> None:
     """Add the commands."""
-    app.command("tasks")(tasks)
-    app.command("export")(export)
+    app.command("tasks")(connects(tasks))
+    app.command("export")(connects(export))
 
 
 def tasks(
@@ -38,21 +40,14 @@ def tasks(
     since: Since = "",
     as_json: Annotated[bool, typer.Option("--json", help="As the executive's answer.")] = False,
     data: Data = None,
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
-    keys: Keys = None,
-    holder: As = "",
+    bus: BusOptions,
 ) -> None:
     """List the tasks that the executive remembers, oldest first; with --all those of the ledger too."""
     from executive.cli.history import lately, of_ledger  # noqa: PLC0415
     from skills.ports.tasks import TaskList  # noqa: PLC0415
 
-    options = bus_options(connect, site_key, robot, keys, holder)
-    if everything or state or since:
-        found = of_ledger(options, data, _asked(state, since))
-    else:
-        found = lately(options, data)
+    older = everything or state or since
+    found = of_ledger(bus, data, _asked(state, since)) if older else lately(bus, data)
     if as_json:
         typer.echo(TaskList(tasks=found).model_dump_json(indent=2))
     elif not found:
@@ -67,16 +62,12 @@ def export(
     since: Since = "",
     output: Output = None,
     data: Data = None,
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
-    keys: Keys = None,
-    holder: As = "",
+    bus: BusOptions,
 ) -> None:
     """Write the ledger's tasks as JSON lines, oldest first."""
     from executive.cli.history import of_ledger  # noqa: PLC0415
 
-    found = of_ledger(bus_options(connect, site_key, robot, keys, holder), data, _asked(state, since))
+    found = of_ledger(bus, data, _asked(state, since))
     lines = "".join(f"{status.model_dump_json()}\n" for status in found)
     if output is None:
         typer.echo(lines, nl=False)
@@ -106,22 +97,32 @@ def _state(text: str) -> TaskState:
 
 
 def _print(found: tuple[TaskStatus, ...]) -> None:
-    import json  # noqa: PLC0415
-
     from rich.console import Console  # noqa: PLC0415
-    from rich.table import Table  # noqa: PLC0415
+    from rich.markup import escape  # noqa: PLC0415
+    from rich.table import Column, Table  # noqa: PLC0415
 
-    table = Table("task", "state", "phase", "done", "request", "failure", box=None)
+    # An id that is cut off is of no use to `tandem cancel`: the other columns give way.
+    ids = Column("task", no_wrap=True, min_width=max(len(status.task) for status in found))
+    rest = (Column(name, overflow="fold") for name in ("state", "phase", "done", "request", "failure"))
+    table = Table(ids, *rest, box=None)
     for status in found:
         table.add_row(
-            status.task,
+            escape(status.task),
             str(status.state),
-            status.progress.phase,
+            escape(status.progress.phase),
             f"{status.progress.fraction:.0%}",
-            json.dumps({name: value for name, value in status.request.items() if name not in {"task", "id"}}),
-            _remark(status),
+            escape(_request(status)),
+            escape(_remark(status)),
         )
-    Console().print(table)
+    # In a file or a pipe there is no width: a line for each task.
+    console = Console() if Console().is_terminal else Console(width=ENDLESS)
+    console.print(table, crop=False)
+
+
+def _request(status: TaskStatus) -> str:
+    import json  # noqa: PLC0415
+
+    return json.dumps({name: value for name, value in status.request.items() if name not in {"task", "id"}})
 
 
 def _remark(status: TaskStatus) -> str:

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from executive.cli.arguments import As, Connect, Keys, Output, Robot, SiteFile, SiteKey, bus_options
+from executive.cli.arguments import Output, SiteFile, connects
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
+from executive.options import DEFAULT_SITE, BusOptions
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -35,7 +35,7 @@ def add_to(app: typer.Typer) -> None:
     """Add the commands."""
     group = typer.Typer(help="The trees of the tasks.", no_args_is_help=True)
     group.command("list")(list_all)
-    group.command("render")(render)
+    group.command("render")(connects(render))
     group.command("coverage")(coverage)
     group.command("properties")(properties)
     app.add_typer(group, name="tree")
@@ -67,17 +67,13 @@ def render(
     live: Annotated[bool, typer.Option("--live", help="The tree that runs now.")] = False,
     request: Annotated[str, typer.Option("--request", metavar="JSON", help="Draw it for this request.")] = "",
     site: SiteFile = DEFAULT_SITE,
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
-    keys: Keys = None,
-    holder: As = "",
+    bus: BusOptions,
 ) -> None:
     """Draw a task's tree, or, with --live, the one that runs now with its statuses."""
     from executive.render.formats import BINARY, FORMATS  # noqa: PLC0415
 
     if live:
-        root = _running(bus_options(connect, site_key, robot, keys, holder))
+        root = _running(bus)
     elif task:
         root = _built(task, request, site)
     else:

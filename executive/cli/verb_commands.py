@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Literal, TypeVar, cast
 
 import typer
 
-from executive.cli.arguments import Connect, Robot, SiteKey, bus_options
+from executive.cli.arguments import connects
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
+from executive.options import BusOptions
 
 if TYPE_CHECKING:
-    from executive.options import BusOptions
     from skills.ports.keys import Service
     from skills.ports.message import Message
     from skills.ports.tasks import ControlAnswer
@@ -30,98 +30,70 @@ Node = Annotated[str, typer.Argument(metavar="NODE", help="Its name in the tree,
 def add_to(app: typer.Typer) -> None:
     """Add the commands."""
     for call in (cancel, pause, resume, step, abandon, reprioritise, answer, force):
-        app.command(call.__name__)(call)
-    app.command("break")(break_at)
+        app.command(call.__name__)(connects(call))
+    app.command("break")(connects(break_at))
 
 
-def cancel(
-    task: Task,
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
-) -> None:
-    """Cancel a queued or a running task; the robot stops at once, safely."""
+def cancel(task: Task, *, bus: BusOptions) -> None:
+    """Cancel a queued or a running task: the robot comes to rest, and the task winds down."""
     from skills.ports.tasks import TASK_CANCEL, CancelTask  # noqa: PLC0415
 
-    options = bus_options(connect, site_key, robot)
-    _ask(TASK_CANCEL, lambda named: CancelTask(task=named), task, options, "cancelled")
+    _ask(TASK_CANCEL, lambda named: CancelTask(task=named), task, bus, "cancelled")
     typer.echo(f"{task} is being cancelled")
 
 
-def pause(
-    task: RunningTask = "",
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
-) -> None:
+def pause(task: RunningTask = "", *, bus: BusOptions) -> None:
     """Have the running task's skills come to rest and its tree stay where it is."""
     from skills.ports.tasks import TASK_PAUSE, NameTask  # noqa: PLC0415
 
-    options = bus_options(connect, site_key, robot)
-    named = _ask(TASK_PAUSE, lambda each: NameTask(task=each), task, options, "paused")
+    named = _ask(TASK_PAUSE, lambda each: NameTask(task=each), task, bus, "paused")
     typer.echo(f"{named} is being paused; `tandem resume` goes on, `tandem step` by one leaf")
 
 
-def resume(
-    task: RunningTask = "",
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
-) -> None:
+def resume(task: RunningTask = "", *, bus: BusOptions) -> None:
     """Go on with a paused task."""
     from skills.ports.tasks import TASK_RESUME, NameTask  # noqa: PLC0415
 
-    options = bus_options(connect, site_key, robot)
-    named = _ask(TASK_RESUME, lambda each: NameTask(task=each), task, options, "resumed")
+    named = _ask(TASK_RESUME, lambda each: NameTask(task=each), task, bus, "resumed")
     typer.echo(f"{named} goes on")
 
 
 def step(
     task: RunningTask = "",
     by: Annotated[str, typer.Option("--by", metavar="leaf|tick", help="How far.")] = "leaf",
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
+    *,
+    bus: BusOptions,
 ) -> None:
     """Go on with a paused task until one more leaf of its tree has ended, or by one tick."""
     from skills.ports.tasks import TASK_STEP, StepTask  # noqa: PLC0415
 
     far = cast('Literal["leaf", "tick"]', _one_of(by, ("leaf", "tick"), "--by"))
-    options = bus_options(connect, site_key, robot)
-    named = _ask(TASK_STEP, lambda each: StepTask(task=each, by=far), task, options, "stepped")
+    named = _ask(TASK_STEP, lambda each: StepTask(task=each, by=far), task, bus, "stepped")
     typer.echo(f"{named} goes on by one {far}")
 
 
-def abandon(
-    task: Task,
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
-) -> None:
+def abandon(task: Task, *, bus: BusOptions) -> None:
     """Give up a cancelled task whose hardware does not answer."""
     from skills.ports.tasks import TASK_ABANDON, NameTask  # noqa: PLC0415
 
-    options = bus_options(connect, site_key, robot)
-    _ask(TASK_ABANDON, lambda each: NameTask(task=each), task, options, "abandoned")
+    _ask(TASK_ABANDON, lambda each: NameTask(task=each), task, bus, "abandoned")
     typer.echo(f"{task} is given up; see that the robot is at rest")
 
 
 def reprioritise(
     task: Task,
     priority: Annotated[int, typer.Argument(min=-100, max=100, help="The higher one is taken first.")],
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
+    *,
+    bus: BusOptions,
 ) -> None:
     """Give a queued task another priority."""
     from skills.ports.tasks import TASK_REPRIORITISE, Reprioritise  # noqa: PLC0415
 
-    options = bus_options(connect, site_key, robot)
     _ask(
         TASK_REPRIORITISE,
         lambda each: Reprioritise(task=each, priority=priority),
         task,
-        options,
+        bus,
         "put elsewhere in the queue",
     )
     typer.echo(f"{task} has priority {priority}")
@@ -130,15 +102,13 @@ def reprioritise(
 def answer(
     words: Annotated[str, typer.Argument(metavar="ANSWER", help="One of the question's choices.")],
     task: OfTask = "",
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
+    *,
+    bus: BusOptions,
 ) -> None:
     """Answer what a task asks an operator; `tandem tasks` shows the question."""
     from skills.ports.tasks import TASK_ANSWER, AnswerQuestion  # noqa: PLC0415
 
-    options = bus_options(connect, site_key, robot)
-    named = _ask(TASK_ANSWER, lambda each: AnswerQuestion(task=each, answer=words), task, options, "answered")
+    named = _ask(TASK_ANSWER, lambda each: AnswerQuestion(task=each, answer=words), task, bus, "answered")
     typer.echo(f"{named} has its answer: {words}")
 
 
@@ -148,9 +118,7 @@ def break_at(
     after: Annotated[bool, typer.Option("--after", help="Behind the node, not before it.")] = False,
     off: Annotated[bool, typer.Option("--off", help="Take the breakpoint away.")] = False,
     task: OfTask = "",
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
+    bus: BusOptions,
 ) -> None:
     """Have a task pause before or after a node of its tree."""
     from skills.ports.tasks import TASK_BREAKPOINT, Breakpoint  # noqa: PLC0415
@@ -160,7 +128,7 @@ def break_at(
         TASK_BREAKPOINT,
         lambda each: Breakpoint(task=each, node=node, when=when, on=not off),
         task,
-        bus_options(connect, site_key, robot),
+        bus,
         "given a breakpoint",
     )
     typer.echo(f"{named} {'no longer pauses' if off else 'pauses'} {when} {node}")
@@ -171,9 +139,7 @@ def force(
     *,
     status: Annotated[str, typer.Argument(metavar="success|failure|off", help="What it ends with.")],
     task: OfTask = "",
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
+    bus: BusOptions,
 ) -> None:
     """Have a node of a test run end with a status instead of doing its work."""
     from skills.ports.tasks import TASK_FORCE, ForceNode  # noqa: PLC0415
@@ -184,7 +150,7 @@ def force(
         TASK_FORCE,
         lambda each: ForceNode(task=each, node=node, status=wanted),
         task,
-        bus_options(connect, site_key, robot),
+        bus,
         "forced",
     )
     typer.echo(f"{named}: {node} {'works again' if wanted is None else f'ends with {wanted}'}")
@@ -206,13 +172,15 @@ def _ask(
     """Ask for it, of the running task unless one is named; return the task's id."""
     from executive.cli.connection import Connection  # noqa: PLC0415
     from skills.ports.keys import Nothing  # noqa: PLC0415
-    from skills.ports.tasks import TASK_INFO  # noqa: PLC0415
+    from skills.ports.tasks import TASK_CANCEL, TASK_INFO  # noqa: PLC0415
 
     with Connection(options) as connection:
+        key = connection.cancel_key() if service is TASK_CANCEL else service.key
+        connection.require_right(key)
         named = task or connection.ask(TASK_INFO, Nothing()).running
         if not named:
             raise CommandError("no task is running", ExitCode.BAD_INPUT)
-        told = connection.ask(service, document(named))
+        told = connection.ask(replace(service, key=key), document(named))
     if not told.accepted:
         raise CommandError(f"{named} can't be {participle}: {told.reason}", ExitCode.BAD_INPUT)
     return named

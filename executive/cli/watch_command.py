@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
+from executive.cli.arguments import connects
+from executive.options import BusOptions
 
 if TYPE_CHECKING:
     from rich.console import Group
@@ -34,17 +34,13 @@ class View:
 
 def add_to(app: typer.Typer) -> None:
     """Add the command."""
-    app.command("watch")(watch)
+    app.command("watch")(connects(watch))
 
 
 def watch(
     once: Annotated[bool, typer.Option("--once", help="Print what is there now, and end.")] = False,  # noqa: FBT002
     *,
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
-    keys: Keys = None,
-    holder: As = "",
+    bus: BusOptions,
 ) -> None:
     """Show the running task's tree as it runs, until Ctrl-C."""
     from rich.console import Console  # noqa: PLC0415
@@ -52,7 +48,7 @@ def watch(
     from executive.cli.connection import Connection  # noqa: PLC0415
 
     console = Console()
-    with Connection(bus_options(connect, site_key, robot, keys, holder)) as connection:
+    with Connection(bus) as connection:
         view = _first(connection)
         if once:
             console.print(picture(view, height=10_000))
@@ -74,7 +70,8 @@ def picture(view: View, *, height: int) -> Group:
     if view.tree is not None and view.tree.task:
         for line in lines(view.tree.root, height=max(4, height - len(parts) - 1)):
             text = Text(line.lead, style="dim", no_wrap=True, overflow="ellipsis")
-            parts.append(text.append(str(line)[len(line.lead) :], style=STATUS_STYLES[line.status]))
+            style = f"dim {STATUS_STYLES[line.status]}" if line.past else STATUS_STYLES[line.status]
+            parts.append(text.append(str(line)[len(line.lead) :], style=style))
     return Group(*parts)
 
 

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from executive.cli.arguments import As, Connect, Keys, Robot, SiteKey, bus_options
+from executive.cli.arguments import connects
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
+from executive.options import BusOptions
 
 if TYPE_CHECKING:
     from executive.cli.connection import Connection
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 def add_to(app: typer.Typer) -> None:
     """Add the command."""
-    app.command("why")(why)
+    app.command("why")(connects(why))
 
 
 def why(
@@ -36,11 +36,7 @@ def why(
         Path | None,
         typer.Option("--data", metavar="DIR", help="As `tandem up` had it; read when no executive runs."),
     ] = None,
-    connect: Connect = DEFAULT_ENDPOINT,
-    site_key: SiteKey = DEFAULT_SITE,
-    robot: Robot = DEFAULT_ROBOT,
-    keys: Keys = None,
-    holder: As = "",
+    bus: BusOptions,
 ) -> None:
     """Tell why a task failed, what was tried, where things are, and what to do next."""
     from executive.cli.connection import Connection  # noqa: PLC0415
@@ -48,8 +44,7 @@ def why(
     from executive.why import chosen, explain, last_picture  # noqa: PLC0415
     from skills.ports.tasks import AskHistory  # noqa: PLC0415
 
-    options = bus_options(connect, site_key, robot, keys, holder)
-    known = of_ledger(options, data, AskHistory(task=task)) if task else lately(options, data)
+    known = of_ledger(bus, data, AskHistory(task=task)) if task else lately(bus, data)
     status = chosen(known, task)
     if status is None:
         if task:
@@ -61,18 +56,20 @@ def why(
     if not last_picture(status):
         typer.echo("no picture was taken when it went wrong")
         return
-    with Connection(options) as connection:
+    if picture is None:
+        typer.echo(f"the picture of that moment: tandem why {status.task} --picture FILE")
+        return
+    # It is kept by the skills, not in the ledger: only this part needs a robot.
+    with Connection(bus) as connection:
         typer.echo(_picture(connection, status, picture))
 
 
-def _picture(connection: Connection, status: TaskStatus, path: Path | None) -> str:
-    """Save the picture if that was asked for; return what there is to be told of it."""
+def _picture(connection: Connection, status: TaskStatus, path: Path) -> str:
+    """Save the picture; return what there is to be told of it."""
     from executive.why import last_picture  # noqa: PLC0415
     from skills.ports.tasks import TASK_PICTURE, AskPicture  # noqa: PLC0415
 
     number = last_picture(status)
-    if path is None:
-        return f"the picture of that moment: tandem why {status.task} --picture FILE"
     asked = AskPicture(task=status.task, picture=number).model_dump_json().encode()
     picture = connection.raw(TASK_PICTURE, asked)
     if not picture:

@@ -10,6 +10,7 @@ from typing import Final
 
 from executive.parts import Role as ProcessRole
 from executive.security.holders import AUTHORITY, KeysError, role_in
+from executive.security.rights import Rights, rights_of
 from executive.security.role import PARTS, Part, Role
 from skills.wire.credentials import Credentials
 from skills.wire.endpoints import host_of
@@ -19,6 +20,8 @@ _PARTS: Final[dict[ProcessRole, Part]] = {
     "hardware": "hardware",
     "executive": "executive",
 }
+LOOKS_ON: Final[Part] = "supervisor"
+"""The part whose certificate a command shows in a robot's name: it may look, and change nothing."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +37,18 @@ class Identity:
         Raises:
             KeysError: naming what is missing, or may be read by others.
         """
-        return _files(self.folder, self.name)
+        return _files(self.folder, self.stem())
+
+    def stem(self) -> str:
+        """Return the name of the files that a client shows; of a robot those of the part that looks on."""
+        part = f"{self.name}.{LOOKS_ON}"
+        is_robot = not (self.folder / f"{self.name}.pem").exists() and (self.folder / f"{part}.pem").exists()
+        return part if is_robot else self.name
+
+    def rights(self) -> Rights:
+        """Return what the key allows, by the table that ships with this program; errors as ``role``."""
+        role = self.role()
+        return rights_of(role, LOOKS_ON if role == "robot" else None).of(self.name)
 
     def part(self, part: Part) -> Credentials:
         """Return the files of a part of the robot, as ``client`` does."""
@@ -48,7 +62,7 @@ class Identity:
         """Return the role that the client's certificate tells."""
         from executive.security.authority import common_name_of  # noqa: PLC0415 - loads a library
 
-        path = self.folder / f"{self.name}.pem"
+        path = self.folder / f"{self.stem()}.pem"
         common = common_name_of(path)
         role = role_in(common)
         if role is None:
@@ -71,6 +85,20 @@ def robot_in(folder: Path, name: str = "") -> Identity:
         hint = f"`tandem keys new --role robot NAME --folder {folder}` makes one"
         raise KeysError(f"{folder}: keys of {wanted} were expected; there are {found}; {hint}")
     return Identity(folder, there[0])
+
+
+def client_in(folder: Path, name: str = "") -> Identity:
+    """Return the client of a folder: the one named, or the only one.
+
+    Raises:
+        KeysError: when none is named, and there is none or more than one.
+    """
+    there = sorted(file.stem for file in folder.glob("*.key") if "." not in file.stem)
+    clients = [stem for stem in there if stem != AUTHORITY]
+    if not name and len(clients) != 1:
+        found = ", ".join(clients) or "none"
+        raise KeysError(f"{folder}: one client's key was expected, or its name with --as; there are {found}")
+    return Identity(folder, name or clients[0])
 
 
 def refuse_other_hosts(identity: Identity, endpoints: Sequence[str]) -> None:

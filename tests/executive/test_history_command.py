@@ -13,7 +13,8 @@ from executive.cli.main import main
 from executive.ledger.port import Entry
 from executive.ledger.sqlite import SqliteLedger
 from skills.ports.failure import Failure, FailureKind
-from skills.ports.tasks import TaskState, TaskStatus
+from skills.ports.message import RobotTime
+from skills.ports.tasks import Attempt, Progress, TaskState, TaskStatus
 from tests.fakes.ports import free_endpoint
 
 
@@ -83,3 +84,61 @@ def test_moments() -> None:
     assert moment("1h") < moment("30m")
     with pytest.raises(CommandError):
         moment("7 days")
+
+
+def test_why_tells_offline_where_the_picture_is_and_ends_well(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """From outside it would take a fetch that fails in front of the camera."""
+    ledger = SqliteLedger(tmp_path)
+    failure = Failure(kind=FailureKind.GRASP_EMPTY, message="closed on nothing")
+    moment_of_it = RobotTime(boot="a", seconds=20.0)
+    status = TaskStatus(
+        task="fetch-1",
+        kind="fetch",
+        request={"task": "fetch", "item": 29},
+        state=TaskState.FAILED,
+        accepted_at=1_800_000_000.0,
+        failure=failure,
+        tried=(Attempt(at=moment_of_it, failure=failure, recovery="draw back", times=1, picture="7"),),
+    )
+    ledger.enter(Entry(status, 1))
+    ledger.commit()
+    ledger.close()
+    where = ["--connect", free_endpoint(), "--data", str(tmp_path)]
+    assert main(["why", "fetch-1", *where]) == 0
+    assert "tandem why fetch-1 --picture FILE" in capfd.readouterr().out
+    assert main(["why", "fetch-1", "--picture", str(tmp_path / "picture.jpg"), *where]) == 3
+
+
+@pytest.mark.parametrize("width", [20, 80])
+def test_an_id_is_never_cut_off(
+    width: int,
+    nobody: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    ledger = SqliteLedger(tmp_path)
+    task = "pick_both_hands-k7f3q2m9x1-000000000042"
+    phases = Progress(phase="a phase with many words in its name", fraction=0.5)
+    status = TaskStatus(
+        task=task,
+        kind="fetch",
+        request={"task": "fetch", "item": 29, "to": "x" * 60},
+        state=TaskState.QUEUED,
+        progress=phases,
+        accepted_at=1_800_000_900.0,
+    )
+    ledger.enter(Entry(status, 4))
+    ledger.commit()
+    ledger.close()
+    monkeypatch.setenv("COLUMNS", str(width))
+    for terminal in ("1", ""):
+        monkeypatch.setenv("FORCE_COLOR", terminal)  # rich takes it for a terminal
+        assert main(["tasks", *nobody]) == 0
+        out = capfd.readouterr().out
+        assert task in out
+        assert "\u2026" not in out
+        if not terminal:
+            assert len(out.splitlines()) == 5, "a head, and a line for each task"

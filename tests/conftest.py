@@ -1,0 +1,22 @@
+"""What every test needs of the process it runs in."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Iterator
+
+import pytest
+
+
+@pytest.fixture(scope="session", autouse=True)
+def ctrl_c_is_heard() -> Iterator[None]:
+    """Hear SIGINT, and so let the programs that tests start hear it.
+
+    A shell starts background jobs with SIGINT ignored, as do many CI runners; a program that inherits that
+    never sees a Ctrl-C.
+    """
+    before = signal.getsignal(signal.SIGINT)
+    if before is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)

@@ -1,0 +1,158 @@
+"""Every command reaches a secured robot with the keys of those who may use it, and says no to the others.
+
+From a terminal, a user could start a robot with TLS and then not stop it: ``cancel``, ``pause`` and seven
+more had no ``--keys`` and ended with "no router answers"; no command reached the hardware's stop at all.
+Shown a key that does not allow a question, the command said after 2.5 s that there was no executive.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Final
+
+import pytest
+
+from tests.outside._command import Done, Running, commands, free_port, running, tandem
+
+pytestmark = [pytest.mark.processes, pytest.mark.xdist_group("every_command")]
+
+ROLES: Final = ("viewer", "requester", "operator", "robot")
+ALL: Final = set(ROLES)
+CLIENTS: Final = ALL - {"robot"}
+NOT_IN_SITE: Final = "500"
+
+EXPECTED: Final[dict[str, tuple[list[str], int, set[str]]]] = {
+    # command: its arguments, what it ends with where it is allowed, who may. No task runs, so most verbs end
+    # with 2: the executive has answered, and said that there is no such task.
+    "tasks": ([], 0, ALL),
+    "export": ([], 0, CLIENTS),
+    "cancel": (["fetch-none"], 2, {"requester", "operator"}),
+    "pause": ([], 2, {"operator"}),
+    "resume": (["fetch-none"], 2, {"operator"}),
+    "step": (["fetch-none"], 2, {"operator"}),
+    "abandon": (["fetch-none"], 2, {"operator"}),
+    "reprioritise": (["fetch-none", "3"], 2, {"operator"}),
+    "answer": (["yes", "--task", "fetch-none"], 2, {"operator"}),
+    "force": (["fetch", "success", "--task", "fetch-none"], 2, {"operator"}),
+    "break": (["fetch", "--task", "fetch-none"], 2, {"operator"}),
+    "stop": (["--reason", "a test"], 0, {"operator"}),
+    "release": ([], 0, {"operator"}),
+    "watch": (["--once"], 0, ALL),
+    "why": ([], 0, ALL),
+    "doctor": ([], 0, ALL),
+    "tree render": (["--live"], 0, ALL),
+    "request json": (['{"task": "dance"}'], 2, {"requester", "operator"}),
+    "request fetch": (["--item", NOT_IN_SITE], 2, {"requester", "operator"}),
+    "request pick": (["--item", NOT_IN_SITE], 2, {"requester", "operator"}),
+    "request pick_both_hands": (["--item", NOT_IN_SITE], 2, {"requester", "operator"}),
+    "request pick_two": (["--left", NOT_IN_SITE, "--right", NOT_IN_SITE], 2, {"requester", "operator"}),
+}
+STARTS_A_SYSTEM: Final = {"up"}
+"""Shows the robot's keys itself: here by the fixture and by a test of its own."""
+CONNECTS_NOWHERE: Final = {
+    "demo",
+    "schema",
+    "zones",
+    "bench",
+    "tree list",
+    "tree coverage",
+    "tree properties",
+    "scenario list",
+    "scenario check",
+    "campaign fetch",
+    "campaign recovery",
+    "campaign crash",
+    "campaign fuzz",
+    "campaign soak",
+    "experiment uncoordinated",
+    "experiment crossing",
+    "experiment coordinated",
+    "keys init",
+    "keys new",
+    "keys list",
+    "keys revoke",
+}
+"""They read files, or run a system of their own."""
+
+
+class Secured:
+    """A robot behind TLS, and who has a key."""
+
+    def __init__(self, folder: Path) -> None:
+        self.keys = folder / "keys"
+        self.env = {
+            "TANDEM_CONNECT": f"tls/127.0.0.1:{free_port()}",
+            "TANDEM_SITE": "tls-test",
+            "TANDEM_ROBOT": "tiago",
+            "TANDEM_KEYS": str(self.keys),
+            "XDG_STATE_HOME": str(folder / "state"),
+        }
+        self._keys("init")
+        self._keys("new", "--role", "robot", "tiago")
+        for role in sorted(CLIENTS):
+            self._keys("new", "--role", role, f"the-{role}")
+
+    def _keys(self, *words: str) -> None:
+        made = tandem("keys", *words, "--folder", str(self.keys))
+        assert made.code == 0, made.said
+
+    def tandem(self, *words: str, role: str) -> Done:
+        """Run a command with the key of a role."""
+        return tandem(*words, env=self.env | {"TANDEM_AS": "tiago" if role == "robot" else f"the-{role}"})
+
+
+@pytest.fixture(scope="module")
+def secured(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Secured]:
+    made = Secured(tmp_path_factory.mktemp("secured"))
+    # TANDEM_AS of a client in the same terminal does not keep the robot from starting.
+    with running("up", "--speed", "0.2", env=made.env | {"TANDEM_AS": "the-operator"}) as up:
+        up.await_word("ready:")
+        yield made
+        assert_alive(up)
+
+
+def assert_alive(up: Running) -> None:
+    assert up.process.poll() is None, up.said
+
+
+def test_no_command_is_forgotten() -> None:
+    """A new command stands in one of the tables above, or this fails."""
+    assert sorted([*EXPECTED, *STARTS_A_SYSTEM, *CONNECTS_NOWHERE]) == sorted(commands())
+
+
+@pytest.mark.parametrize("role", ROLES)
+@pytest.mark.parametrize("command", EXPECTED)
+def test_it_reaches_those_who_may_and_refuses_the_others(secured: Secured, command: str, role: str) -> None:
+    arguments, code, allowed = EXPECTED[command]
+    done = secured.tandem(*command.split(), *arguments, role=role)
+    if role in allowed:
+        assert done.code == code, done.said
+        assert "does not allow" not in done.said
+        assert "no router" not in done.said
+        assert "no executive" not in done.said
+    else:
+        assert done.code == 4, done.said
+        assert f"({role}) does not allow" in done.err
+
+
+def test_a_stop_tells_who_set_it_until_it_is_released(secured: Secured) -> None:
+    stopped = secured.tandem("stop", "--reason", "a cable lies there", role="operator")
+    assert stopped.code == 0, stopped.said
+    assert "by the-operator: a cable lies there" in stopped.out
+    assert "tandem release" in stopped.out
+    released = secured.tandem("release", role="operator")
+    assert released.code == 0, released.said
+    assert "the robot may move again" in released.out
+
+
+def test_who_is_not_named_is_asked_for_when_there_are_several(secured: Secured) -> None:
+    done = tandem("tasks", env=secured.env)
+    assert done.code == 2
+    assert "with --as; there are the-operator, the-requester, the-viewer" in done.err
+
+
+def test_a_clients_key_starts_no_robot(secured: Secured) -> None:
+    done = tandem("up", "--as", "the-operator", env=secured.env)
+    assert done.code == 2
+    assert "keys of the robot 'the-operator' were expected; there are tiago" in done.err
