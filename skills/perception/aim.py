@@ -54,12 +54,12 @@ class Aim:
                 break
         return self._clipped(head)
 
-    def lattice(self) -> tuple[tuple[float, ...], ...]:
-        """Return head positions all over its range, a tenth of a radian or less apart."""
+    def lattice(self, apart: float = APART) -> tuple[tuple[float, ...], ...]:
+        """Return head positions all over its range, ``apart`` radians or less from each other."""
         return tuple(
             product(
                 *(
-                    np.linspace(limit.lower, limit.upper, 1 + math.ceil((limit.upper - limit.lower) / APART))
+                    np.linspace(limit.lower, limit.upper, 1 + math.ceil((limit.upper - limit.lower) / apart))
                     .round(6)
                     .tolist()
                     for limit in self.group.limits

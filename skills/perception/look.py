@@ -7,10 +7,11 @@ from typing import Final
 
 import numpy as np
 
-from skills.perception import clutter
+from skills.perception import clutter, cover
 from skills.perception.aim import Aim
 from skills.perception.arms import Arms
 from skills.perception.camera import Camera
+from skills.perception.cover import ViewsJob, further_views
 from skills.perception.eye import WORK_AFTER, Eye, Steps, View
 from skills.perception.frames import JointHistory, RobotPoseHistory
 from skills.perception.head import SETTLE, Head
@@ -45,6 +46,14 @@ class _Looking(View):
     shown: list[Box] = field(default_factory=list)
     boxes: int = 0
     stamp: RobotTime | None = None
+    heads: list[tuple[float, ...]] = field(default_factory=list)
+    """Positions of the head from which a picture was taken."""
+
+    def positions(self) -> dict[str, float]:
+        """Return where the joints are, by name."""
+        newest = self.joints.newest
+        assert newest is not None
+        return dict(zip(newest.names, newest.positions, strict=True))
 
     def found(self) -> bool:
         return any(each.item == self.goal.item for each in self.sightings)
@@ -75,7 +84,7 @@ class Look:
         self, bus: Bus, clocks: Clocks, description: RobotDescription, site: Site, compute: Compute
     ) -> None:
         self._bus, self._clocks, self._site, self._compute = bus, clocks, site, compute
-        self._aim, self._arms = Aim(description), Arms(description)
+        self._aim, self._arms, self._lens = Aim(description), Arms(description), description.camera
         self._eye = Eye(bus, description, site, compute)
         self._body_radius = description.footprint_radius
         self._furniture = tuple(box.box() for each in site.furniture for box in each.boxes)
@@ -124,9 +133,11 @@ class Look:
         try:
             yield from self._eye.know_where(looking)
             for number in range(1 if looking.goal.at is not None else len(looking.goal.tilts)):
-                yield from self._one_view(looking, number)
+                yield from self._one_view(looking, self._target(looking, number), looking.goal.pictures)
                 if looking.found():
                     break
+            if looking.goal.around > 0.0:
+                yield from self._look_around(looking)
         except Canceled:
             looking.camera.close()
             yield from looking.head.come_to_rest(looking.session)
@@ -135,20 +146,37 @@ class Look:
             return failed(error.failure.model_copy(update={"where": WHERE}))
         return succeeded(self._result(looking))
 
-    def _one_view(self, looking: _Looking, number: int) -> Steps:
+    def _look_around(self, looking: _Looking) -> Steps:
+        """Take a picture from each further head position that shows furniture near by."""
+        robot = looking.robot.newest
+        assert robot is not None
+        job = ViewsJob(
+            aim=self._aim,
+            camera=self._lens,
+            furniture=self._furniture,
+            base_in_map=robot.base_in_map,
+            joints=looking.positions(),
+            within=looking.goal.around,
+            seen_from=tuple(looking.heads),
+        )
+        choice = self._compute.submit(further_views, job, cost=cover.COST)
+        if not (yield from looking.session.until(choice.done, WORK_AFTER)):
+            raise LookError(FailureKind.TIMED_OUT, "the further views were not chosen in time")
+        for head in choice.result():
+            yield from self._one_view(looking, head, 1)
+
+    def _one_view(self, looking: _Looking, head: tuple[float, ...], pictures: int) -> Steps:
         """Point the head, take the pictures, publish what they show."""
         goal, session = looking.goal, looking.session
-        newest = looking.joints.newest
-        assert newest is not None
-        positions = dict(zip(newest.names, newest.positions, strict=True))
-        yield from looking.head.move(session, looking.joints, self._target(looking, number, positions))
+        looking.heads.append(head)
+        yield from looking.head.move(session, looking.joints, head)
         after = session.now + SETTLE
         seen: list[Sighting] = []
         missed: list[int] = []
         shot: Shot | None = None
-        for taken in range(goal.pictures):
+        for taken in range(pictures):
             stamp, shot = yield from self._eye.shot(looking, after)
-            if taken + 1 == goal.pictures:
+            if taken + 1 == pictures:
                 looking.camera.close()
             after = stamp.seconds + 1e-6
             standing = self._eye.standing(looking.sightings)
@@ -162,18 +190,18 @@ class Look:
         session.seen = tuple(sorted({each.item for each in looking.sightings}))
         assert looking.stamp is not None
         # Only what every picture shows to be gone is gone.
-        absent = tuple(sorted(item for item in set(missed) if missed.count(item) == goal.pictures))
+        absent = tuple(sorted(item for item in set(missed) if missed.count(item) == pictures))
         SIGHTINGS.publish(self._bus, Sightings(stamp=looking.stamp, sightings=view, absent=absent))
         if goal.clutter and shot is not None:
             yield from self._measure(looking, shot)
 
-    def _target(self, looking: _Looking, number: int, positions: dict[str, float]) -> tuple[float, ...]:
+    def _target(self, looking: _Looking, number: int) -> tuple[float, ...]:
         goal = looking.goal
         if goal.at is None:
             return self._aim.tilted(goal.tilts[number])
         newest = looking.robot.newest
         assert newest is not None
-        return self._aim.at(transform(invert(to_pose(newest.base_in_map)), goal.at), positions)
+        return self._aim.at(transform(invert(to_pose(newest.base_in_map)), goal.at), looking.positions())
 
     def _measure(self, looking: _Looking, shot: Shot) -> Steps:
         """Measure the clutter of this view; all views of a look make one set of boxes."""
@@ -192,12 +220,10 @@ class Look:
 
     def _known(self, looking: _Looking) -> clutter.Known:
         """Gather what explains points: furniture, items seen now or before, and the robot."""
-        positions = looking.joints.newest
-        assert positions is not None
         return clutter.Known(
             furniture=self._furniture,
             items=tuple(box for _, box in self._eye.standing(looking.sightings)),
-            segments=self._arms.segments(dict(zip(positions.names, positions.positions, strict=True))),
+            segments=self._arms.segments(looking.positions()),
             body_radius=self._body_radius,
         )
 

@@ -6,6 +6,7 @@ from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookRe
 from trees.behaviours.act import Act
 from trees.board import FetchBoard
 from trees.context import TreeContext
+from trees.leaves.look_closely import REACH
 
 
 def look_at_slot(
@@ -16,6 +17,6 @@ def look_at_slot(
         name,
         context,
         LOOK,
-        lambda: LookGoal(at=board.chosen_slot(context).position, clutter=True),
+        lambda: LookGoal(at=board.chosen_slot(context).position, clutter=True, around=REACH),
         resources=("head",),
     )

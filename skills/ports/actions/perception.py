@@ -16,7 +16,8 @@ class LookGoal(Message):
 
     Looks at ``at`` (a point in the map) or else through the ``tilts`` (radians, down is negative), straight
     ahead. Ends early once ``item`` has been seen. With ``clutter``, what is untagged is measured from the
-    depth image and goes into the planning scene.
+    depth image and goes into the planning scene; with ``around`` too, on all furniture that is near, for an
+    arm must know what it may meet.
     """
 
     item: int | None = None
@@ -25,6 +26,8 @@ class LookGoal(Message):
     pictures: Annotated[int, Field(ge=1, le=20)] = 1
     """Pictures at each head position; tag poses are averaged over them."""
     clutter: bool = False
+    around: Annotated[float, Field(ge=0.0, le=5.0)] = 0.0
+    """Metres about the base's axis within which the tops of all furniture are looked at, too."""
 
 
 class LookFeedback(Message):

@@ -132,6 +132,27 @@ def test_clutter_is_measured_beside_a_known_item() -> None:
     assert message.boxes[0].pose.position == pytest.approx(can.pose.position, abs=0.03)
 
 
+@pytest.mark.parametrize(("around", "there"), [(1.15, 1), (0.0, 0)])
+def test_a_look_around_measures_what_stands_beside_the_picture(around: float, there: int) -> None:
+    """The item is at one end of the table, a can at the other: an arm once swept the like aside."""
+    table = LAB.furniture[1].boxes[0].box()
+    can = Box(size=(0.08, 0.08, 0.15), pose=Pose(position=(0.5, 0.9, 0.785)))
+    rng = np.random.default_rng(1)
+
+    def painter(camera_in_map: Pose, now: RobotTime) -> RgbdImage:
+        return scene(header(now.seconds), camera_in_map, (table, can), rng)
+
+    stage = Stage(painter, FloorPose(x=0.0, y=0.3, yaw=-0.4))
+    heard = Latest(stage.bus, CLUTTER)
+    outcome = drive(stage, LookGoal(at=(0.5, 0.05, 0.74), clutter=True, around=around), limit=6000)
+    assert outcome.result is not None
+    assert outcome.result.clutter == there
+    last = heard.take()[-1]
+    assert len(last.boxes) == there
+    for box in last.boxes:
+        assert box.pose.position == pytest.approx(can.pose.position, abs=0.03)
+
+
 def test_an_item_that_is_gone_is_told_as_absent_and_a_hidden_one_is_not() -> None:
     table = LAB.furniture[1].boxes[0].box()
     can = Box(size=(0.1, 0.2, 0.2), pose=Pose(position=(0.6, 0.3, 0.81)))
