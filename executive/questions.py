@@ -22,6 +22,7 @@ from skills.ports.tasks import (
     ExecutiveInfo,
     History,
     TaskList,
+    TaskStatus,
     TreeSnapshot,
     task_status,
 )
@@ -57,8 +58,8 @@ class Questions:
             TASK_INFO.key: lambda _: info(),
             TREE_NOW.key: lambda _: tree(),
             TREE.key: lambda _: tree(),
-            TASK_STATUS.key: lambda _: book.find(self.last) if self.last else None,
-            ONE: lambda asked: book.find(asked.key.split("/")[1]),
+            TASK_STATUS.key: lambda _: self._one(self.last) if self.last else None,
+            ONE: lambda asked: self._one(asked.key.split("/")[1]),
             TASK_HISTORY.key: self._history,
         }
         self._desks = [(bus.serve(key), answer) for key, answer in answers.items()]
@@ -76,6 +77,10 @@ class Questions:
         for desk, _ in self._desks:
             desk.close()
 
+    def _one(self, task: str) -> TaskStatus | None:
+        status = self._book.find(task)
+        return None if status is None else self._book.explained(status)
+
     def _history(self, request: Request) -> History:
         try:
             asked = AskHistory.model_validate_json(request.payload or b"{}")
@@ -84,5 +89,9 @@ class Questions:
         found = self._ledger.history(asked)
         # What is in memory is newer than what is on disk, by what need not be on disk.
         return found.model_copy(
-            update={"tasks": tuple(self._book.get(each.task) or each for each in found.tasks)}
+            update={
+                "tasks": tuple(
+                    self._book.explained(self._book.get(each.task) or each) for each in found.tasks
+                )
+            }
         )

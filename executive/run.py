@@ -59,6 +59,10 @@ def _nobody(_: float) -> None:
     """Nobody asks how long a tick took."""
 
 
+def _for_nothing() -> str:
+    return ""
+
+
 class Run:
     """One task, from its first tick until the robot is at rest.
 
@@ -69,6 +73,7 @@ class Run:
         clocks: robot time for timers, host time for when the robot's stands still.
         halt: stops the hardware, when goals don't come to rest.
         ticked: told how many seconds of the host each tick took.
+        waits: returns what it has to wait for before its first tick, or nothing; asked until then.
     """
 
     def __init__(
@@ -80,6 +85,7 @@ class Run:
         clocks: Clocks,
         halt: Halt,
         ticked: Callable[[float], None] = _nobody,
+        waits: Callable[[], str] = _for_nothing,
     ) -> None:
         self.context = context
         self.ended: Ending | None = None
@@ -91,7 +97,7 @@ class Run:
         self.told_to_go_on = False
         """Whether an operator had it go on after a restart."""
         self._root, self._kind, self._clocks, self._halt = root, kind, clocks, halt
-        self._ticked = ticked
+        self._ticked, self._waits_for, self._kept = ticked, waits, ""
         self._hold = Hold(context, clocks)
         self._ending: Ending | None = None
         self._resting = Elapsed(clocks)  # since the tree's end
@@ -125,7 +131,8 @@ class Run:
     @property
     def progress(self) -> Progress:
         """Phase and fraction; the fraction never falls."""
-        return self._progress.model_copy(update={"phase": WAITS}) if self._waits else self._progress
+        waits = WAITS if self._waits else f"waits for {self._kept}" if self._kept else ""
+        return self._progress.model_copy(update={"phase": waits}) if waits else self._progress
 
     def step(self) -> None:
         """Take in what has arrived; tick, or wait for rest."""
@@ -271,7 +278,8 @@ class Run:
             self._stop_hardware(stuck)
             return
         self._hold.step()
-        if self._ending is None and self._hold.free and (heard or self._due()):
+        self._kept = self._waits_for() if self.ticks == 0 and self._ending is None else ""
+        if self._ending is None and self._hold.free and not self._kept and (heard or self._due()):
             self._tick()
         if self._winding is not None:
             self._watch_winding(self._winding)

@@ -12,9 +12,11 @@ from dataclasses import dataclass
 from typing import Final
 
 from executive.control import Control
+from executive.endings import Ending
 from executive.expectation import Expectation
 from executive.goal_journal import LedgerJournal
 from executive.halt import Halt
+from executive.holds import Holds
 from executive.intake import Intake
 from executive.ledger.memory import MemoryLedger
 from executive.ledger.port import Ledger, LedgerError
@@ -26,7 +28,7 @@ from executive.questions import Questions
 from executive.requests import Asked
 from executive.resume import Comeback, How, take_up
 from executive.run import Run
-from executive.task_book import KEPT, MAX_WAITING, TaskBook
+from executive.task_book import KEPT, MAX_WAITING, TURN, TaskBook
 from executive.task_log import TaskLog
 from executive.turn import Turn
 from executive.verbs import Verbs
@@ -116,6 +118,9 @@ class Executive:
         self._wall = WallClock(clocks, self._ledger.reading(), host)
         self.book = TaskBook(self._ledger, self._wall, start, bound=self._policy.waiting)
         self._bus, self._clocks, self._kinds, self._version = bus, clocks, dict(tasks), version
+        self._holds = Holds(clocks, self.knowledge, self.clients)
+        self.book.hold = lambda kind: self._holds.why_not(self._kinds[kind])
+        self._told_first: tuple[str, str] = ("", "")  # of those that wait, and what it waits for
         self._turn: Turn | None = None
         self._last_tree = TreeSnapshot(task="", kind="", tick=0, root=_NO_TREE)
         self._intake = Intake(bus, self.book, self._kinds, site)
@@ -157,6 +162,7 @@ class Executive:
         for late in self.book.expire(self._clocks.robot()):
             self._tell(late)
         self._move_on()
+        self._tell_first()
         self._note_tries()
         self._album.step()
         self._questions.step()
@@ -249,10 +255,21 @@ class Executive:
             return
         self._turn = None
         self._note_tries()
+        self._note_common(turn, turn.run.ended)
         self._tell(turn.end())
         self._ended += 1
         if self._ended % PRUNE_EVERY == 0:
             self._prune()
+
+    def _note_common(self, turn: Turn, ended: Ending) -> None:
+        """Have tasks wait for what failed this one and would fail them; this one too, if it was a try."""
+        if ended.state not in {TaskState.SUCCEEDED, TaskState.FAILED}:
+            return
+        status = self.book.entry(turn.task).status
+        waits = self._holds.note(turn.asked.kind.name, turn.task, ended.failure)
+        if waits and status.state is TaskState.RUNNING:
+            _LOG.warning("a task waits again", extra={"task": turn.task, "why": str(ended.failure)})
+            turn.run.ended = Ending(TaskState.QUEUED)
 
     def _make_room(self, turn: Turn) -> None:
         """Let a task of a higher priority take over where the tree says that it may."""
@@ -300,6 +317,7 @@ class Executive:
             clocks=self._clocks,
             halt=Halt(self._bus, self._clocks),
             ticked=self._pulse.ticked,
+            waits=lambda: self._holds.robot(asked.kind),
         )
         return Turn(run, asked, self.book, self._clocks, Expectation(self._ledger.past(asked.kind.name)))
 
@@ -318,6 +336,7 @@ class Executive:
     def _tell(self, status: TaskStatus) -> None:
         """Publish a status once it is on disk."""
         self.book.keep()
+        status = self.book.explained(status)
         self._questions.last = status.task
         self._task_log.note(status)
         TASK_STATUS.publish(self._bus, status)
@@ -331,6 +350,18 @@ class Executive:
             TREE.publish(self._bus, tree)
         status = turn.progress()
         if status is not None:
+            self._tell(status)
+
+    def _tell_first(self) -> None:
+        """Tell what the first of those that wait waits for, when that has changed."""
+        first = None if self._turn is not None else next(iter(self.book.queue), None)
+        now = ("", "") if first is None else (first.task, self.book.waits_for(first).removesuffix(TURN))
+        if now == self._told_first:
+            return
+        (before, was_held), self._told_first = self._told_first, now
+        status = None if first is None else self.book.get(first.task)
+        if status is not None and (now[1] or (was_held and before == status.task)):
+            _LOG.info("a task waits", extra={"task": status.task, "waits_for": now[1]})
             self._tell(status)
 
     def _note_tries(self) -> None:
@@ -353,4 +384,5 @@ class Executive:
             tasks=tuple(self._kinds),
             running="" if self._turn is None else self._turn.task,
             queued=len(self.book.waiting),
+            waits_for=self._told_first[1],
         )

@@ -23,7 +23,7 @@ LEADS_TO: Final = MappingProxyType(
             _S.CANCELING: "cancelled; its skills are coming to rest",
             _S.SUCCEEDED: "its tree succeeded",
             _S.FAILED: "its tree failed, or the hardware did",
-            _S.QUEUED: "a task of a higher priority has taken over; it is taken up again afterwards",
+            _S.QUEUED: "a task of a higher priority took over, or it was tried in vain; it is taken up again",
             _S.INTERRUPTED: "the executive ended in the middle, and it is not to be taken up again",
         },
         _S.PAUSING: {

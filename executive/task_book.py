@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import uuid
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Final
 
@@ -14,7 +14,7 @@ from executive.requests import Asked
 from executive.states import FIRST, check
 from executive.task_memory import TaskMemory
 from executive.task_queue import TaskQueue, Waiting
-from executive.wall_clock import WallClock
+from executive.wall_clock import WallClock, date
 from skills.ports.failure import Failure
 from skills.ports.message import RobotTime
 from skills.ports.tasks import Attempt, Problem, TaskAnswer, TaskState, TaskStatus
@@ -25,6 +25,8 @@ KEPT: Final = 200
 """Ended tasks that are in memory, for ``task/list``; the ledger has all."""
 
 _LOG = logging.getLogger(__name__)
+TURN: Final = "its turn"
+"""What a task waits for that nothing keeps from beginning."""
 NOTE_EVERY: Final = 600.0
 """Host seconds between two notes of the clocks in the ledger."""
 
@@ -60,6 +62,8 @@ class TaskBook:
         self._entries: dict[str, Entry] = {}
         self._ended: dict[str, TaskStatus] = {}
         self._fresh: list[str] = []  # accepted, and not yet on disk
+        self.hold: Callable[[str], str] = lambda _: ""
+        """Returns why no task of a kind may begin now, in words after "waits for"; or nothing."""
 
     # Requests.
 
@@ -166,7 +170,12 @@ class TaskBook:
 
     def all(self) -> tuple[TaskStatus, ...]:
         """Return those that have not ended and those that ended lately, oldest first."""
-        known = [*self._ended.values(), *(entry.status for entry in self._entries.values())]
+        waits = {each.task: self.waits_for(each) for each in self.queue}
+        open_ones = (
+            entry.status.model_copy(update={"waits_for": waits[task]}) if task in waits else entry.status
+            for task, entry in self._entries.items()
+        )
+        known = [*self._ended.values(), *open_ones]
         return tuple(sorted(known, key=lambda status: _number(status.task)))
 
     def ended_lately(self, tasks: tuple[TaskStatus, ...]) -> None:
@@ -249,7 +258,26 @@ class TaskBook:
 
     def next(self) -> Waiting | None:
         """Return the one whose turn it is, without taking it out."""
-        return self.queue.ready(self._wall.earliest, self._wall.latest)
+        held = {name for name in self.queue.kinds if self.hold(name)}
+        if len(held) == len(self.queue.kinds):
+            return None
+        return self.queue.ready(self._wall.earliest, self._wall.latest, held)
+
+    def waits_for(self, each: Waiting) -> str:
+        """Return what a waiting task waits for, in words."""
+        wall = self._wall
+        if each.not_before > wall.latest:
+            return f"its earliest start, {date(each.not_before)}"
+        if each.not_before > wall.earliest or each.expires < wall.latest:
+            return f"a clock that can be trusted: {wall.trouble()}"
+        return self.hold(each.asked.kind.name) or TURN
+
+    def explained(self, status: TaskStatus) -> TaskStatus:
+        """Return a task's status with what it waits for, if it does."""
+        if status.state is not TaskState.QUEUED:
+            return status
+        found = next((each for each in self.queue if each.task == status.task), None)
+        return status if found is None else status.model_copy(update={"waits_for": self.waits_for(found)})
 
     def _no_room(self, asked: Asked) -> Problem | None:
         last, now = asked.envelope.expires, self._wall.earliest

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from bisect import insort
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -45,6 +46,7 @@ class TaskQueue:
 
     def __init__(self) -> None:
         self._waiting: list[Waiting] = []
+        self._kinds: Counter[str] = Counter()
         self._first_end = NEVER
         """No later than the first latest start; so that a look costs nothing while nothing can be late."""
 
@@ -58,22 +60,37 @@ class TaskQueue:
         """Put a task in at its place."""
         entry = Waiting((-priority, number), task, asked, begun)
         insort(self._waiting, entry)
+        self._kinds[asked.kind.name] += 1
         self._first_end = min(self._first_end, entry.expires)
 
-    def ready(self, earliest: float, latest: float) -> Waiting | None:
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The names of the kinds of those that wait."""
+        return tuple(self._kinds)
+
+    def ready(self, earliest: float, latest: float, held: Collection[str] = ()) -> Waiting | None:
         """Return the one whose turn it is; None when none may start yet.
 
         Args:
             earliest: UTC seconds before which it surely isn't.
             latest: UTC seconds after which it surely isn't.
+            held: names of kinds of which none may start.
         """
-        return next((each for each in self if each.not_before <= earliest and each.expires >= latest), None)
+        return next(
+            (
+                each
+                for each in self
+                if each.not_before <= earliest and each.expires >= latest and each.asked.kind.name not in held
+            ),
+            None,
+        )
 
     def remove(self, task: str) -> Waiting | None:
         """Take a task out; None when it does not wait."""
         found = next((each for each in self._waiting if each.task == task), None)
         if found is not None:
             self._waiting.remove(found)
+            self._discount(found)
         return found
 
     def rank(self, task: str, priority: int) -> bool:
@@ -89,5 +106,13 @@ class TaskQueue:
             return ()
         late = tuple(each for each in self._waiting if each.expires < earliest)
         self._waiting = [each for each in self._waiting if each.expires >= earliest]
+        for each in late:
+            self._discount(each)
         self._first_end = min((each.expires for each in self._waiting), default=NEVER)
         return late
+
+    def _discount(self, gone: Waiting) -> None:
+        name = gone.asked.kind.name
+        self._kinds[name] -= 1
+        if not self._kinds[name]:
+            del self._kinds[name]

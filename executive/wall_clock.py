@@ -67,12 +67,12 @@ class WallClock:
             self._ahead = ahead
             if self._jumped is not None:
                 self._jumped = None
-                _LOG.warning("the clock is back at %s", _date(self.utc()))
+                _LOG.warning("the clock is back at %s", date(self.utc()))
         elif self._jumped is None or abs(ahead - self._jumped) > NEAR:
             self._jumped, self._jumped_at = ahead, now
             _LOG.warning("%s", self.trouble())
         elif now - self._jumped_at >= SETTLES:
-            _LOG.warning("the clock has run steadily for %.0f s: it is %s now", SETTLES, _date(now + ahead))
+            _LOG.warning("the clock has run steadily for %.0f s: it is %s now", SETTLES, date(now + ahead))
             self._doubt = DOUBT if abs(ahead - self._ahead) > FAR else self._doubt
             self._ahead, self._jumped = ahead, None
 
@@ -100,7 +100,7 @@ class WallClock:
         if self._jumped is not None:
             wall = self._clocks.monotonic() + self._jumped
             return (
-                f"the host's clock says {_date(wall)}, but by the ledger it is {_date(self.utc())}: tasks "
+                f"the host's clock says {date(wall)}, but by the ledger it is {date(self.utc())}: tasks "
                 f"with `expires` or `not_before` between the two wait until the clock is back or has run "
                 f"steadily for {SETTLES:.0f} s; nothing is forgotten by its age"
             )
@@ -135,7 +135,8 @@ class WallClock:
         _LOG.warning("%s", self.trouble())
 
 
-def _date(utc: float) -> str:
+def date(utc: float) -> str:
+    """Return UTC seconds as people read them."""
     try:
         return datetime.fromtimestamp(utc, UTC).isoformat(timespec="seconds")
     except (ValueError, OverflowError, OSError):

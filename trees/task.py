@@ -12,8 +12,13 @@ from skills.ports.message import Message
 from skills.ports.site import Site
 from skills.ports.tasks import Problem
 from trees.context import TreeContext
+from trees.knowledge import Knowledge
 
 Asked = TypeVar("Asked", bound=Message)
+
+
+def _for_nothing(_: Knowledge) -> str:
+    return ""
 
 
 @dataclass(frozen=True)
@@ -26,6 +31,8 @@ class TaskType(Generic[Asked]):
         request: the model of a request; has a field ``task``.
         problems: what is wrong with a well-formed request, given the site; empty when nothing is.
         build: makes the tree.
+        waits: what a task of this kind has to wait for before it can begin, in words after "waits for", from
+            what is known now; nothing when it can.
     """
 
     name: str
@@ -33,3 +40,4 @@ class TaskType(Generic[Asked]):
     request: type[Asked]
     problems: Callable[[Asked, Site], tuple[Problem, ...]]
     build: Callable[[Asked, TreeContext], Behaviour]
+    waits: Callable[[Knowledge], str] = _for_nothing

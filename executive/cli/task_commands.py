@@ -128,4 +128,6 @@ def _request(status: TaskStatus) -> str:
 def _remark(status: TaskStatus) -> str:
     if status.question is not None:
         return f"asks: {status.question.text} ({' or '.join(status.question.choices)})"
-    return "" if status.failure is None else f"{status.failure.kind}: {status.failure.message}"
+    if status.failure is not None:
+        return f"{status.failure.kind}: {status.failure.message}"
+    return f"waits for {status.waits_for}" if status.waits_for else ""

@@ -123,6 +123,8 @@ class TaskStatus(Message):
     """Robot seconds that it is expected to take yet, from past tasks of its kind; null without any."""
     question: Question | None = None
     """What it asks an operator just now."""
+    waits_for: str = ""
+    """What it waits for while it is QUEUED, in words: its turn, its earliest start, the release of a stop."""
 
 
 class TaskList(Message):
@@ -266,6 +268,8 @@ class ExecutiveInfo(Message):
     """The kinds of request that are taken."""
     running: str = ""
     queued: int = 0
+    waits_for: str = ""
+    """What the first of the queued tasks waits for while none runs, in words."""
 
 
 class Times(Message):

@@ -24,6 +24,7 @@ from trees.board import FetchBoard
 from trees.closing import where_all_is
 from trees.conditions.item_placed import item_placed
 from trees.conditions.kinds.fetching_again_helps import fetching_again_helps
+from trees.conditions.robot_heard import unheard
 from trees.context import TreeContext
 from trees.subtrees.get_item import get_item
 from trees.subtrees.home import home_at_last
@@ -125,5 +126,10 @@ def _again(board: FetchBoard) -> Note:
 
 
 TASK = TaskType(
-    name="fetch", summary="Bring an item to a depot.", request=FetchRequest, problems=problems, build=build
+    name="fetch",
+    summary="Bring an item to a depot.",
+    request=FetchRequest,
+    problems=problems,
+    build=build,
+    waits=unheard,
 )

@@ -15,6 +15,7 @@ from skills.ports.tasks import Problem
 from skills.ports.world import Side
 from trees.behaviours.check import Check
 from trees.behaviours.phase import Phase
+from trees.conditions.robot_heard import unheard
 from trees.context import TreeContext
 from trees.hand_board import HandBoard
 from trees.hand_requests import hand_problems, item_problems
@@ -74,5 +75,10 @@ def _is_chosen(choice: Choice, side: Side) -> bool:
 
 
 TASK = TaskType(
-    name="pick", summary="Pick one item with one hand.", request=PickRequest, problems=problems, build=build
+    name="pick",
+    summary="Pick one item with one hand.",
+    request=PickRequest,
+    problems=problems,
+    build=build,
+    waits=unheard,
 )

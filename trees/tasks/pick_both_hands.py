@@ -12,6 +12,7 @@ from skills.ports.message import Message
 from skills.ports.site import Site
 from skills.ports.tasks import Problem
 from trees.behaviours.phase import Phase
+from trees.conditions.robot_heard import unheard
 from trees.context import TreeContext
 from trees.hand_board import HandBoard
 from trees.hand_requests import item_problems
@@ -68,4 +69,5 @@ TASK = TaskType(
     request=PickBothHandsRequest,
     problems=problems,
     build=build,
+    waits=unheard,
 )

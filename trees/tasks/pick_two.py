@@ -21,6 +21,7 @@ from trees.behaviours.phase import Phase
 from trees.behaviours.side_by_side import SideBySide
 from trees.behaviours.turn import InTurn, Turn
 from trees.branch import Branch, branch
+from trees.conditions.robot_heard import unheard
 from trees.context import TreeContext
 from trees.hand_board import HandBoard
 from trees.hand_requests import hand_problems, item_problems
@@ -129,4 +130,5 @@ TASK = TaskType(
     request=PickTwoRequest,
     problems=problems,
     build=build,
+    waits=unheard,
 )

@@ -1,0 +1,11 @@
+"""What a task of the robot's hands or wheels has to wait for before it can begin."""
+
+from __future__ import annotations
+
+from trees.knowledge import Knowledge
+
+
+def unheard(knowledge: Knowledge) -> str:
+    """Return what has not been heard yet of the robot and no such task can do without; or nothing."""
+    missing = knowledge.missing()
+    return f"the robot, which has not told yet: {', '.join(missing)}" if missing else ""
