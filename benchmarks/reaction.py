@@ -19,6 +19,7 @@ from benchmarks.rows import Row, quantile, spread
 from benchmarks.ticks import FETCH, ITEMS, forget
 from skills.ports.bus import Bus, Desk, Inbox, Pending
 from skills.ports.hardware import Clock
+from skills.ports.hearing import Ear
 from skills.ports.keys import CLOCK, Latest
 from skills.ports.message import MAX_REQUEST_BYTES, RobotTime
 from skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, TREE, CancelTask
@@ -157,6 +158,11 @@ class Spy:
         self.bus = bus
         self.reactions: list[float] = []
         self.ended_at: float | None = None
+
+    @property
+    def ear(self) -> Ear:
+        """The inner bus's."""
+        return self.bus.ear
 
     def publish(self, key: str, payload: bytes) -> None:
         """Send; an end of a goal starts the stop-watch."""

@@ -21,6 +21,7 @@ from executive.requests import BY_FIELD, ID_FIELD
 from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
 from skills.ports.clocks import Clocks
 from skills.ports.documents import WHOLE, parse, show
+from skills.ports.hearing import Ear
 from skills.ports.message import MAX_REQUEST_BYTES
 from skills.ports.tasks import (
     REQUEST,
@@ -104,6 +105,11 @@ class Doors:
         self._rates = Rates(self.bounds, self.clocks.monotonic)
         self._told = Rates(Bounds(rate=TOLD, burst=TOLD), self.clocks.monotonic)
         self._open: dict[str, list[JsonValue]] | None = None  # ids by client, of one reading
+
+    @property
+    def ear(self) -> Ear:
+        """The inner bus's."""
+        return self.bus.ear
 
     def publish(self, key: str, payload: bytes) -> None:
         """Send to all who subscribed."""

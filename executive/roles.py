@@ -64,6 +64,7 @@ class Surroundings:
 
 def skill_nodes(role: Role, at: Surroundings) -> Sequence[Node]:
     """Return the nodes of a skill's role, in the order in which they are stepped."""
+    at.bus.ear.know(at.description)
     return _BUILDERS[role](at)
 
 

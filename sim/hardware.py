@@ -95,6 +95,7 @@ class Hardware:
         self._physics_steps = round(description.period / body.physics.time_step)
         self.description = description
         self._description = description.model_dump_json().encode()
+        self._bus.ear.know(description)
         self._sensors = tuple(sensors)
         self.base = BasePart(self._bus, body, noise=noise, rng=rng)
         self.groups = {

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
+    from skills.ports.hearing import Ear
 
 
 @dataclass(eq=False)
@@ -58,6 +59,11 @@ class Line:
     def is_cut(self, key: str) -> bool:
         """Say whether nothing on the key gets through."""
         return any(key.startswith(start) for start in self.cut)
+
+    @property
+    def ear(self) -> Ear:
+        """The inner bus's."""
+        return self._bus.ear
 
     def publish(self, key: str, payload: bytes) -> None:
         """Send, unless the line is cut."""

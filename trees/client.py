@@ -26,6 +26,7 @@ from skills.ports.action import (
 from skills.ports.bus import Bus, Pending
 from skills.ports.clocks import Clocks
 from skills.ports.failure import Failure, FailureKind
+from skills.ports.keys import Latest
 from skills.ports.skill import ActionType, Command, F, G, R
 from trees.elapsed import Elapsed
 
@@ -277,7 +278,7 @@ class ActionClient(Generic[G, F, R]):
     ) -> None:
         self.bus, self.clocks, self.action, self.owner = bus, clocks, action, owner
         self._journal: GoalJournal = NoJournal() if journal is None else journal
-        self._statuses = bus.subscribe(status_topic(action.name).key)
+        self._statuses = Latest(bus, status_topic(action.name), depth=256)
         self._open: dict[str, GoalHandle[G, F, R]] = {}
 
     def start(self, goal: G, goal_id: str, *, timeout: float | None = None) -> GoalHandle[G, F, R]:
@@ -297,11 +298,7 @@ class ActionClient(Generic[G, F, R]):
     def poll(self) -> bool:
         """Move all open goals on; return whether any of them changed."""
         before = {goal_id: (handle.state, handle.feedback) for goal_id, handle in self._open.items()}
-        for sample in self._statuses.drain():
-            try:
-                status = GoalStatus.model_validate_json(sample.payload)
-            except ValidationError:
-                continue
+        for status in self._statuses.take():
             handle = self._open.get(status.goal_id)
             if handle is not None:
                 handle.take(status)

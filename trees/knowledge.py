@@ -45,7 +45,7 @@ class Knowledge:
         self._stop = Latest(bus, STOP_STATE)
         self._zones = Latest(bus, ZONES, depth=4)
         self._arms = {side: Latest(bus, arm_status(f"arm_{side}")) for side in SIDES}
-        self._ticks = bus.subscribe(CLOCK.key, depth=1)
+        self._ticks = Latest(bus, CLOCK, depth=4)
         self._tick_heard_at: float | None = None
         self._asked: Pending | None = None
         self._asked_at = float("-inf")
@@ -56,7 +56,7 @@ class Knowledge:
         self._world.refresh()
         self._robot.refresh()
         self._stop.refresh()
-        if self._ticks.drain():
+        if self._ticks.take():
             self._tick_heard_at = self._clocks.monotonic()
         for latest in self._arms.values():
             latest.refresh()
@@ -129,5 +129,6 @@ class Knowledge:
         answer = None if self._asked is None else self._asked.poll()
         if answer is not None:
             self.description = DESCRIPTION.decode_answer(answer)
+            self._bus.ear.know(self.description)
         elif (self._asked is None or self._asked.done()) and now - self._asked_at > ASK_AGAIN:
             self._asked, self._asked_at = DESCRIPTION.query(self._bus, Nothing()), now

@@ -27,6 +27,7 @@ from sim.truth import Truth, lies_on
 from skills.ports.action import GoalStatus, node_of
 from skills.ports.clocks import robot_seconds
 from skills.ports.failure import Failure
+from skills.ports.hearing import Heard
 from skills.ports.keys import Latest
 from skills.ports.message import Message
 from skills.ports.tasks import TaskState
@@ -204,7 +205,7 @@ class Killer:
         bus = self.system.bus
         self._timeline = Timeline(bus, self.system.clocks)
         self._world, self._beliefs = Latest(bus, WORLD, depth=1024), list[WorldState]()
-        self._statuses = bus.subscribe("skill/*/*/status", depth=4096)
+        self._statuses = Heard(bus, "skill/*/*/status", GoalStatus.model_validate_json, depth=4096)
         self._open: set[str] = set()
 
     def step(self) -> bool:
@@ -229,9 +230,8 @@ class Killer:
 
     def _note_goals(self) -> None:
         told = [
-            (sample.key.removeprefix("skill/").removesuffix("/status"), status)
-            for sample in self._statuses.drain()
-            for status in (GoalStatus.model_validate_json(sample.payload),)
+            (key.removeprefix("skill/").removesuffix("/status"), status)
+            for key, status, _ in self._statuses.take()
         ]
         told.sort(key=lambda each: 0.0 if each[1].stamp is None else each[1].stamp.seconds)
         for action, status in told:

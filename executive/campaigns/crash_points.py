@@ -15,6 +15,7 @@ from pathlib import Path
 from executive.ledger.port import Entry, Ledger, Reading, SentGoal, Transition
 from executive.task_memory import TaskMemory
 from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
+from skills.ports.hearing import Ear
 from skills.ports.message import MAX_REQUEST_BYTES
 from skills.ports.tasks import AskHistory, History, TaskStatus
 
@@ -123,6 +124,11 @@ class CrashBus:
 
     inner: Bus
     points: CrashPoints
+
+    @property
+    def ear(self) -> Ear:
+        """The inner bus's."""
+        return self.inner.ear
 
     def publish(self, key: str, payload: bytes) -> None:
         """Send."""

@@ -13,12 +13,15 @@ from prometheus_client.registry import Collector
 
 from skills.ports.action import GoalState, GoalStatus
 from skills.ports.message import RobotTime
+from skills.ports.refusals import Refusals
 from skills.ports.tasks import ExecutivePulse, TaskState, TaskStatus, Times, TreeSnapshot
 
 SKILL_BOUNDS: Final = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 60.0, 180.0)
 """Robot seconds: a look takes tenths, a drive through the room up to a minute."""
 REMEMBERED: Final = 1000
 """Ids whose end (or beginning) is remembered, so that what is told again is not counted again."""
+REFUSED: Final = 4096
+"""Processes, keys and reasons of refused messages that are counted; a system whose parts agree has none."""
 T = TypeVar("T")
 UNENDED: Final = tuple(state for state in TaskState if not state.terminal)
 
@@ -76,6 +79,13 @@ class Metrics:
             registry=registry,
             buckets=SKILL_BOUNDS,
         )
+        self._refused = Counter(
+            "tandem_messages_refused",
+            "Messages that a process heard and did not take in, by key and reason.",
+            ["key", "reason"],
+            registry=registry,
+        )
+        self._refused_before: dict[tuple[str, str, str], int] = {}
         self._tell_states()
 
     def on_task(self, status: TaskStatus) -> None:
@@ -122,6 +132,17 @@ class Metrics:
         """Take over the queue and the ticks."""
         self._queue.set(pulse.queued)
         self._ticks.times = pulse.ticks
+
+    def on_refused(self, refusals: Refusals) -> None:
+        """Count what has come to it since the process told last; one that was started again counts anew."""
+        for each in refusals.refused:
+            about = (refusals.process, each.key, each.reason)
+            known = self._refused_before.get(about, 0)
+            if not known and len(self._refused_before) >= REFUSED:
+                continue
+            more = each.count if each.count < known else each.count - known
+            self._refused_before[about] = each.count
+            self._refused.labels(each.key, each.reason).inc(more)
 
     def on_alive(self, names: frozenset[str]) -> None:
         """Say who is up; who was and is gone is 0."""

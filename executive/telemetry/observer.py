@@ -7,14 +7,15 @@ slow without harm to anybody.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Final, Protocol
-
-from pydantic import ValidationError
 
 from skills.ports.action import GoalStatus
 from skills.ports.bus import Bus, Pending
 from skills.ports.clocks import Clocks
-from skills.ports.keys import Nothing
+from skills.ports.hearing import Heard
+from skills.ports.keys import Latest, Nothing
+from skills.ports.refusals import REFUSALS, Refusals
 from skills.ports.tasks import (
     TASK_LIST,
     TASK_PULSE,
@@ -57,6 +58,10 @@ class Record(Protocol):
         """Take in the executive's pulse."""
         ...
 
+    def on_refused(self, refusals: Refusals) -> None:
+        """Take in what a process has refused so far."""
+        ...
+
     def on_alive(self, names: frozenset[str]) -> None:
         """Take in who is announced now."""
         ...
@@ -77,19 +82,15 @@ class Observer:
 
     def __init__(self, bus: Bus, clocks: Clocks, records: Sequence[Record]) -> None:
         self._bus, self._clocks, self._records = bus, clocks, tuple(records)
-        hear = {
-            TASK_PULSE.key: self._pulse,
-            TASK_STATUS.key: self._task,
-            TREE.key: self._tree,
-            GOALS: self._goal,
-        }
-        self._inboxes = [(bus.subscribe(key, depth=DEPTH), take) for key, take in hear.items()]
+        self._pulses = Latest(bus, TASK_PULSE, depth=DEPTH)
+        self._tasks = Latest(bus, TASK_STATUS, depth=DEPTH)
+        self._trees = Latest(bus, TREE, depth=DEPTH)
+        self._refusals = Latest(bus, REFUSALS, depth=DEPTH)
+        self._goals = Heard(bus, GOALS, GoalStatus.model_validate_json, depth=DEPTH)
         self._ended: list[TaskStatus] = []  # told last: what belongs to a task comes before its end
         self._known: Pending | None = None
         self._asked_at: float | None = None
         self._there = False
-        self.broken = 0
-        """Messages that were none."""
 
     @property
     def name(self) -> str:
@@ -98,12 +99,17 @@ class Observer:
 
     def step(self) -> bool:
         """Tell what has arrived."""
-        for inbox, take in self._inboxes:
-            for sample in inbox.drain():
-                try:
-                    take(sample.key, sample.payload)
-                except ValidationError:
-                    self.broken += 1
+        for pulse in self._pulses.take():
+            self._each(partial(_tell_pulse, pulse))
+        for task in self._tasks.take():
+            self._task(task)
+        for tree in self._trees.take():
+            self._each(partial(_tell_tree, tree))
+        for key, goal, _ in self._goals.take():
+            action = key.removeprefix("skill/").removesuffix("/status")
+            self._each(partial(_tell_goal, action, goal))
+        for refusals in self._refusals.take():
+            self._each(partial(_tell_refusals, refusals))
         for record in self._records:
             for status in self._ended:
                 record.on_task(status)
@@ -115,8 +121,8 @@ class Observer:
 
     def close(self) -> None:
         """Stop hearing, and have the records closed."""
-        for inbox, _ in self._inboxes:
-            inbox.close()
+        for heard in (self._pulses, self._tasks, self._trees, self._refusals, self._goals):
+            heard.close()
         self._each(lambda record: record.close())
 
     def _take_known(self, *, there: bool) -> None:
@@ -131,26 +137,28 @@ class Observer:
             tasks = TASK_LIST.decode_answer(answer).tasks
             self._each(lambda record: record.on_known(tasks))
 
-    def _task(self, _: str, payload: bytes) -> None:
-        status = TASK_STATUS.decode(payload)
+    def _task(self, status: TaskStatus) -> None:
         if status.state.terminal:
             self._ended.append(status)
         else:
             self._each(lambda record: record.on_task(status))
 
-    def _tree(self, _: str, payload: bytes) -> None:
-        tree = TREE.decode(payload)
-        self._each(lambda record: record.on_tree(tree))
-
-    def _goal(self, key: str, payload: bytes) -> None:
-        action = key.removeprefix("skill/").removesuffix("/status")
-        status = GoalStatus.model_validate_json(payload)
-        self._each(lambda record: record.on_goal(action, status))
-
-    def _pulse(self, _: str, payload: bytes) -> None:
-        pulse = TASK_PULSE.decode(payload)
-        self._each(lambda record: record.on_pulse(pulse))
-
     def _each(self, tell: Callable[[Record], None]) -> None:
         for record in self._records:
             tell(record)
+
+
+def _tell_pulse(pulse: ExecutivePulse, record: Record) -> None:
+    record.on_pulse(pulse)
+
+
+def _tell_tree(tree: TreeSnapshot, record: Record) -> None:
+    record.on_tree(tree)
+
+
+def _tell_refusals(refusals: Refusals, record: Record) -> None:
+    record.on_refused(refusals)
+
+
+def _tell_goal(action: str, status: GoalStatus, record: Record) -> None:
+    record.on_goal(action, status)

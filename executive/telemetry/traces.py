@@ -21,6 +21,7 @@ from skills.ports.action import GoalState, GoalStatus, node_of, task_of
 from skills.ports.clocks import Clocks
 from skills.ports.failure import Failure
 from skills.ports.message import RobotTime
+from skills.ports.refusals import Refusals
 from skills.ports.tasks import ExecutivePulse, NodeStatus, TaskState, TaskStatus, TreeNode, TreeSnapshot
 
 SERVICE: Final = "tandem"
@@ -143,6 +144,9 @@ class Traces:
 
     def on_pulse(self, pulse: ExecutivePulse) -> None:
         """A pulse is no span."""
+
+    def on_refused(self, refusals: Refusals) -> None:
+        """A message that was refused belongs to no task."""
 
     def on_alive(self, names: frozenset[str]) -> None:
         """Who is there is no span."""

@@ -7,10 +7,11 @@ from typing import Final
 
 from skills.perception.session import LookError, Session
 from skills.ports.actions.perception import LookFeedback
-from skills.ports.bus import Bus, Inbox
+from skills.ports.bus import Bus
 from skills.ports.failure import FailureKind
 from skills.ports.hardware import RgbdHeader
-from skills.ports.image import decode
+from skills.ports.hearing import Heard
+from skills.ports.image import header_of
 from skills.ports.keys import RGBD
 from skills.ports.skill import Command, Slice
 
@@ -24,7 +25,7 @@ class Camera:
     def __init__(self, bus: Bus) -> None:
         """Don't listen yet."""
         self._bus = bus
-        self._inbox: Inbox | None = None
+        self._inbox: Heard[RgbdHeader] | None = None
         self._fresh: list[tuple[RgbdHeader, bytes]] = []
 
     def close(self) -> None:
@@ -52,16 +53,12 @@ class Camera:
         return self._fresh[0]
 
     def _arrived(self, after: float) -> bool:
-        for sample in self._listen().drain():
-            try:
-                header = decode(sample.payload).header
-            except ValueError:
-                continue
+        for _, header, payload in self._listen().take():
             if header.stamp.seconds >= after:
-                self._fresh.append((header, sample.payload))
+                self._fresh.append((header, payload))
         return bool(self._fresh)
 
-    def _listen(self) -> Inbox:
+    def _listen(self) -> Heard[RgbdHeader]:
         if self._inbox is None:
-            self._inbox = self._bus.subscribe(RGBD, depth=2)
+            self._inbox = Heard(self._bus, RGBD, header_of, depth=2)
         return self._inbox

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import struct
 from typing import Final
 
 import cv2
 
 from skills.ports.actions.perception import PICTURE
-from skills.ports.bus import Bus, Inbox, Request
+from skills.ports.bus import Bus, Request
 from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.compute import Compute, Job
-from skills.ports.image import decode
+from skills.ports.hardware import RgbdHeader
+from skills.ports.hearing import Heard
+from skills.ports.image import decode, header_of
 from skills.ports.keys import RGBD
 
 PICTURE_AFTER: Final = 1.0
@@ -38,7 +39,7 @@ class Snapshots:
         self._bus, self._clocks, self._compute = bus, clocks, compute
         self._desk = bus.serve(PICTURE)
         self._waiting: list[Request] = []
-        self._inbox: Inbox | None = None
+        self._inbox: Heard[RgbdHeader] | None = None
         self._job: Job[bytes] | None = None
         self._until = 0.0
 
@@ -50,11 +51,11 @@ class Snapshots:
         now = robot_seconds(self._clocks)
         if not self._waiting:
             self._until = now + PICTURE_AFTER
-            self._inbox = self._bus.subscribe(RGBD, depth=1)
+            self._inbox = Heard(self._bus, RGBD, header_of, depth=1)
         self._waiting += asked
-        if self._inbox is not None and (samples := self._inbox.drain()):
+        if self._inbox is not None and (pictures := self._inbox.take()):
             self._hush()
-            self._job = self._compute.submit(to_jpeg, samples[-1].payload, cost=0.0)
+            self._job = self._compute.submit(to_jpeg, pictures[-1][2], cost=0.0)
             self._until = now + WORK_AFTER
         if self._job is not None and self._job.done():
             self._answer(self._job.result())
@@ -80,11 +81,8 @@ class Snapshots:
 
 
 def to_jpeg(payload: bytes) -> bytes:
-    """Return an RGB-D payload's colours as JPEG; nothing for one that can't be read."""
-    try:
-        colour = decode(payload).colour
-    except (ValueError, struct.error):
-        return b""
+    """Return the colours of an RGB-D payload that has been checked as JPEG."""
+    colour = decode(payload).colour
     height, width = colour.shape[:2]
     if width > WIDEST:
         size = (WIDEST, max(1, round(height * WIDEST / width)))

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from skills.ports.message import MAX_REQUEST_BYTES
+
+if TYPE_CHECKING:
+    from skills.ports.hearing import Ear
 
 
 class Sample(Protocol):
@@ -115,8 +118,13 @@ class Pending(Protocol):
 class Bus(Protocol):
     """Keys are relative to ``<site>/<robot>``; ``*`` stands for one part of a key, ``**`` for any number."""
 
+    @property
+    def ear(self) -> Ear:
+        """What this process checks what it hears by; ``Latest`` and ``Heard`` do it."""
+        ...
+
     def publish(self, key: str, payload: bytes) -> None:
-        """Send to all who subscribed; nobody need listen."""
+        """Send to all who subscribed; nobody need listen, and a reader that is slow is not waited for."""
         ...
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:

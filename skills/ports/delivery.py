@@ -34,6 +34,7 @@ class Delivery(StrEnum):
 DELIVERY: Final[tuple[tuple[str, Delivery], ...]] = (
     ("hw/camera/*/rgbd", Delivery.BULK),
     ("beat", Delivery.CONTROL),
+    ("refused", Delivery.STATE),
     ("hw/clock", Delivery.CONTROL),
     ("hw/joints/state", Delivery.CONTROL),
     ("hw/base/velocity", Delivery.CONTROL),

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from functools import cached_property
 from itertools import pairwise
-from typing import Annotated, Literal
+from typing import Annotated, Final, Literal
 
 from pydantic import Field, model_validator
 
 from skills.ports.geometry import FloorPose
-from skills.ports.message import Message, RobotTime, Vector3
+from skills.ports.message import LARGEST, Message, Number, RobotTime, Vector3
 
 Positive = Annotated[float, Field(gt=0.0)]
+
+MAX_PIXELS: Final = 1 << 14
+"""Pixels along one side of a picture."""
 
 
 class JointLimit(Message):
@@ -152,6 +156,12 @@ class RobotDescription(Message):
     arms_crossing: ArmsCrossing | None = None
     """For robots with two arms that can meet; without it nobody watches over them."""
 
+    @cached_property
+    def joints(self) -> frozenset[str]:
+        """The names of all joints that have a group or belong to a gripper."""
+        of_groups = [joint for group in self.groups for joint in group.joints]
+        return frozenset(of_groups + [joint for hand in self.end_effectors for joint in hand.gripper.joints])
+
     def group(self, name: str) -> JointGroup:
         """Return the group; KeyError names those that there are."""
         for group in self.groups:
@@ -188,13 +198,20 @@ class Clock(Message):
 
 
 class JointStates(Message):
-    """All joints that have a group or belong to a gripper."""
+    """All joints that have a group or belong to a gripper, each once; no others."""
 
     stamp: RobotTime
     names: tuple[str, ...]
-    positions: tuple[float, ...]
-    velocities: tuple[float, ...]
-    efforts: tuple[float, ...]
+    positions: tuple[Number, ...]
+    velocities: tuple[Number, ...]
+    efforts: tuple[Number, ...]
+
+    @model_validator(mode="after")
+    def _one_of_each(self) -> JointStates:
+        lengths = {len(self.names), len(self.positions), len(self.velocities), len(self.efforts)}
+        if len(lengths) > 1 or len(set(self.names)) != len(self.names):
+            raise ValueError("a name, a position, a velocity and an effort of each joint were expected")
+        return self
 
     def position_of(self, joints: tuple[str, ...]) -> tuple[float, ...]:
         """Return the positions of the joints asked for, in their order."""
@@ -254,10 +271,10 @@ class GroupStatus(Message):
     state: MotionState
     joint: str = ""
     """The joint that strayed most, when ABORTED."""
-    error: float = 0.0
+    error: Number = 0.0
     """By how much it strayed (rad or m)."""
     at_rest: bool = True
-    held: float = 0.0
+    held: Number = 0.0
     """Seconds by which the motion is behind its plan, since its keeper was silent for a while."""
 
 
@@ -278,8 +295,14 @@ class SetPoint(Message):
     """One streamed set-point of a group; without a new one for 0.1 s the group holds."""
 
     stamp: RobotTime
-    positions: tuple[float, ...]
-    velocities: tuple[float, ...]
+    positions: tuple[Number, ...]
+    velocities: tuple[Number, ...]
+
+    @model_validator(mode="after")
+    def _as_many(self) -> SetPoint:
+        if len(self.positions) != len(self.velocities):
+            raise ValueError("as many velocities as positions were expected")
+        return self
 
 
 class GripperCommand(Message):
@@ -308,17 +331,17 @@ class GripperState(Message):
     side: Literal["left", "right"]
     command_id: str
     motion: GripperMotion
-    width: float
+    width: Number
     """Metres between the pads."""
-    force: float
+    force: Number
     """Newtons between the pads, as the motor's effort tells."""
 
 
 class BaseVelocity(Message):
     """m/s ahead and rad/s to the left; older than the drive's dead-man means stop."""
 
-    linear: float
-    angular: float
+    linear: Number
+    angular: Number
 
 
 class Odometry(Message):
@@ -326,15 +349,15 @@ class Odometry(Message):
 
     stamp: RobotTime
     base_in_odom: FloorPose
-    linear: float
-    angular: float
+    linear: Number
+    angular: Number
 
 
 class LaserScan(Message):
     """Ranges in metres, counter-clockwise from angle_min; range_max or more means nothing seen."""
 
     stamp: RobotTime
-    ranges: tuple[float, ...]
+    ranges: tuple[Annotated[float, Field(ge=0.0, le=LARGEST)], ...]
 
 
 class Bumpers(Message):
@@ -384,9 +407,9 @@ class RgbdHeader(Message):
 
     stamp: RobotTime
     camera: str
-    width: int
-    height: int
-    fx: float
-    fy: float
-    cx: float
-    cy: float
+    width: Annotated[int, Field(ge=1, le=MAX_PIXELS)]
+    height: Annotated[int, Field(ge=1, le=MAX_PIXELS)]
+    fx: Annotated[float, Field(gt=0.0, le=LARGEST)]
+    fy: Annotated[float, Field(gt=0.0, le=LARGEST)]
+    cx: Number
+    cy: Number

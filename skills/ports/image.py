@@ -24,6 +24,11 @@ class RgbdImage:
     depth: NDArray[np.uint16]
 
 
+def header_of(payload: bytes) -> RgbdHeader:
+    """Return the header of a payload that is a picture; ValueError when it is none."""
+    return _header(payload)[0]
+
+
 def encode(image: RgbdImage) -> bytes:
     """Return header length (4 bytes, little-endian), header as JSON, colour, depth."""
     head = image.header.model_dump_json().encode()
@@ -34,14 +39,23 @@ def decode(payload: bytes) -> RgbdImage:
     """Return the picture; its arrays are views of the payload.
 
     Raises:
-        ValueError: when the payload's length is not what its header says.
+        ValueError: when the payload has no header, or its length is not what its header says.
     """
-    (size,) = _LENGTH.unpack_from(payload)
-    start = _LENGTH.size + size
-    header = RgbdHeader.model_validate_json(payload[_LENGTH.size : start])
+    header, start = _header(payload)
     pixels = header.width * header.height
-    if len(payload) != start + pixels * 5:
-        raise ValueError(f"an RGB-D payload of {start + pixels * 5} bytes was expected, got {len(payload)}")
     colour = np.frombuffer(payload, np.uint8, pixels * 3, start).reshape(header.height, header.width, 3)
     depth = np.frombuffer(payload, np.uint16, pixels, start + pixels * 3).reshape(header.height, header.width)
     return RgbdImage(header=header, colour=colour, depth=depth)
+
+
+def _header(payload: bytes) -> tuple[RgbdHeader, int]:
+    """Return the header and where the pixels begin; ValueError when the payload is no picture."""
+    if len(payload) < _LENGTH.size:
+        raise ValueError(f"an RGB-D payload was expected, got {len(payload)} bytes")
+    (size,) = _LENGTH.unpack_from(payload)
+    start = _LENGTH.size + size
+    header = RgbdHeader.model_validate_json(payload[_LENGTH.size : start])
+    expected = start + header.width * header.height * 5
+    if len(payload) != expected:
+        raise ValueError(f"an RGB-D payload of {expected} bytes was expected, got {len(payload)}")
+    return header, start

@@ -9,8 +9,6 @@ import math
 from dataclasses import dataclass
 from typing import Final, Generic, TypeVar
 
-from pydantic import ValidationError
-
 from skills.ports.bus import Bus, Inbox, Pending
 from skills.ports.hardware import (
     Answer,
@@ -32,8 +30,9 @@ from skills.ports.hardware import (
     TrajectoryGoal,
     Wrench,
 )
+from skills.ports.hearing import Entrance
 from skills.ports.limits import SMALL, Limits
-from skills.ports.message import Message, RobotTime
+from skills.ports.message import Message
 
 M = TypeVar("M", bound=Message)
 Asked = TypeVar("Asked", bound=Message)
@@ -88,54 +87,44 @@ class Service(Generic[Asked, Answered]):
 class Latest(Generic[M]):
     """The newest message of a topic. Call ``refresh`` (or ``take``) in each step of the node.
 
-    A message with a stamp that is older than what is known (of the same boot) has been overtaken on its way,
-    and does not become the value.
-    Messages that don't decode are dropped and counted in ``broken``.
+    What gets here has been checked (``skills.ports.hearing``): a wrong message is as good as none. One with a
+    stamp that is older than what is known (of the same boot) has been overtaken on its way, and does not
+    become the value.
     """
 
     def __init__(self, bus: Bus, topic: Topic[M], *, depth: int = 64) -> None:
         """Subscribe."""
-        self._topic = topic
         self._inbox: Inbox = bus.subscribe(topic.key, depth=depth)
+        self._entrance = Entrance(bus.ear, topic.decode)
         self.value: M | None = None
-        self.broken = 0
 
     def take(self) -> list[M]:
-        """Return all that has arrived since the last call, oldest first; ``value`` becomes the last."""
+        """Return all that has arrived since the last call, oldest first; ``value`` becomes the newest."""
         arrived: list[M] = []
         for sample in self._inbox.drain():
-            try:
-                arrived.append(self._topic.decode(sample.payload))
-            except ValidationError:
-                self.broken += 1
-        for message in arrived:
-            self._put(message)
+            message = self._entrance.read(sample.key, sample.payload)
+            if message is None:
+                continue
+            newer = self._entrance.is_newer(sample.key, message)
+            if newer:
+                self.value = message
+            if newer or self._entrance.keeps_old(sample.key, message):
+                arrived.append(message)
         return arrived
 
     def refresh(self) -> M | None:
         """Return the newest message that ever came, or None."""
-        samples = self._inbox.drain()
-        for sample in reversed(samples):
-            try:
-                self._put(self._topic.decode(sample.payload))
+        for sample in reversed(self._inbox.drain()):
+            message = self._entrance.read(sample.key, sample.payload)
+            if message is not None:
+                if self._entrance.is_newer(sample.key, message):
+                    self.value = message
                 break
-            except ValidationError:
-                self.broken += 1
         return self.value
-
-    def _put(self, message: M) -> None:
-        known, newer = _stamp(self.value), _stamp(message)
-        if known is None or newer is None or known.boot != newer.boot or newer.seconds >= known.seconds:
-            self.value = message
 
     def close(self) -> None:
         """End the subscription."""
         self._inbox.close()
-
-
-def _stamp(message: Message | None) -> RobotTime | None:
-    stamp: object = getattr(message, "stamp", None)
-    return stamp if isinstance(stamp, RobotTime) else None
 
 
 TRAJECTORY: Final = Limits(bytes=1024 * 1024)

@@ -8,10 +8,12 @@ from pydantic import Field
 
 from skills.ports.geometry import FloorPose, Pose
 from skills.ports.keys import Topic
-from skills.ports.message import Message, RobotTime, Vector3
+from skills.ports.message import LARGEST, Message, Number, RobotTime
 
 Side = Literal["left", "right"]
 SIDES: Final[tuple[Side, Side]] = ("left", "right")
+Size = Annotated[float, Field(ge=0.0, le=LARGEST)]
+"""Metres (or what the field says), none below zero."""
 
 
 class RobotPose(Message):
@@ -21,9 +23,9 @@ class RobotPose(Message):
     localised: bool
     base_in_map: FloorPose
     odom_in_map: FloorPose
-    position_sigma: float
+    position_sigma: Size
     """Metres, one standard deviation."""
-    yaw_sigma: float
+    yaw_sigma: Size
     """Radians, one standard deviation."""
     moving: bool
     reason: str = ""
@@ -39,11 +41,11 @@ class Sighting(Message):
     tag_in_map: Pose
     tag_in_base: Pose
     tag_in_camera: Pose
-    distance: float
+    distance: Size
     """Metres from the camera."""
     quality: Annotated[float, Field(ge=0.0, le=1.0)]
     """1 is best: falls with distance, viewing angle, reprojection error and disagreement with the depth."""
-    position_sigma: float
+    position_sigma: Size
     """Metres, as expected from the tag's size in the picture."""
 
 
@@ -59,7 +61,7 @@ class Sightings(Message):
 class Box(Message):
     """A box: full edge lengths in metres and the pose of its centre."""
 
-    size: Vector3
+    size: tuple[Size, Size, Size]
     pose: Pose
 
 
@@ -100,12 +102,12 @@ class ItemFact(Message):
     """What is believed of an item. ``size``: full edges (m) in the item's frame, whose z is up at rest."""
 
     item: int
-    size: Vector3
+    size: tuple[Size, Size, Size]
     tag_in_map: Pose
     """The tag's face last seen; meaningless while held."""
     seen: RobotTime
-    quality: float
-    position_sigma: float
+    quality: Number
+    position_sigma: Size
     held: Side | None = None
 
 

@@ -15,6 +15,7 @@ from pydantic import Field
 
 from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
 from skills.ports.clocks import Clocks
+from skills.ports.hearing import Ear
 from skills.ports.message import MAX_REQUEST_BYTES, Message
 
 T = TypeVar("T", Sample, Request)
@@ -194,6 +195,11 @@ class FaultyBus:
     def forget(self, end: FaultyEnd[Sample] | FaultyEnd[Request]) -> None:
         """Take an end out that is closed."""
         self._ends = [each for each in self._ends if each is not end]
+
+    @property
+    def ear(self) -> Ear:
+        """The inner bus's."""
+        return self._bus.ear
 
     def publish(self, key: str, payload: bytes) -> None:
         """Send; what goes wrong with it goes wrong where it arrives."""

@@ -114,7 +114,7 @@ class _Mortal:
     """An end of a bus whose process can die: from then on nothing leaves it."""
 
     def __init__(self, bus: ClosableBus) -> None:
-        self._bus, self._dead = bus, False
+        self._bus, self._dead, self.ear = bus, False, bus.ear
         self.subscribe, self.serve, self.query = bus.subscribe, bus.serve, bus.query
         self.listened, self.announce = bus.listened, bus.announce
         self.alive, self.awake = bus.alive, bus.awake

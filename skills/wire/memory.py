@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
+from skills.ports.hearing import Ear
 from skills.ports.match import intersects, matches
 from skills.ports.message import MAX_REQUEST_BYTES
 from skills.wire.keyed_queue import DESK_DEPTH
@@ -203,6 +204,7 @@ class MemoryBus:
     def __init__(self, hub: MemoryHub | None = None) -> None:
         """Join ``hub``, or a new one."""
         self.hub = hub or MemoryHub()
+        self.ear = Ear()
         self._announced: list[str] = []
 
     def publish(self, key: str, payload: bytes) -> None:

@@ -15,7 +15,9 @@ import zenoh
 
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
 from skills.ports.delivery import LARGE, Delivery, delivery_of
+from skills.ports.hearing import Ear
 from skills.ports.message import MAX_REQUEST_BYTES
+from skills.ports.refusals import REFUSALS, RefusalTeller
 from skills.wire.configs import client_config
 from skills.wire.credentials import Credentials
 from skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
@@ -238,6 +240,8 @@ class ZenohBus:
         silent_after: float = SILENT_AFTER,
     ) -> None:
         self.waker = waker or Waker()
+        self.ear = Ear(time.monotonic)
+        self._refusals = RefusalTeller(self.ear)
         self._prefix = prefix
         self._session = open_session(client_config(endpoint, patience, credentials), endpoint)
         self._publishers: dict[tuple[str, Delivery], zenoh.Publisher] = {}
@@ -316,9 +320,12 @@ class ZenohBus:
         self._own.append(name)
 
     def beat(self) -> None:
-        """Show that this process goes on; called once a turn by its loop, and by nothing else."""
+        """Show that this process goes on, and tell what it refused; called once a turn by its loop alone."""
         if self._pulse.turn():
             self._publisher(BEAT, Delivery.CONTROL).put("\n".join(self._own))
+            refused = self._refusals.due(self._own[0] if self._own else "", time.monotonic())
+            if refused is not None:
+                REFUSALS.publish(self, refused)
 
     def alive(self) -> frozenset[str]:
         """Return the names that are announced now."""

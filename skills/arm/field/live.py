@@ -9,6 +9,7 @@ import numpy as np
 
 from skills.arm.field.around import Around, split
 from skills.arm.problem import Arm, Moment
+from skills.arm.silence import joints_silent
 from skills.kinematics.bodies import BoxShape, Obstacle
 from skills.kinematics.described import carried, home_positions
 from skills.kinematics.proximity import Proximity
@@ -30,8 +31,6 @@ STANDS: Final = 0.002
 SHIFTED: Final = 0.002
 """Metres by which the base is believed elsewhere before obstacles are placed anew."""
 TURNED: Final = 0.002
-SILENT_AFTER: Final = 0.5
-"""Robot seconds without joint states after which the hardware is lost."""
 GOAL_AGE: Final = 0.5
 """Robot seconds after which what was told of the other arm's approach is old."""
 
@@ -108,8 +107,7 @@ class Live:
     @property
     def silent(self) -> bool:
         """Whether no joint states have come for too long."""
-        joints = self._joints.value
-        return joints is None or robot_seconds(self._clocks) - joints.stamp.seconds > SILENT_AFTER
+        return joints_silent(self._joints.value, self._clocks)
 
     def measured(self) -> tuple[Array, Array]:
         """Return the group's measured positions and velocities, (n,) each."""

@@ -1,0 +1,22 @@
+"""Whether the joints' states have stopped coming: then nobody sees what the arm does, and it must not move.
+
+The reflex against crossing arms, the field, and the last check of each motion all read them.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from skills.ports.clocks import Clocks
+from skills.ports.hardware import JointStates
+
+SILENT_AFTER: Final = 0.5
+"""Robot seconds: 50 of the hardware's periods. A busy machine holds up a process for 0.2 s."""
+
+
+def joints_silent(newest: JointStates | None, clocks: Clocks) -> bool:
+    """Say whether no joint states have come for too long, or none of the hardware's present boot."""
+    now = clocks.robot()
+    if newest is None or now is None or newest.stamp.boot != now.boot:
+        return True
+    return now.seconds - newest.stamp.seconds > SILENT_AFTER

@@ -1,0 +1,110 @@
+"""What only the key, or the robot's description, can tell of a message: its joints, its sides, its sizes.
+
+What a message can say about itself (lengths, ranges) stands in its model.
+"""
+
+from __future__ import annotations
+
+from functools import singledispatch
+from typing import Final
+
+from skills.ports.hardware import (
+    GripperState,
+    GroupStatus,
+    JointStates,
+    LaserScan,
+    RgbdHeader,
+    RobotDescription,
+    SetPoint,
+    Wrench,
+)
+from skills.ports.message import Message
+
+NAMED: Final = 3
+"""Joints that an explanation names."""
+
+
+@singledispatch
+def misfit(message: Message, key: str, robot: RobotDescription | None) -> str:
+    """Say what about a message does not fit its key or the robot; nothing when all does.
+
+    Args:
+        message: decoded, so it fits its model.
+        key: on which it came.
+        robot: None while it is not known; then only the key is compared.
+    """
+    del message, key, robot
+    return ""
+
+
+@misfit.register
+def _joints(message: JointStates, key: str, robot: RobotDescription | None) -> str:
+    del key
+    if robot is None:
+        return ""
+    told, known = frozenset(message.names), robot.joints
+    if strange := sorted(told - known):
+        return f"joints that the robot does not have: {_names(strange)}"
+    if missing := sorted(known - told):
+        return f"joints are missing: {_names(missing)}"
+    return ""
+
+
+@misfit.register
+def _group(message: GroupStatus, key: str, robot: RobotDescription | None) -> str:
+    groups = () if robot is None else tuple(group.name for group in robot.groups)
+    if robot is not None and message.group not in groups:
+        return f"group: one of {', '.join(groups)} was expected, found {message.group}"
+    return _of_key(key, f"hw/group/{message.group}/status")
+
+
+@misfit.register
+def _setpoint(message: SetPoint, key: str, robot: RobotDescription | None) -> str:
+    name = key.split("/")[2]
+    group = None if robot is None else next((each for each in robot.groups if each.name == name), None)
+    if group is not None and len(message.positions) != len(group.joints):
+        return f"{len(group.joints)} joints of {name} were expected, found {len(message.positions)}"
+    return ""
+
+
+@misfit.register
+def _gripper(message: GripperState, key: str, robot: RobotDescription | None) -> str:
+    del robot
+    return _of_key(key, f"hw/gripper/{message.side}/state")
+
+
+@misfit.register
+def _wrench(message: Wrench, key: str, robot: RobotDescription | None) -> str:
+    del robot
+    return _of_key(key, f"hw/wrench/{message.side}")
+
+
+@misfit.register
+def _scan(message: LaserScan, key: str, robot: RobotDescription | None) -> str:
+    del key
+    if robot is not None and len(message.ranges) != robot.laser.beams:
+        return f"{robot.laser.beams} ranges were expected, found {len(message.ranges)}"
+    return ""
+
+
+@misfit.register
+def _picture(message: RgbdHeader, key: str, robot: RobotDescription | None) -> str:
+    del key
+    if robot is None:
+        return ""
+    camera = robot.camera
+    if (message.camera, message.width, message.height) == (camera.name, camera.width, camera.height):
+        return ""
+    return (
+        f"a picture of {camera.name}, {camera.width} x {camera.height}, was expected, "
+        f"found {message.camera}, {message.width} x {message.height}"
+    )
+
+
+def _of_key(key: str, expected: str) -> str:
+    return "" if key == expected else f"told on {key}, where {expected} was expected"
+
+
+def _names(joints: list[str]) -> str:
+    more = len(joints) - NAMED
+    return ", ".join(joints[:NAMED]) + (f" and {more} more" if more > 0 else "")

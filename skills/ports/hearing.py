@@ -1,0 +1,186 @@
+"""What a process takes in from the bus: only messages that are what they say they are.
+
+A message is checked where it enters, once for all who hear it: its document against the model, what it says
+against the robot's description (``skills.ports.checks``), and its stamp against the last one. A wrong one is
+dropped, counted, logged once a minute, and is silence to everybody else: whoever watches for silence acts.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections import Counter
+from enum import StrEnum
+from typing import TYPE_CHECKING, Final, Generic, TypeVar
+
+from pydantic import ValidationError
+
+from skills.ports.checks import misfit
+from skills.ports.message import Message, RobotTime
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from skills.ports.bus import Bus
+    from skills.ports.hardware import RobotDescription
+
+M = TypeVar("M", bound=Message)
+
+ORDERED: Final = ("hw/", "world/")
+"""How the keys begin whose stamps must not run backwards. The others are about many things; statuses of goals
+have numbers of their own."""
+OUTVOTED: Final = 3
+"""Messages in a row that are older than the last one taken, and in order, after which it was that one whose
+stamp was wrong: one message from the future must not end a stream."""
+LOG_EVERY: Final = 60.0
+"""Host seconds between two lines about messages of one key that are refused for one reason."""
+KINDS: Final = 256
+"""Keys and reasons that are counted one by one; those that somebody makes up beyond that count as one."""
+
+log = logging.getLogger(__name__)
+
+
+class Reason(StrEnum):
+    """Why a message was refused."""
+
+    MALFORMED = "malformed"
+    """No such document, or one that contradicts itself: other lengths, numbers that are none or too large."""
+    MISFIT = "misfit"
+    """It does not fit the robot's description or its key: other joints, another arm's, another camera's."""
+    OLDER = "older"
+    """Its stamp lies before that of the last one, of the same boot."""
+
+
+class Ear:
+    """What one process knows for checking what it hears, and what it has refused. Each bus has one.
+
+    Args:
+        monotonic: the host's monotonic clock, in seconds, for the log; None: each kind is logged once.
+    """
+
+    def __init__(self, monotonic: Callable[[], float] | None = None) -> None:
+        self._monotonic = monotonic
+        self._counts: Counter[tuple[str, Reason]] = Counter()
+        self.total = 0
+        """How many messages were refused since the start."""
+        self._logged: dict[tuple[str, Reason], float] = {}
+        self.description: RobotDescription | None = None
+
+    def know(self, description: RobotDescription) -> None:
+        """Check against this robot from now on."""
+        self.description = description
+
+    @property
+    def refused(self) -> Mapping[tuple[str, Reason], int]:
+        """How many messages were refused since the start, by key and reason."""
+        return self._counts
+
+    def refuse(self, key: str, reason: Reason, text: str) -> None:
+        """Count a message that is not taken in; ``text`` says what was wrong with it."""
+        kind = (key, reason)
+        if kind not in self._counts and len(self._counts) >= KINDS:
+            kind = ("other", reason)
+        self._counts[kind] += 1
+        self.total += 1
+        now = 0.0 if self._monotonic is None else self._monotonic()
+        last = self._logged.get(kind)
+        if last is None or now - last >= LOG_EVERY:
+            self._logged[kind] = now
+            about = {"key": kind[0], "reason": str(reason), "why": text, "count": self._counts[kind]}
+            log.warning("message refused", extra=about)
+
+
+class Entrance(Generic[M]):
+    """The way in for the messages of one subscription.
+
+    Args:
+        ear: of the process.
+        decode: reads a payload; ValueError when it is no message of these keys.
+    """
+
+    def __init__(self, ear: Ear, decode: Callable[[bytes], M]) -> None:
+        self._ear, self._decode = ear, decode
+        self._last: dict[str, RobotTime] = {}
+        self._older: dict[str, list[RobotTime]] = {}
+
+    def read(self, key: str, payload: bytes) -> M | None:
+        """Return the message, or None for one that is refused for what it says."""
+        try:
+            message = self._decode(payload)
+        except ValueError as error:
+            self._ear.refuse(key, Reason.MALFORMED, _first(error))
+            return None
+        wrong = misfit(message, key, self._ear.description)
+        if wrong:
+            self._ear.refuse(key, Reason.MISFIT, wrong)
+            return None
+        return message
+
+    def is_newer(self, key: str, message: M) -> bool:
+        """Say whether the message is not older than the last one of its key; from then on it is the last."""
+        stamp = stamp_of(message)
+        if stamp is None:
+            return True
+        last = self._last.get(key)
+        if last is not None and last.boot == stamp.boot and stamp.seconds < last.seconds:
+            row = self._older.setdefault(key, [])
+            if row and (row[-1].boot != stamp.boot or stamp.seconds < row[-1].seconds):
+                row.clear()
+            row.append(stamp)
+            if len(row) < OUTVOTED:
+                return False
+        self._last[key] = stamp
+        self._older.pop(key, None)
+        return True
+
+    def keeps_old(self, key: str, message: M) -> bool:
+        """Say whether a message that is not newer is handed on all the same; else it is refused."""
+        if not key.startswith(ORDERED):
+            return True
+        stamp = stamp_of(message)
+        text = "" if stamp is None else f"the message of {stamp.seconds:.3f} s came after a later one"
+        self._ear.refuse(key, Reason.OLDER, text)
+        return False
+
+
+class Heard(Generic[M]):
+    """All messages of the keys of an expression, with their keys. ``Latest`` is for one topic.
+
+    Args:
+        bus: where they are told.
+        expression: their keys.
+        decode: reads a payload; ValueError when it is no message of these keys.
+        depth: how many of each key are kept until they are taken; then the oldest go.
+    """
+
+    def __init__(self, bus: Bus, expression: str, decode: Callable[[bytes], M], *, depth: int = 256) -> None:
+        self._inbox = bus.subscribe(expression, depth=depth)
+        self._entrance = Entrance(bus.ear, decode)
+
+    def take(self) -> list[tuple[str, M, bytes]]:
+        """Return key, message and payload of what has arrived since the last call, oldest first."""
+        taken: list[tuple[str, M, bytes]] = []
+        for sample in self._inbox.drain():
+            message = self._entrance.read(sample.key, sample.payload)
+            if message is None:
+                continue
+            if self._entrance.is_newer(sample.key, message) or self._entrance.keeps_old(sample.key, message):
+                taken.append((sample.key, message, sample.payload))
+        return taken
+
+    def close(self) -> None:
+        """End the subscription."""
+        self._inbox.close()
+
+
+def stamp_of(message: Message) -> RobotTime | None:
+    """Return a message's stamp, if it has one."""
+    stamp: object = getattr(message, "stamp", None)
+    return stamp if isinstance(stamp, RobotTime) else None
+
+
+def _first(error: ValueError) -> str:
+    """Return the first thing that is wrong, and where in the document."""
+    if not isinstance(error, ValidationError):
+        return str(error)
+    first = error.errors(include_url=False, include_input=False, include_context=False)[0]
+    return f"{'.'.join(str(part) for part in first['loc']) or 'document'}: {first['msg']}"

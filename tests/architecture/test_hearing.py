@@ -1,0 +1,53 @@
+"""Whoever hears goes through the check of what enters; nobody who publishes chooses how it is delivered."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+from typing import Final
+
+import pytest
+
+ROOT: Final = Path(__file__).parents[2]
+ROOMS: Final = ("executive", "skills", "sim", "trees")
+MAY_SUBSCRIBE: Final = {
+    "skills/ports/keys.py": "Latest, which checks",
+    "skills/ports/hearing.py": "Heard, which checks",
+    "skills/testing/faulty_bus.py": "a bus around a bus",
+    "sim/line.py": "a bus around a bus",
+    "executive/doors.py": "a bus around a bus",
+    "executive/campaigns/crash_points.py": "a bus around a bus",
+    "executive/intake.py": "clients' documents: each is answered with what is wrong with it",
+}
+
+
+def sources() -> list[Path]:
+    return sorted(path for room in ROOMS for path in (ROOT / room).rglob("*.py"))
+
+
+def called(path: Path) -> set[str]:
+    calls = [node.func for node in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(node, ast.Call)]
+    return {func.attr for func in calls if isinstance(func, ast.Attribute)}
+
+
+@pytest.mark.parametrize("path", sources(), ids=lambda path: str(path.relative_to(ROOT)))
+def test_nobody_reads_what_has_not_been_checked(path: Path) -> None:
+    name = str(path.relative_to(ROOT))
+    if "subscribe" in called(path):
+        assert name in MAY_SUBSCRIBE, "hear through skills.ports.keys.Latest or skills.ports.hearing.Heard"
+
+
+def test_the_list_is_of_files_that_subscribe() -> None:
+    assert [name for name in MAY_SUBSCRIBE if "subscribe" not in called(ROOT / name)] == []
+
+
+def test_congestion_is_decided_in_one_place() -> None:
+    """Zenoh's ``BLOCK`` in any publisher holds up its process for seconds when a reader stands still."""
+    blocks = re.compile(r"CongestionControl\.BLOCK\b")
+    blocking = [str(path.relative_to(ROOT)) for path in sources() if blocks.search(path.read_text("utf-8"))]
+    deciding = {
+        str(path.relative_to(ROOT)) for path in sources() if "congestion_control" in path.read_text("utf-8")
+    }
+    assert blocking == []
+    assert deciding == {"skills/wire/configs.py", "skills/wire/zenoh_bus.py"}

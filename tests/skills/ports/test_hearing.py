@@ -1,0 +1,204 @@
+"""What gets in from the bus, and what is refused and counted."""
+
+from __future__ import annotations
+
+import json
+import logging
+
+import pytest
+
+from skills.ports.hardware import (
+    Clock,
+    GroupStatus,
+    JointStates,
+    LaserScan,
+    MotionState,
+    RgbdHeader,
+    SetPoint,
+    StopState,
+)
+from skills.ports.hearing import KINDS, Ear, Heard, Reason
+from skills.ports.image import header_of
+from skills.ports.keys import CLOCK, JOINT_STATES, LASER, RGBD, Latest, Topic, group_setpoint, group_status
+from skills.ports.message import Message, RobotTime
+from skills.ports.refusals import CHANGED_EVERY, REPEATED_EVERY, RefusalTeller
+from skills.testing.mock_description import mock_description
+from skills.wire.memory import MemoryBus, MemoryHub
+
+ROBOT = mock_description()
+JOINTS = tuple(sorted(ROBOT.joints))
+
+
+def at(seconds: float, boot: str = "b") -> RobotTime:
+    return RobotTime(boot=boot, seconds=seconds)
+
+
+def states(seconds: float, names: tuple[str, ...] = JOINTS) -> JointStates:
+    zeros = tuple(0.0 for _ in names)
+    return JointStates(stamp=at(seconds), names=names, positions=zeros, velocities=zeros, efforts=zeros)
+
+
+class Stand:
+    """One who tells, and one who hears and knows the robot."""
+
+    def __init__(self) -> None:
+        hub = MemoryHub()
+        self.teller, self.bus = MemoryBus(hub), MemoryBus(hub)
+        self.bus.ear.know(ROBOT)
+
+    def refused(self) -> dict[tuple[str, Reason], int]:
+        return dict(self.bus.ear.refused)
+
+
+@pytest.fixture
+def stand() -> Stand:
+    return Stand()
+
+
+def document(**other: object) -> bytes:
+    return json.dumps(states(1.0).model_dump(mode="json") | other).encode()
+
+
+@pytest.mark.parametrize(
+    ("payload", "reason"),
+    [
+        (b"", Reason.MALFORMED),
+        (b"\xff\x00", Reason.MALFORMED),
+        (b"[" * 10_000, Reason.MALFORMED),
+        (b'{"stamp": null}', Reason.MALFORMED),
+        (document(velocities=[]), Reason.MALFORMED),
+        (document(names=[JOINTS[0]] * len(JOINTS)), Reason.MALFORMED),
+        (document(positions=[1e300] * len(JOINTS)), Reason.MALFORMED),
+        (document().replace(b"0.0", b"NaN", 1), Reason.MALFORMED),
+        (states(1.0, JOINTS[1:]).model_dump_json().encode(), Reason.MISFIT),
+        (states(1.0, (*JOINTS, "tail")).model_dump_json().encode(), Reason.MISFIT),
+        (states(1.0, ()).model_dump_json().encode(), Reason.MISFIT),
+    ],
+)
+def test_a_wrong_message_is_silence(stand: Stand, payload: bytes, reason: Reason) -> None:
+    latest, all_of_them = Latest(stand.bus, JOINT_STATES), Latest(stand.bus, JOINT_STATES)
+    stand.teller.publish(JOINT_STATES.key, payload)
+    assert (latest.refresh(), all_of_them.take()) == (None, [])
+    assert stand.refused() == {(JOINT_STATES.key, reason): 2}
+    JOINT_STATES.publish(stand.teller, states(1.0))
+    stand.teller.publish(JOINT_STATES.key, payload)
+    assert latest.refresh() == states(1.0)
+    assert all_of_them.take() == [states(1.0)]
+
+
+@pytest.mark.parametrize(
+    ("topic", "message"),
+    [
+        (
+            group_status("arm_left"),
+            GroupStatus(stamp=at(1), group="arm_right", goal_id="", state=MotionState.ACTIVE),
+        ),
+        (group_status("tail"), GroupStatus(stamp=at(1), group="tail", goal_id="", state=MotionState.ACTIVE)),
+        (group_setpoint("arm_left"), SetPoint(stamp=at(1), positions=(0.0,) * 9, velocities=(0.0,) * 9)),
+        (LASER, LaserScan(stamp=at(1), ranges=(1.0,))),
+    ],
+    ids=["another group's", "no group of the robot", "too many joints", "too few beams"],
+)
+def test_what_does_not_fit_key_or_robot_is_refused(
+    stand: Stand, topic: Topic[Message], message: Message
+) -> None:
+    latest = Latest(stand.bus, topic)
+    topic.publish(stand.teller, message)
+    assert latest.refresh() is None
+    assert stand.refused() == {(topic.key, Reason.MISFIT): 1}
+
+
+def picture(**other: object) -> bytes:
+    camera = ROBOT.camera
+    header = {"stamp": {"boot": "b", "seconds": 1.0}, "camera": camera.name, "width": camera.width}
+    header |= {"height": camera.height, "fx": 500.0, "fy": 500.0, "cx": 0.0, "cy": 0.0} | other
+    text = json.dumps(header).encode()
+    pixels = camera.width * camera.height * 5
+    return len(text).to_bytes(4, "little") + text + bytes(pixels)
+
+
+@pytest.mark.parametrize(
+    ("payload", "reason"),
+    [
+        (b"", Reason.MALFORMED),
+        (b"\xff\xff\xff\xff", Reason.MALFORMED),
+        (picture()[:-1], Reason.MALFORMED),
+        (picture(fx=float("nan")), Reason.MALFORMED),
+        (picture(width=-1, height=-1), Reason.MALFORMED),
+        (picture(width=1 << 40), Reason.MALFORMED),
+        (picture(camera="tail"), Reason.MISFIT),
+        (picture(width=ROBOT.camera.height, height=ROBOT.camera.width), Reason.MISFIT),
+    ],
+)
+def test_a_wrong_picture_is_silence(stand: Stand, payload: bytes, reason: Reason) -> None:
+    pictures: Heard[RgbdHeader] = Heard(stand.bus, RGBD, header_of)
+    stand.teller.publish(RGBD, payload)
+    assert pictures.take() == []
+    assert stand.refused() == {(RGBD, reason): 1}
+    stand.teller.publish(RGBD, picture())
+    assert [header.camera for _, header, _ in pictures.take()] == [ROBOT.camera.name]
+
+
+def clocks(stand: Stand, latest: Latest[Clock], *seconds: float, boot: str = "b") -> list[float]:
+    for each in seconds:
+        CLOCK.publish(stand.teller, Clock(stamp=at(each, boot), tick=0))
+    return [clock.stamp.seconds for clock in latest.take()]
+
+
+def test_stamps_do_not_run_backwards_within_a_boot(stand: Stand) -> None:
+    latest = Latest(stand.bus, CLOCK)
+    assert clocks(stand, latest, 1.0, 2.0, 1.5, 2.0, 3.0) == [1.0, 2.0, 2.0, 3.0]
+    assert stand.refused() == {(CLOCK.key, Reason.OLDER): 1}
+    assert clocks(stand, latest, 0.5, boot="another") == [0.5]
+
+
+def test_one_message_from_the_future_does_not_end_the_stream(stand: Stand) -> None:
+    latest, newest = Latest(stand.bus, CLOCK), Latest(stand.bus, CLOCK)
+    assert clocks(stand, latest, 1.0, 1e9, 1.1, 1.2, 1.3, 1.4) == [1.0, 1e9, 1.3, 1.4]
+    for each in (1.0, 1e9, 1.1, 1.2, 1.3):
+        CLOCK.publish(stand.teller, Clock(stamp=at(each), tick=0))
+        newest.refresh()
+    assert newest.value is not None
+    assert newest.value.stamp == at(1.3)
+
+
+def test_what_has_no_stamp_is_taken_as_it_comes(stand: Stand) -> None:
+    topic = Topic("hw/stop/state", StopState)
+    latest = Latest(stand.bus, topic)
+    topic.publish(stand.teller, StopState(stopped=True))
+    assert latest.take() == [StopState(stopped=True)]
+
+
+def test_refusals_are_logged_once_a_minute_for_each_key_and_reason(caplog: pytest.LogCaptureFixture) -> None:
+    now = [0.0]
+    ear = Ear(lambda: now[0])
+    with caplog.at_level(logging.WARNING):
+        for each in range(130):
+            now[0] = float(each)
+            ear.refuse("hw/clock", Reason.MALFORMED, "no clock")
+        ear.refuse("hw/clock", Reason.OLDER, "an old one")
+    told = [(record.__dict__["reason"], record.__dict__["count"]) for record in caplog.records]
+    assert told == [("malformed", 1), ("malformed", 61), ("malformed", 121), ("older", 1)]
+
+
+def test_made_up_keys_take_no_room() -> None:
+    ear = Ear()
+    for each in range(10 * KINDS):
+        ear.refuse(f"skill/{each}/status", Reason.MALFORMED, "")
+    assert len(ear.refused) == KINDS + 1
+    assert ear.total == sum(ear.refused.values()) == 10 * KINDS
+
+
+def test_refusals_are_told_when_there_are_more_and_repeated_for_who_comes_late() -> None:
+    ear = Ear()
+    teller = RefusalTeller(ear)
+    assert teller.due("base", 0.0) is None
+    ear.refuse("hw/clock", Reason.OLDER, "")
+    told = teller.due("base", 0.0)
+    assert told is not None
+    assert [(each.key, each.reason, each.count) for each in told.refused] == [("hw/clock", Reason.OLDER, 1)]
+    ear.refuse("hw/clock", Reason.OLDER, "")
+    assert teller.due("base", CHANGED_EVERY / 2) is None
+    assert teller.due("base", CHANGED_EVERY) is not None
+    assert teller.due("base", CHANGED_EVERY * 3) is None
+    assert teller.due("base", CHANGED_EVERY + REPEATED_EVERY) is not None
