@@ -18,8 +18,13 @@ from skills.ports.hardware import (
     SetPoint,
     Wrench,
 )
-from skills.ports.message import Message
+from skills.ports.message import Message, RobotTime
 
+LARGEST: Final = 1e6
+"""No length, angle, speed or force that a robot tells is larger, in its SI unit. Beyond it sums and products
+of what was heard lose their digits, and then become infinite."""
+LONGEST: Final = 1e9
+"""Seconds: no robot's clock has run for 31 years."""
 NAMED: Final = 3
 """Joints that an explanation names."""
 
@@ -108,3 +113,14 @@ def _of_key(key: str, expected: str) -> str:
 def _names(joints: list[str]) -> str:
     more = len(joints) - NAMED
     return ", ".join(joints[:NAMED]) + (f" and {more} more" if more > 0 else "")
+
+
+def too_large(value: object) -> bool:
+    """Say whether a message holds a number that no robot tells."""
+    if isinstance(value, float):
+        return not -LARGEST <= value <= LARGEST
+    if isinstance(value, tuple):
+        return any(map(too_large, value))
+    if isinstance(value, RobotTime):
+        return not -LONGEST <= value.seconds <= LONGEST
+    return isinstance(value, Message) and any(map(too_large, value.__dict__.values()))

@@ -10,7 +10,7 @@ from typing import Annotated, Final, Literal
 from pydantic import Field, model_validator
 
 from skills.ports.geometry import FloorPose
-from skills.ports.message import LARGEST, Message, Number, RobotTime, Vector3
+from skills.ports.message import Message, RobotTime, Vector3
 
 Positive = Annotated[float, Field(gt=0.0)]
 
@@ -202,9 +202,9 @@ class JointStates(Message):
 
     stamp: RobotTime
     names: tuple[str, ...]
-    positions: tuple[Number, ...]
-    velocities: tuple[Number, ...]
-    efforts: tuple[Number, ...]
+    positions: tuple[float, ...]
+    velocities: tuple[float, ...]
+    efforts: tuple[float, ...]
 
     @model_validator(mode="after")
     def _one_of_each(self) -> JointStates:
@@ -271,10 +271,10 @@ class GroupStatus(Message):
     state: MotionState
     joint: str = ""
     """The joint that strayed most, when ABORTED."""
-    error: Number = 0.0
+    error: float = 0.0
     """By how much it strayed (rad or m)."""
     at_rest: bool = True
-    held: Number = 0.0
+    held: float = 0.0
     """Seconds by which the motion is behind its plan, since its keeper was silent for a while."""
 
 
@@ -295,8 +295,8 @@ class SetPoint(Message):
     """One streamed set-point of a group; without a new one for 0.1 s the group holds."""
 
     stamp: RobotTime
-    positions: tuple[Number, ...]
-    velocities: tuple[Number, ...]
+    positions: tuple[float, ...]
+    velocities: tuple[float, ...]
 
     @model_validator(mode="after")
     def _as_many(self) -> SetPoint:
@@ -331,17 +331,17 @@ class GripperState(Message):
     side: Literal["left", "right"]
     command_id: str
     motion: GripperMotion
-    width: Number
+    width: float
     """Metres between the pads."""
-    force: Number
+    force: float
     """Newtons between the pads, as the motor's effort tells."""
 
 
 class BaseVelocity(Message):
     """m/s ahead and rad/s to the left; older than the drive's dead-man means stop."""
 
-    linear: Number
-    angular: Number
+    linear: float
+    angular: float
 
 
 class Odometry(Message):
@@ -349,15 +349,15 @@ class Odometry(Message):
 
     stamp: RobotTime
     base_in_odom: FloorPose
-    linear: Number
-    angular: Number
+    linear: float
+    angular: float
 
 
 class LaserScan(Message):
     """Ranges in metres, counter-clockwise from angle_min; range_max or more means nothing seen."""
 
     stamp: RobotTime
-    ranges: tuple[Annotated[float, Field(ge=0.0, le=LARGEST)], ...]
+    ranges: tuple[Annotated[float, Field(ge=0.0)], ...]
 
 
 class Bumpers(Message):
@@ -409,7 +409,7 @@ class RgbdHeader(Message):
     camera: str
     width: Annotated[int, Field(ge=1, le=MAX_PIXELS)]
     height: Annotated[int, Field(ge=1, le=MAX_PIXELS)]
-    fx: Annotated[float, Field(gt=0.0, le=LARGEST)]
-    fy: Annotated[float, Field(gt=0.0, le=LARGEST)]
-    cx: Number
-    cy: Number
+    fx: Annotated[float, Field(gt=0.0)]
+    fy: Annotated[float, Field(gt=0.0)]
+    cx: float
+    cy: float

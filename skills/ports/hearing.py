@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final, Generic, TypeVar
 
 from pydantic import ValidationError
 
-from skills.ports.checks import misfit
+from skills.ports.checks import LARGEST, LONGEST, misfit, too_large
 from skills.ports.message import Message, RobotTime
 
 if TYPE_CHECKING:
@@ -28,6 +28,8 @@ M = TypeVar("M", bound=Message)
 ORDERED: Final = ("hw/", "world/")
 """How the keys begin whose stamps must not run backwards. The others are about many things; statuses of goals
 have numbers of their own."""
+MEASURED: Final = ("hw/", "world/", "skill/")
+"""How the keys begin whose numbers are about the robot and its world. Tasks have times of day, too."""
 OUTVOTED: Final = 3
 """Messages in a row that are older than the last one taken, and in order, after which it was that one whose
 stamp was wrong: one message from the future must not end a stream."""
@@ -108,6 +110,13 @@ class Entrance(Generic[M]):
             message = self._decode(payload)
         except ValueError as error:
             self._ear.refuse(key, Reason.MALFORMED, _first(error))
+            return None
+        if key.startswith(MEASURED) and too_large(message):
+            self._ear.refuse(
+                key,
+                Reason.MALFORMED,
+                f"a number is larger than {LARGEST:.0e}, or a time than {LONGEST:.0e} s",
+            )
             return None
         wrong = misfit(message, key, self._ear.description)
         if wrong:

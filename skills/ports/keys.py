@@ -119,6 +119,8 @@ class Latest(Generic[M]):
             if message is not None:
                 if self._entrance.is_newer(sample.key, message):
                     self.value = message
+                else:
+                    self._entrance.keeps_old(sample.key, message)  # which counts it
                 break
         return self.value
 

@@ -2,18 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final
+from typing import Final
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict
 
-LARGEST: Final = 1e6
-"""No length, angle, speed or force of a robot is larger, in its SI unit. Beyond it sums and products of what
-was heard lose their digits, and then become infinite."""
-
-Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
-"""A length, angle, speed, force, ... in SI units, as a robot or a sensor tells it."""
-
-Vector3 = tuple[Number, Number, Number]
+Vector3 = tuple[float, float, float]
 """x, y, z in metres (or N, rad/s, ... as the field says)."""
 
 Quaternion = tuple[float, float, float, float]

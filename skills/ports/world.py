@@ -8,11 +8,11 @@ from pydantic import Field
 
 from skills.ports.geometry import FloorPose, Pose
 from skills.ports.keys import Topic
-from skills.ports.message import LARGEST, Message, Number, RobotTime
+from skills.ports.message import Message, RobotTime
 
 Side = Literal["left", "right"]
 SIDES: Final[tuple[Side, Side]] = ("left", "right")
-Size = Annotated[float, Field(ge=0.0, le=LARGEST)]
+Size = Annotated[float, Field(ge=0.0)]
 """Metres (or what the field says), none below zero."""
 
 
@@ -106,7 +106,7 @@ class ItemFact(Message):
     tag_in_map: Pose
     """The tag's face last seen; meaningless while held."""
     seen: RobotTime
-    quality: Number
+    quality: float
     position_sigma: Size
     held: Side | None = None
 

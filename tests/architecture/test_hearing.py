@@ -18,6 +18,7 @@ MAY_SUBSCRIBE: Final = {
     "sim/line.py": "a bus around a bus",
     "executive/doors.py": "a bus around a bus",
     "executive/campaigns/crash_points.py": "a bus around a bus",
+    "skills/ports/serving.py": "documents that are put instead of asked: served, so checked as questions are",
     "executive/intake.py": "clients' documents: each is answered with what is wrong with it",
 }
 

@@ -20,9 +20,10 @@ READY_WITHIN: Final = 120.0
 
 
 @contextmanager
-def up(endpoint: str, site: str, folder: Path, *, only: str) -> Iterator[None]:
-    """Run some of a system's processes; entered when they are ready, and ended with Ctrl-C."""
-    command = [sys.executable, "-c", "from executive.cli.main import run; run()", "up", "--only", only]
+def up(endpoint: str, site: str, folder: Path, *, only: str = "") -> Iterator[Path]:
+    """Run a system's processes, or some; entered with their log when they are ready, ended with Ctrl-C."""
+    command = [sys.executable, "-c", "from executive.cli.main import run; run()", "up"]
+    command += ["--only", only] if only else []
     command += ["--connect", endpoint, "--site-key", site, "--data", str(folder / "data")]
     path = folder / "log"
     with path.open("w") as log:
@@ -30,7 +31,7 @@ def up(endpoint: str, site: str, folder: Path, *, only: str) -> Iterator[None]:
         try:
             until(lambda: process.poll() is not None or "ready" in path.read_text(), READY_WITHIN)
             assert process.poll() is None, path.read_text()
-            yield
+            yield path
         finally:
             os.killpg(process.pid, signal.SIGINT)
             process.wait(60)

@@ -61,4 +61,4 @@ def test_the_robot_goes_on_while_its_readers_stand_still(tmp_path: Path) -> None
         until(lambda: time.monotonic() >= end, FROZEN_FOR + 1.0)
         longest = {key: max(each.longest, time.monotonic() - each._last) for key, each in heard.items()}
         assert max(longest.values()) < BOUND, longest
-        assert seen.count > 1, "a reader that reads gets its pictures, as fast as this machine draws them"
+        until(lambda: seen.count > 1, 60.0)  # a reader that reads gets pictures, as fast as they are drawn

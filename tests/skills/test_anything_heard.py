@@ -149,7 +149,7 @@ def test_no_message_ends_a_process(seed: int) -> None:
             system.clocks.advance(system.period)
             for node in system.nodes:
                 raised += _error(node.name, node.step)
-            assert raised == []
+            assert not raised, raised[0]
     finally:
         system.close()
 
