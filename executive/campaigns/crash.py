@@ -63,7 +63,7 @@ class CrashCampaign(Message):
 
 
 @dataclass(eq=False)
-class _Reaper:
+class Reaper:
     """Kills when the time has come, and starts again what has died."""
 
     rig: CrashRig
@@ -74,6 +74,7 @@ class _Reaper:
     """Deaths that nobody asked for."""
 
     def step(self) -> None:
+        """Kill who is to be killed now; start again who has died."""
         while self.kills and self.rig.now() - self.began >= self.kills[0].after:
             kill = self.kills.pop(0)
             self.done.append(kill)
@@ -161,7 +162,7 @@ def one_run(rig: CrashRig, run: int, kills: list[Kill], *, point: str = "", clie
     rig.reset()
     before = len(deeds(rig.folder))
     began = rig.now()
-    reaper = _Reaper(rig, kills, began)
+    reaper = Reaper(rig, kills, began)
     tasks: dict[str, str] = {}
     wrong: list[str] = []
     found: tuple[TaskStatus, ...] = ()
@@ -193,7 +194,7 @@ def one_run(rig: CrashRig, run: int, kills: list[Kill], *, point: str = "", clie
     )
 
 
-def _ask(rig: CrashRig, reaper: _Reaper, client_id: str, tasks: dict[str, str], wrong: list[str]) -> None:
+def _ask(rig: CrashRig, reaper: Reaper, client_id: str, tasks: dict[str, str], wrong: list[str]) -> None:
     document: dict[str, JsonValue] = {"task": "fetch", "item": ITEM, "id": client_id}
     answer = rig.request(document, meanwhile=reaper.step)
     again = rig.request(document, meanwhile=reaper.step)
@@ -202,7 +203,7 @@ def _ask(rig: CrashRig, reaper: _Reaper, client_id: str, tasks: dict[str, str], 
     tasks[client_id] = answer.task
 
 
-def _await_ends(rig: CrashRig, reaper: _Reaper, tasks: tuple[str, ...]) -> tuple[TaskStatus, ...]:
+def _await_ends(rig: CrashRig, reaper: Reaper, tasks: tuple[str, ...]) -> tuple[TaskStatus, ...]:
     end = rig.now() + STUCK_AFTER
     while rig.now() < end:
         found = tuple(status for task in tasks for status in _of(rig, reaper.step, task))

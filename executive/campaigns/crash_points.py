@@ -27,24 +27,44 @@ class CrashPoints:
     """Counts the points that are passed, and kills the process at the first time of one.
 
     Args:
-        at: the point's name; empty: nowhere.
-        log: file to which each point is written when it is first passed.
+        at: the point's name, such as ``before answer task/cancel``; empty: nowhere. ``asked task/cancel #2
+            +5`` is five points after the second time of that one; hearing something does not count there.
+        log: file to which each point is written when it is first passed; or, with ``at``, each that counts.
     """
 
     at: str = ""
     log: Path | None = None
     passed: dict[str, None] = field(default_factory=dict)
+    _left: int | None = None
+    """Points until the kill, once the point of ``at`` has been passed often enough."""
+
+    def __post_init__(self) -> None:
+        """Read ``at``."""
+        first, _, after = self.at.partition(" +")
+        self._point, _, time = first.partition(" #")
+        self._time, self._after = int(time or 1), int(after or 0)
 
     def passing(self, point: str) -> None:
         """Pass a point."""
         named = _TASK.sub("<task>", point)
-        if named not in self.passed:
+        if not self.at and named not in self.passed:
             self.passed[named] = None
-            if self.log is not None:
-                with self.log.open("a", encoding="utf-8") as file:
-                    file.write(f"{named}\n")
-        if named == self.at:
+            self._note(named)
+        if self._left is not None:
+            if named.startswith("heard "):
+                return
+            self._left -= 1
+            self._note(named)
+        elif named == self._point:
+            self._time -= 1
+            self._left = None if self._time else self._after
+        if self._left == 0:
             os.kill(os.getpid(), signal.SIGKILL)
+
+    def _note(self, named: str) -> None:
+        if self.log is not None:
+            with self.log.open("a", encoding="utf-8") as file:
+                file.write(f"{named}\n")
 
 
 @dataclass(frozen=True)

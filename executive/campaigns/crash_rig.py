@@ -8,18 +8,21 @@ import signal
 from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
-from typing import Final, Literal, Self
+from typing import Final, Literal, Self, TypeVar
 
 from pydantic import JsonValue
 
 from executive.campaigns.crash_world import RESET
 from executive.processes import Supervisor
 from executive.settings import WorkerSettings
-from skills.ports.keys import Nothing
+from skills.ports.keys import Nothing, Service
+from skills.ports.message import Message
 from skills.ports.tasks import REQUEST, TASK_HISTORY, AskHistory, TaskAnswer, TaskStatus
 from skills.wire.clocks import ProcessClocks
 from skills.wire.zenoh_bus import BusError, ZenohBus
 
+A = TypeVar("A", bound=Message)
+B = TypeVar("B", bound=Message)
 PREFIX: Final = "crash/mock"
 ASK_AGAIN: Final = 0.3
 """Host seconds after which an unanswered question is asked again."""
@@ -43,6 +46,8 @@ class CrashRig:
 
     def __init__(self, folder: Path, endpoint: str) -> None:
         self.folder, self._endpoint = folder, endpoint
+        self.crash_at = ""
+        """The point at which the executive that was told one last kills itself."""
         self._supervisor = Supervisor(folder / "logs")
         self._bus: ZenohBus | None = None
         self._plain = WorkerSettings(
@@ -80,6 +85,7 @@ class CrashRig:
         for role in roles:
             update: dict[str, object] = {"role": role, "again": True}
             if role == "executive":
+                self.crash_at = self.crash_at if crash_at is None else crash_at
                 update |= {"crash_at": crash_at, "crash_log": None if crash_log is None else str(crash_log)}
             self._supervisor.start(self._plain.model_copy(update=update))
             if role == "router":
@@ -123,6 +129,17 @@ class CrashRig:
         """Return tasks of the ledger."""
         answer = self._ask(TASK_HISTORY.key, asked.model_dump_json().encode(), meanwhile)
         return TASK_HISTORY.decode_answer(answer).tasks
+
+    def ask(self, service: Service[A, B], message: A, *, meanwhile: Callable[[], None]) -> B:
+        """Ask a service until it is answered."""
+        return service.decode_answer(self._ask(service.key, message.model_dump_json().encode(), meanwhile))
+
+    def pass_seconds(self, seconds: float, meanwhile: Callable[[], None]) -> None:
+        """Let host seconds pass."""
+        end = self.now() + seconds
+        while self.now() < end:
+            self.bus.waker.wait(0.02)
+            meanwhile()
 
     def reset(self) -> None:
         """Have everything where it was at first."""

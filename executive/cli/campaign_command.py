@@ -204,6 +204,9 @@ def crash(
     points: Annotated[
         bool, typer.Option("--points/--no-points", help="Also kill at each point where it keeps or talks.")
     ] = True,
+    verbs: Annotated[
+        bool, typer.Option("--verbs/--no-verbs", help="Also kill between each verb and its effect.")
+    ] = True,
     physics: Annotated[
         bool,
         typer.Option(
@@ -224,15 +227,26 @@ def crash(
             )
         else:
             many = 200 if runs is None else runs
-            made = _mocked(Path(folder), connect, many, console, seed=seed, first=first, points=points)
+            made = _mocked(
+                Path(folder), connect, many, console, seed=seed, first=first, points=points, verbs=verbs
+            )
     told(console, report, [f"{made.right} of {len(made.runs)} right (seed {seed})"], made)
     raise typer.Exit(ExitCode.OK if made.right == len(made.runs) else ExitCode.TASK_FAILED)
 
 
 def _mocked(
-    folder: Path, connect: str, runs: int, console: Console, *, seed: int, first: int, points: bool
+    folder: Path,
+    connect: str,
+    runs: int,
+    console: Console,
+    *,
+    seed: int,
+    first: int,
+    points: bool,
+    verbs: bool,
 ) -> CrashCampaign:
     from executive.campaigns.crash import CrashCampaign, crash_points, crash_runs, point_runs  # noqa: PLC0415
+    from executive.campaigns.crash_verbs import verb_runs  # noqa: PLC0415
 
     done: list[CrashRun] = []
 
@@ -245,6 +259,8 @@ def _mocked(
     if points:
         named = crash_points(folder / "found", connect)
         take(point_runs(folder / "points", connect, named))
+    if verbs:
+        take(verb_runs(folder / "verbs", connect))
     return CrashCampaign(seed=seed, right=sum(not run.wrong for run in done), runs=tuple(done))
 
 
