@@ -90,10 +90,11 @@ class Drawing:
         x, y = (float(rng.uniform(a, b)) for a, b in zip(surface.lower, surface.upper, strict=True))
         yaw = surface.facing + float(np.clip(rng.normal(0.0, ASKEW), -0.78, 0.78))
         moved = replace_item(self.scenario, true.tag, surface.support, x, y, yaw)
-        bodies = build_scene(self.site, moved)
-        item = item_body(self.site, next(each for each in moved.items if each.tag == true.tag))
-        if any(body.name != item.name and _near(body, item) for body in bodies if body.mass > 0.0):
+        others = build_scene(self.site, moved.without_item(true.tag))
+        item = item_body(self.site, moved.item(true.tag))
+        if any(_near(body, item) for body in others if body.mass > 0.0):
             return None
+        bodies = build_scene(self.site, moved)
         tag, depth = tag_of(item)
         hand = self.description.end_effector(side)
         work_x, work_y = hand.work_point if self.work_point is None else self.work_point

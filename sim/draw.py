@@ -1,13 +1,14 @@
 """Drawing the starts of a campaign: another item, another place of it, another start of the robot.
 
 Everything is uniform: the item among the scenario's, its place over the area of the declared surfaces, its
-yaw, the robot's place over the free floor, its heading. A place is drawn again only for a collision, and each
-such draw is told with its reason. The same generator gives the same draws.
+yaw, the robot's place over the free floor, its heading. A place is drawn again only for a collision, or where
+no arm gets at it, and each such draw is told with its reason. The same generator gives the same draws.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
 
@@ -46,6 +47,16 @@ class Rejected:
     y: float
     yaw: float
     reason: str
+    unreachable: bool = False
+    """Whether it was thrown away because no arm gets at the item there."""
+
+
+OutOfReach = Callable[[Scenario, int], str | None]
+"""Says in words why no arm gets at an item where a scenario has it; None when one does."""
+
+
+def _anywhere(_: Scenario, __: int) -> str | None:
+    """Take every place for reachable."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +74,13 @@ class Draw:
     rejected: tuple[Rejected, ...] = ()
 
 
-def draw_fetch(site: Site, scenario: Scenario, rng: np.random.Generator, robot_radius: float) -> Draw:
+def draw_fetch(
+    site: Site,
+    scenario: Scenario,
+    rng: np.random.Generator,
+    robot_radius: float,
+    out_of_reach: OutOfReach = _anywhere,
+) -> Draw:
     """Draw an item, its place and yaw, and the robot's start pose.
 
     Args:
@@ -71,6 +88,7 @@ def draw_fetch(site: Site, scenario: Scenario, rng: np.random.Generator, robot_r
         scenario: all else; the other items and the obstacles stay where it has them.
         rng: where the chance comes from; nothing else influences the draw.
         robot_radius: of the robot's footprint, metres.
+        out_of_reach: judges places that are free.
 
     Raises:
         ScenarioError: when the scenario doesn't fit the site, has no items or no surface with an area, or no
@@ -81,14 +99,20 @@ def draw_fetch(site: Site, scenario: Scenario, rng: np.random.Generator, robot_r
         raise ScenarioError(f"{scenario.name}: items: at least one was expected to draw from")
     item = scenario.items[int(rng.integers(len(scenario.items)))]
     rejected: list[Rejected] = []
-    surface, place = _draw_place(site, scenario, item, rng, rejected)
+    surface, place = _draw_place(site, scenario, item, rng, rejected, out_of_reach=out_of_reach)
     start = _draw_start(site, scenario.with_item(place), rng, robot_radius, rejected)
     drawn = scenario.with_item(place).starting_at(start)
     return Draw(drawn, item.tag, surface, place, start, tuple(rejected))
 
 
 def _draw_place(
-    site: Site, scenario: Scenario, item: TrueItem, rng: np.random.Generator, rejected: list[Rejected]
+    site: Site,
+    scenario: Scenario,
+    item: TrueItem,
+    rng: np.random.Generator,
+    rejected: list[Rejected],
+    *,
+    out_of_reach: OutOfReach,
 ) -> tuple[str, TrueItem]:
     others = build_scene(site, scenario.without_item(item.tag))
     areas = [_area(surface) for surface in scenario.surfaces]
@@ -105,10 +129,13 @@ def _draw_place(
                 "yaw": float(rng.uniform(-math.pi, math.pi)),
             }
         )
-        reason = _why_not(site, place, others)
+        reason, far = _why_not(site, place, others), None
+        if reason is None:
+            reason = far = out_of_reach(scenario.with_item(place), item.tag)
         if reason is None:
             return surface.name, place
-        rejected.append(Rejected("item", place.x, place.y, place.yaw, f"item {item.tag} {reason}"))
+        words = f"item {item.tag} {reason}"
+        rejected.append(Rejected("item", place.x, place.y, place.yaw, words, unreachable=far is not None))
     raise ScenarioError(f"{scenario.name}: surfaces: no free place for item {item.tag}")
 
 

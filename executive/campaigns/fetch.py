@@ -5,18 +5,21 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
+from numpy.random import Generator
 
 from executive.campaigns.oracle import Oracle
+from executive.campaigns.reachable import Reachable
 from executive.demo import Caller
 from executive.phases import Phases
 from executive.systems import LockstepSystem, SystemFailure
-from sim.draw import draw_fetch
+from sim.draw import Draw, draw_fetch
 from sim.scenario import Scenario
 from skills.ports.actions.base import ARM_MARGIN
 from skills.ports.clocks import robot_seconds
 from skills.ports.failure import Failure
 from skills.ports.geometry import FloorPose
 from skills.ports.message import Message
+from skills.ports.site import Site
 from skills.ports.tasks import TaskState
 from skills.site import load
 
@@ -41,6 +44,8 @@ class FetchRun(Message):
     """Where the item stood, and its heading."""
     rejected: tuple[str, ...]
     """Draws that were thrown away, with the reason."""
+    unreachable: int
+    """How many of these because no arm gets at the item there."""
     state: str
     slot: int | None
     """The slot of the depot in which the item is reported to lie."""
@@ -56,41 +61,37 @@ class FetchRun(Message):
 
 
 class FetchCampaign(Message):
-    """A whole campaign. ``right``: how many runs were."""
+    """A whole campaign. ``right``: how many runs were. ``unreachable``: places that no arm gets at."""
 
     scenario: str
     seed: int
     right: int
+    unreachable: int
     runs: tuple[FetchRun, ...]
 
 
 def run_fetch(scenario: Scenario, seed: int, run: int) -> FetchRun:
     """Draw and run fetch number ``run`` of the campaign ``seed``; the same numbers give the same run."""
     site = load(scenario.site)
-    radius = free_radius()
-    draw = draw_fetch(site, scenario, np.random.default_rng((seed, run)), radius)
-    rejected = tuple(
-        f"{each.what} at ({each.x:.2f}, {each.y:.2f}, {each.yaw:.2f}): {each.reason}"
-        for each in draw.rejected
-    )
+    draw = draw_run(site, scenario, np.random.default_rng((seed, run)))
     system = LockstepSystem(draw.scenario, seed * 1000 + run, digest=True)
     try:
-        return _fetch(system, draw.scenario, run, draw.item, rejected)
+        return _fetch(system, run, draw)
     finally:
         system.close()
 
 
-def free_radius() -> float:
-    """Return the radius (m) that must be free where the robot starts."""
+def draw_run(site: Site, scenario: Scenario, rng: Generator) -> Draw:
+    """Draw a fetch over all that the robot reaches of the scenario's surfaces."""
     from sim.robot import compose_robot  # noqa: PLC0415 - only here, and it is made anew for each run
 
-    return compose_robot().description.footprint_radius + ARM_MARGIN
+    description = compose_robot().description
+    reachable = Reachable(description, site)
+    return draw_fetch(site, scenario, rng, description.footprint_radius + ARM_MARGIN, reachable.why_not)
 
 
-def _fetch(
-    system: LockstepSystem, scenario: Scenario, run: int, item: int, rejected: tuple[str, ...]
-) -> FetchRun:
-    site = load(scenario.site)
+def _fetch(system: LockstepSystem, run: int, draw: Draw) -> FetchRun:
+    scenario, item, site = draw.scenario, draw.item, load(draw.scenario.site)
     oracle, phases = Oracle(system, site, item, DEPOT), Phases(system)
     caller = Caller(system, _quiet, also=phases)
     while robot_seconds(system.clocks) < WARM_UP:
@@ -111,7 +112,11 @@ def _fetch(
         item=item,
         start=scenario.start,
         place=FloorPose(x=place.x, y=place.y, yaw=place.yaw),
-        rejected=rejected,
+        rejected=tuple(
+            f"{each.what} at ({each.x:.2f}, {each.y:.2f}, {each.yaw:.2f}): {each.reason}"
+            for each in draw.rejected
+        ),
+        unreachable=sum(each.unreachable for each in draw.rejected),
         state=state,
         slot=oracle.slot(),
         wrong=wrong,

@@ -6,13 +6,12 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from executive.campaigns.fetch import DEPOT, WARM_UP, free_radius
+from executive.campaigns.fetch import DEPOT, WARM_UP, draw_run
 from executive.campaigns.oracle import Oracle, Verdict
 from executive.campaigns.troubles import Case, Trouble, draw_hopeless, draw_recoverable
 from executive.demo import Caller
 from executive.systems import LockstepSystem, SystemFailure
 from sim.controls import FAULTS
-from sim.draw import draw_fetch
 from sim.scenario import Scenario
 from skills.ports.clocks import robot_seconds
 from skills.ports.failure import Failure
@@ -85,7 +84,7 @@ def run_hopeless(scenario: Scenario, seed: int, run: int) -> RecoveryRun:
 
 def _run(scenario: Scenario, seed: int, run: int, *, hopeless: bool) -> RecoveryRun:
     site, rng = load(scenario.site), np.random.default_rng((seed, run, int(hopeless)))
-    draw = draw_fetch(site, scenario, rng, free_radius())
+    draw = draw_run(site, scenario, rng)
     case = Case(rng, draw.item, site, draw.scenario)
     trouble = draw_hopeless(case, run) if hopeless else draw_recoverable(case)
     struck = draw.scenario.model_copy(update={"faults": trouble.faults})

@@ -71,8 +71,12 @@ def fetch(
         _tell(run, console)
     done.sort(key=lambda each: each.run)
     right = sum(run.right for run in done)
-    summary = [f"{right} of {runs} right (seed {seed})"]
-    campaign = FetchCampaign(scenario=scenario, seed=seed, right=right, runs=tuple(done))
+    far = sum(run.unreachable for run in done)
+    summary = [
+        f"{right} of {runs} right (seed {seed})",
+        f"{far} of {runs + far} free places that were drawn are out of reach, and were drawn again",
+    ]
+    campaign = FetchCampaign(scenario=scenario, seed=seed, right=right, unreachable=far, runs=tuple(done))
     told(console, report, summary, campaign)
     raise typer.Exit(ExitCode.OK if right == runs else ExitCode.TASK_FAILED)
 

@@ -48,10 +48,37 @@ def test_items_surfaces_and_headings_are_drawn_evenly() -> None:
     free = free.model_copy(update={"items": (free.item(29), free.item(11))})
     drawn = draws(400, scenario=free)
     assert sum(each.item == 29 for each in drawn) == pytest.approx(200, abs=50)
-    # The table's strips: 2 x 0.054 and 2 x 0.0756 m2; the shelf's 0.035 m2.
-    assert sum(each.surface == "shelf" for each in drawn) == pytest.approx(400 * 0.035 / 0.2942, abs=26)
+    # The table's 1.14 x 0.80 m2; the shelf's 1.04 x 0.28 m2.
+    assert sum(each.surface == "shelf" for each in drawn) == pytest.approx(400 * 0.2912 / 1.2032, abs=36)
     assert np.mean([math.cos(each.start.yaw) for each in drawn]) == pytest.approx(0.0, abs=0.15)
     assert np.mean([math.sin(each.place.yaw) for each in drawn]) == pytest.approx(0.0, abs=0.15)
+
+
+def test_items_are_drawn_over_all_of_each_top() -> None:
+    """Once they were drawn in strips of 7 to 9 cm along the edges, where any arm gets at them."""
+    site, demo = load("lab"), load_scenario("Demo")
+    largest = max(math.hypot(item.size[0], item.size[1]) / 2 for item in site.items)
+    for support in ("table", "shelf_board"):
+        (top,) = [each for each in site.furniture if each.name == support]
+        length, width, _ = top.boxes[0].size
+        free = (length - 2 * largest) * (width - 2 * largest)
+        strips = [each for each in demo.surfaces if each.support == support]
+        drawn_from = sum((each.upper[0] - each.lower[0]) * (each.upper[1] - each.lower[1]) for each in strips)
+        assert drawn_from == pytest.approx(free, rel=0.01)
+
+
+def test_a_place_that_no_arm_gets_at_is_drawn_again_and_told() -> None:
+    site, demo, rng = load("lab"), load_scenario("Demo"), np.random.default_rng(2)
+
+    def west_only(scenario: Scenario, tag: int) -> str | None:
+        return None if scenario.item(tag).x < 0.8 else "is out of reach"
+
+    drawn = [draw_fetch(site, demo, rng, RADIUS, west_only) for _ in range(12)]
+    assert all(each.place.x < 0.8 for each in drawn)
+    far = [each for draw in drawn for each in draw.rejected if each.unreachable]
+    assert far
+    assert all("is out of reach" in each.reason for each in far)
+    assert all("needs" in each.reason for draw in drawn for each in draw.rejected if not each.unreachable)
 
 
 def test_physics_agrees_that_nothing_is_near() -> None:
