@@ -86,12 +86,20 @@ def await_there(endpoint: str, name: str) -> None:
         except BusError:
             time.sleep(0.1)
             continue
-        there = not name or bus.present(name)
+        there = not name or _hears_of(bus, name)
         bus.close()
         if there:
             return
         time.sleep(0.1)
     raise TimeoutError(f"{name or 'the router'} did not come within {THERE_WITHIN:.0f} s")
+
+
+def _hears_of(bus: ZenohBus, name: str) -> bool:
+    """Say whether a name is announced; a session that has just been opened hears of it after a moment."""
+    deadline = time.monotonic() + 0.3
+    while name not in bus.alive() and time.monotonic() < deadline:
+        bus.waker.wait(0.02)
+    return name in bus.alive()
 
 
 def _start(module: str, argument: str) -> subprocess.Popen[bytes]:

@@ -21,6 +21,7 @@ from skills.ports.bus import Bus, Desk, Inbox, Pending
 from skills.ports.hardware import Clock
 from skills.ports.hearing import Ear
 from skills.ports.keys import CLOCK, Latest
+from skills.ports.lease import Lease
 from skills.ports.message import MAX_REQUEST_BYTES, RobotTime
 from skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, TREE, CancelTask
 from skills.site import load
@@ -200,6 +201,10 @@ class Spy:
     def awake(self) -> frozenset[str]:
         """As the bus."""
         return self.bus.awake()
+
+    def lease(self) -> Lease | None:
+        """Return the lease of this process's role."""
+        return self.bus.lease()
 
 
 def _fetch(spy: Spy, bus: ZenohBus, robot: MockRobot, clocks: ProcessClocks, fetches: int) -> None:

@@ -116,7 +116,7 @@ class Rig:
         joints = self.model.description.group(group).joints
         return np.array([reading.position for reading in self.body.read(joints)])
 
-    def goal(self, group: str, target: Sequence[float], seconds: float, **more: float) -> TrajectoryGoal:
+    def goal(self, group: str, target: Sequence[float], seconds: float) -> TrajectoryGoal:
         """Return a goal from where the group is to ``target`` along a quintic (jerk-bounded) timing."""
         self._count += 1
         start = self.positions(group)
@@ -132,7 +132,7 @@ class Rig:
                     velocities=tuple((pace * way).tolist()),
                 )
             )
-        return TrajectoryGoal(id=f"{group}-{self._count}", keeper="", points=tuple(points), **more)
+        return TrajectoryGoal(id=f"{group}-{self._count}", keeper="", points=tuple(points))
 
     def send(self, group: str, goal: TrajectoryGoal) -> Answer:
         """Send a goal; one period passes before it is answered."""

@@ -22,6 +22,7 @@ from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
 from skills.ports.clocks import Clocks
 from skills.ports.documents import WHOLE, parse, show
 from skills.ports.hearing import Ear
+from skills.ports.lease import Lease
 from skills.ports.message import MAX_REQUEST_BYTES
 from skills.ports.tasks import (
     REQUEST,
@@ -150,6 +151,10 @@ class Doors:
     def awake(self) -> frozenset[str]:
         """Return those of them whose process goes on."""
         return self.bus.awake()
+
+    def lease(self) -> Lease | None:
+        """Return the lease of this process's role."""
+        return self.bus.lease()
 
     def begin(self) -> None:
         """Begin to read what has come: look anew who has how much open."""

@@ -11,7 +11,8 @@ import signal
 import subprocess
 import threading
 import time
-from collections import deque
+import uuid
+from collections import Counter, deque
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -97,6 +98,10 @@ class Supervisor:
 
     folder: Path
     children: list[Child] = field(default_factory=list)
+    lineage: str = field(default_factory=lambda: uuid.uuid4().hex[:12])
+    """Tells the processes that are started here from those of others (``skills.ports.lease.Claim``)."""
+    _generations: Counter[str] = field(default_factory=Counter)
+    """How many processes of each role have been started."""
     _restarted: dict[str, deque[float]] = field(default_factory=dict)
     _orphans: dict[int, float] = field(default_factory=dict)
     """Groups of dead processes that may still have followers, and when these are killed."""
@@ -121,7 +126,9 @@ class Supervisor:
         role = settings.role
         log = self.folder / f"{role}.log"
         stream = log.open("ab")
-        told = settings.model_copy(update={"parent": os.getpid()})
+        self._generations[role] += 1
+        born = {"lineage": self.lineage, "generation": self._generations[role]}
+        told = settings.model_copy(update={"parent": os.getpid(), **born})
         with _signals_later():
             process = self._spares.pop(role, None)
             if process is None or not _tell_settings(process, told):
@@ -172,7 +179,7 @@ class Supervisor:
         self._orphans[child.process.pid] = now + FOLLOWERS_END_WITHIN
         _tell_group(child.process.pid, signal.SIGTERM)
         died = Death(role, child.process.returncode, child.last_words()).describe()[-QUOTED:]
-        self.start(child.settings.model_copy(update={"again": True, "crash_at": None, "died": died}))
+        self.start(child.settings.model_copy(update={"crash_at": None, "died": died}))
         return True
 
     def give_up(self, role: str) -> None:

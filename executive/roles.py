@@ -8,6 +8,9 @@ from __future__ import annotations
 
 import importlib
 import logging
+import os
+import re
+import socket
 import time
 import uuid
 from collections.abc import Callable, Sequence
@@ -22,6 +25,7 @@ from skills.ports.clocks import Clocks
 from skills.ports.compute import Compute
 from skills.ports.hardware import RobotDescription
 from skills.ports.keys import DESCRIPTION, Nothing
+from skills.ports.lease import Claim
 from skills.ports.node import Node
 from skills.ports.site import Site
 from skills.site import load
@@ -30,6 +34,7 @@ if TYPE_CHECKING:
     from executive.ledger.port import Ledger
     from executive.on_restart import OnRestart
     from skills.wire.credentials import Credentials
+    from skills.wire.presence import Presence
     from skills.wire.zenoh_bus import ZenohBus
 
 SKILL_ROLES: Final[tuple[Role, ...]] = (
@@ -195,6 +200,7 @@ _AHEAD: Final = (
     "executive.ledger.sqlite",
     "executive.service",
     "skills.wire.clocks",
+    "skills.wire.lease_holder",
     "skills.wire.loop",
     "skills.wire.zenoh_bus",
 )
@@ -209,6 +215,7 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
     if settings.role == "router":
         _play_router(settings, stopped)
         return
+    from skills.wire.presence import Presence, RivalError  # noqa: PLC0415
     from skills.wire.zenoh_bus import ZenohBus  # noqa: PLC0415
 
     bus = ZenohBus(
@@ -218,24 +225,31 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         silent_after=settings.silent_after,
     )
     try:
-        # Announced at once, long before ``process/...`` says that the role is ready to be played.
-        claim = f"role/{settings.role}"
-        if not settings.again and bus.present(claim):
-            raise RefusalError(
-                f"{settings.role}: there is such a process for {settings.prefix} at {settings.endpoint} "
-                f"already; end it first, or give this robot keys of its own with --robot"
-            )
-        bus.announce(claim)
+        # Settled long before ``process/...`` says that the role is ready to be played.
+        presence = Presence(bus, settings.role, claim_of(settings))
+        presence.settle(stopped)
         if settings.role == "observer":
-            _play_observer(settings, bus, stopped)
+            _play_observer(settings, bus, presence.watch(stopped))
         elif settings.role == "hardware":
-            _play_hardware(settings, bus, stopped)
+            _play_hardware(settings, bus, presence.watch(stopped))
         elif settings.role == "mock":
-            _play_mock(settings, bus, stopped)
+            _play_mock(settings, bus, presence.watch(stopped))
         else:
-            _play_node(settings, bus, stopped)
+            _play_node(settings, bus, presence, stopped)
+    except RivalError as rival:
+        raise RefusalError(
+            f"{rival}, for {settings.prefix} at {settings.endpoint}; end it first, or give this robot keys "
+            f"of its own with --robot"
+        ) from rival
     finally:
         bus.close()
+
+
+def claim_of(settings: WorkerSettings) -> Claim:
+    """Return what this process claims its role with."""
+    host = re.sub(r"[^0-9A-Za-z_-]", "-", socket.gethostname())[:64] or "host"
+    lineage = settings.lineage or uuid.uuid4().hex[:12]
+    return Claim(lineage, settings.generation, os.getpid(), host)
 
 
 def _credentials(settings: WorkerSettings) -> Credentials | None:
@@ -311,17 +325,21 @@ def _play_mock(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bo
         robot.close()
 
 
-def _play_node(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
+def _play_node(
+    settings: WorkerSettings, bus: ZenohBus, presence: Presence, stopped: Callable[[], bool]
+) -> None:
     from skills.wire.clocks import ProcessClocks  # noqa: PLC0415
+    from skills.wire.lease_holder import LeaseHolder, Leasing  # noqa: PLC0415
     from skills.wire.loop import run  # noqa: PLC0415
     from skills.wire.workers import ProcessCompute  # noqa: PLC0415
 
     clocks = ProcessClocks(bus)
     site = load(settings.site)
-    faulty = _with_faults(settings, bus, clocks)
+    faulty, holder = _with_faults(settings, bus, clocks), LeaseHolder(bus, clocks, presence)
     if settings.role == "executive":
+        holder.acquire(stopped)
         node = _executive(settings, faulty, clocks, site)
-        run("executive", bus, clocks, [node], stopped)
+        run("executive", bus, clocks, [Leasing(holder, [node])], stopped)
         return
     if settings.data is not None:
         Path(settings.data).mkdir(parents=True, exist_ok=True)
@@ -336,9 +354,10 @@ def _play_node(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bo
             seed=settings.seed,
             journal=None if settings.journal is None else Path(settings.journal),
         )
+        holder.acquire(stopped)
         nodes = skill_nodes(settings.role, at)
         _keep_goals(settings, nodes)
-        run(settings.role, bus, clocks, nodes, stopped)
+        run(settings.role, bus, clocks, [Leasing(holder, nodes)], stopped)
     finally:
         compute.close()
 

@@ -31,10 +31,12 @@ class WorkerSettings(Message):
     """Folder of the executive's ledger and of the skills' goal journals; None: nothing is kept."""
     on_restart: OnRestart = "resume"
     """What becomes of a task that was under way when the executive ended, unless its request says so."""
-    again: bool = False
-    """Whether it takes the place of one that is known to be dead."""
     died: str = ""
     """How the process whose place it takes ended, with its last words; empty: nobody knows, or it did not."""
+    lineage: str = ""
+    """Random name of who starts the role's processes one after the other; empty: one of its own."""
+    generation: int = 0
+    """Counts them: each takes the place of the one before, which is known to be dead."""
     crash_at: str | None = None
     """Kill this process at a point by its name (``executive.crash_points``); for the campaign of crashes."""
     crash_log: str | None = None

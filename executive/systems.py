@@ -225,8 +225,12 @@ class ProcessSystem:
         self._ready = True
 
     def _not_started(self) -> tuple[str, ...]:
-        alive = self.bus.alive()
-        return tuple(r for r in self._roles if r != "router" and f"process/{r}" not in alive)
+        """Return the roles that no process of ours plays yet: settled as the only one, and ready."""
+        alive, ours = self.bus.alive(), self.supervisor.lineage
+        settled = {name.split("/")[1] for name in alive if name.startswith("role/") and f"/{ours}." in name}
+        return tuple(
+            r for r in self._roles if r != "router" and not (r in settled and f"process/{r}" in alive)
+        )
 
     def _refuse_second_router(self) -> None:
         endpoint = self._options.bus.endpoint

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, Protocol
 
-from sim.parts import BasePart, GroupPart, HandPart, Part
+from sim.parts import BasePart, Gate, GroupPart, HandPart, Part
 from skills.ports import keys
 from skills.ports.endpoint import Endpoint, answering, endpoint
+from skills.ports.fencing import Grantor
 from skills.ports.hardware import Clock, JointStates, Stop, StopRelease, StopState
 from skills.ports.message import RobotTime
 from skills.ports.serving import Endpoints
@@ -64,7 +65,9 @@ class Hardware:
         self._bus = bus
         self._waits = waits
         self._steps = 0  # counted on over a restart: the host's time, as far as rates are concerned
+        self.grantor = Grantor(bus, boot)
         self._own = self._serve(
+            *self.grantor.endpoints(),
             endpoint(keys.STOP, lambda call: self._on_stop(call.document), unread=_unread),
             answering(keys.STOP_RELEASE, self._on_release),
             answering(keys.DESCRIPTION, lambda _: self._description),
@@ -90,6 +93,7 @@ class Hardware:
         description = body.model.description
         self._body = body
         self._boot = boot
+        self.grantor.restart(boot)
         self._tick = 0
         self._period = description.period
         self._physics_steps = round(description.period / body.physics.time_step)
@@ -97,19 +101,11 @@ class Hardware:
         self._description = description.model_dump_json().encode()
         self._bus.ear.know(description)
         self._sensors = tuple(sensors)
-        self.base = BasePart(self._bus, body, noise=noise, rng=rng)
-        self.groups = {
-            group.name: GroupPart(self._bus, body, group, stopped=lambda: self.stop_state.stopped)
-            for group in description.groups
-        }
+        gate = Gate(stopped=lambda: self.stop_state.stopped, refuse=self.grantor.refuse)
+        self.base = BasePart(self._bus, body, gate, noise=noise, rng=rng)
+        self.groups = {group.name: GroupPart(self._bus, body, group, gate) for group in description.groups}
         self.hands = {
-            hand.side: HandPart(
-                self._bus,
-                body,
-                hand,
-                description.end_effector(hand.side),
-                stopped=lambda: self.stop_state.stopped,
-            )
+            hand.side: HandPart(self._bus, body, hand, description.end_effector(hand.side), gate)
             for hand in body.model.hands
         }
         self._parts = [*self.groups.values(), *self.hands.values(), self.base]
@@ -147,10 +143,11 @@ class Hardware:
         self._hear()
 
     def _hear(self) -> None:
+        self.grantor.step()
         self._own.step()
         self._parts_served.step()
         for part in self._parts:
-            part.listen(stopped=self.stop_state.stopped)
+            part.listen()
 
     def _on_stop(self, stop: Stop) -> StopState:
         self.set_stop(StopState(stopped=True, by=stop.by, reason=stop.reason))

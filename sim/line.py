@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
     from skills.ports.hearing import Ear
+    from skills.ports.lease import Lease
 
 
 @dataclass(eq=False)
@@ -99,3 +100,7 @@ class Line:
     def awake(self) -> frozenset[str]:
         """Return those of them whose process goes on."""
         return self._bus.awake()
+
+    def lease(self) -> Lease | None:
+        """Return the lease of this process's role."""
+        return self._bus.lease()

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, Protocol
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Protocol, TypeVar
 
 from sim.base import BaseController, Odometer
 from sim.gripper import SOUND, GripperController
@@ -23,10 +24,11 @@ from skills.ports.hardware import (
     TrajectoryGoal,
     Wrench,
 )
+from skills.ports.lease import Leased
 from skills.ports.message import RobotTime
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Mapping, Sequence
 
     import numpy as np
 
@@ -35,6 +37,9 @@ if TYPE_CHECKING:
     from sim.scenario import Noise
     from skills.ports.bus import Bus
     from skills.ports.hardware import BaseVelocity, EndEffector, JointGroup, LaserSensor
+    from skills.ports.lease import LeaseRefusal
+
+C = TypeVar("C", bound=Leased)
 
 CLOSED: Final = 0.001
 """Metres between pads that have met: the hand is a fist."""
@@ -49,11 +54,35 @@ STATUS_EVERY: Final = 100
 STOPPED: Final = Answer(accepted=False, reason="the stop is set; an operator releases it")
 
 
+@dataclass(frozen=True)
+class Gate:
+    """What every command that moves something must pass.
+
+    Attributes:
+        stopped: says whether the stop is set.
+        refuse: says why a command's sender may not command; None when it may.
+    """
+
+    stopped: Callable[[], bool]
+    refuse: Callable[[Leased], LeaseRefusal | None]
+
+    def shut_to(self, command: Leased) -> Answer | None:
+        """Return the answer to a command that must not be obeyed; None when it may be."""
+        if self.stopped():
+            return STOPPED
+        refusal = self.refuse(command)
+        return None if refusal is None else Answer(accepted=False, reason=refusal.reason)
+
+    def pass_on(self, streamed: Sequence[C]) -> list[C]:
+        """Return those of streamed commands that may be obeyed; the others are dropped."""
+        return [command for command in streamed if self.shut_to(command) is None]
+
+
 class Part(Protocol):
     """What the hardware node is made of."""
 
-    def listen(self, *, stopped: bool) -> None:
-        """Read what is streamed; while stopped, refuse all motion."""
+    def listen(self) -> None:
+        """Read what is streamed."""
         ...
 
     def halt(self) -> None:
@@ -76,8 +105,8 @@ class Part(Protocol):
 class GroupPart:
     """A joint group: trajectory goals, cancels, set-points, status."""
 
-    def __init__(self, bus: Bus, body: RobotBody, group: JointGroup, *, stopped: Callable[[], bool]) -> None:
-        self._bus, self._stopped = bus, stopped
+    def __init__(self, bus: Bus, body: RobotBody, group: JointGroup, gate: Gate) -> None:
+        self._bus, self._gate = bus, gate
         self._body = body
         self._group = group
         self.servos = GroupServos(body, group)
@@ -95,15 +124,15 @@ class GroupPart:
             answering(keys.group_cancel(name), lambda cancel: self.servos.controller.cancel(cancel.id)),
         )
 
-    def listen(self, *, stopped: bool) -> None:
+    def listen(self) -> None:
         """Take set-points."""
-        for setpoint in self._setpoints.take():
-            if not stopped:
-                self.servos.controller.stream(setpoint)
+        for setpoint in self._gate.pass_on(self._setpoints.take()):
+            self.servos.controller.stream(setpoint)
 
     def _take(self, goal: TrajectoryGoal) -> Answer:
-        if self._stopped():
-            return STOPPED
+        refused = self._gate.shut_to(goal)
+        if refused is not None:
+            return refused
         if goal.keeper and goal.keeper not in self._bus.alive():
             reason = f"its keeper {goal.keeper} is not announced"
             return Answer(accepted=False, reason=reason)
@@ -157,10 +186,9 @@ class HandPart:
         body: RobotBody,
         hand: Hand,
         effector: EndEffector,
-        *,
-        stopped: Callable[[], bool],
+        gate: Gate,
     ) -> None:
-        self._bus, self._stopped = bus, stopped
+        self._bus, self._gate = bus, gate
         self._body = body
         self._side = effector.side
         self._gripper = effector.gripper
@@ -178,11 +206,11 @@ class HandPart:
         """Return what is to be served: commands."""
         return (answering(keys.gripper_command(self._side), self._take),)
 
-    def listen(self, *, stopped: bool) -> None:
+    def listen(self) -> None:
         """Hear nothing: nothing is streamed to a gripper."""
 
     def _take(self, command: GripperCommand) -> Answer:
-        return STOPPED if self._stopped() else self.controller.accept(command)
+        return self._gate.shut_to(command) or self.controller.accept(command)
 
     def halt(self) -> None:
         """Stand still, and hold on to what is held."""
@@ -236,8 +264,10 @@ class HandPart:
 class BasePart:
     """The wheels, odometry and bumpers."""
 
-    def __init__(self, bus: Bus, body: RobotBody, *, noise: Noise, rng: np.random.Generator) -> None:
-        self._bus = bus
+    def __init__(
+        self, bus: Bus, body: RobotBody, gate: Gate, *, noise: Noise, rng: np.random.Generator
+    ) -> None:
+        self._bus, self._gate = bus, gate
         self._body = body
         wheels = body.model.wheels
         self._joints = (wheels.left, wheels.right)
@@ -254,10 +284,10 @@ class BasePart:
         left, right = self._body.read(self._joints)
         return left.position, right.position
 
-    def listen(self, *, stopped: bool) -> None:
+    def listen(self) -> None:
         """Take the newest velocity command."""
-        commands = self._velocity.take()
-        if commands and not stopped:
+        commands = self._gate.pass_on(self._velocity.take())
+        if commands:
             self.controller.command(commands[-1])
 
     def halt(self) -> None:

@@ -33,6 +33,8 @@ from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.documents import in_words
 from skills.ports.endpoint import answering, endpoint
 from skills.ports.failure import Failure, FailureKind
+from skills.ports.fencing import Listening
+from skills.ports.lease import Lease, Leased
 from skills.ports.message import Message
 from skills.ports.serving import Endpoints
 from skills.ports.skill import Command, F, G, Outcome, R, Run, Skill, Slice
@@ -44,6 +46,8 @@ KEPT: Final = 256
 """Ended goals whose result is remembered, and as many that were rejected."""
 FEEDBACK_PERIOD: Final = 0.1
 """Robot seconds between two published statuses with new feedback only."""
+COMMANDER: Final = "executive"
+"""The role whose commands the servers obey."""
 ORPHANED_AFTER: Final = 1.0
 """Host seconds for which a client's name must be gone before its goal is cancelled."""
 
@@ -61,6 +65,8 @@ class _Current(Generic[F, R]):
     client_gone_since: float | None = None
     stands_by: bool = False
     """Whether it was paused because its client does not go on."""
+    lease: Lease | None = None
+    """Under which it was sent."""
 
 
 class ActionServer(Generic[G, F, R]):
@@ -88,6 +94,7 @@ class ActionServer(Generic[G, F, R]):
             ),
         )
         self._topic = status_topic(name)
+        self._fence = Listening(bus, COMMANDER)
         self._current: _Current[F, R] | None = None
         self._known: OrderedDict[str, GoalStatus] = OrderedDict()
         self._rejected: OrderedDict[str, GoalStatus] = OrderedDict()
@@ -112,6 +119,7 @@ class ActionServer(Generic[G, F, R]):
 
     def step(self) -> bool:
         """Answer who asks, then resume the skill."""
+        self._fence.step()
         waiting = self._endpoints.step()
         self._watch_client()
         return self._resume() or waiting
@@ -124,9 +132,10 @@ class ActionServer(Generic[G, F, R]):
                 GoalState.FAILED, failure=self._failure(FailureKind.SKILL_LOST, "the skill's process ended")
             )
         self._endpoints.close()
+        self._fence.close()
 
     def _on_goal(self, sent: SendGoal) -> GoalStatus:
-        known = self._find(sent.goal_id)
+        known = self._fenced(sent, sent.goal_id) or self._find(sent.goal_id)
         if known is not None:
             return known
         before = self._current
@@ -173,7 +182,8 @@ class ActionServer(Generic[G, F, R]):
         if unstored is not None:
             return self._status(sent.goal_id, GoalState.REJECTED, failure=unstored)
         log.info("goal begins", extra=self._about(sent.goal_id))
-        self._current = _Current(sent.goal_id, sent.client, self._skill.run(goal, sent.goal_id))
+        run = self._skill.run(goal, sent.goal_id)
+        self._current = _Current(sent.goal_id, sent.client, run, lease=sent.lease)
         return self._change(sent.goal_id, GoalState.RUNNING)
 
     def _store(self, goal_id: str) -> Failure | None:
@@ -188,9 +198,22 @@ class ActionServer(Generic[G, F, R]):
         return None
 
     def _on_command(self, asked: GoalCommand) -> GoalStatus:
+        # Coming to rest is always allowed.
+        refused = None if asked.command is Command.CANCEL else self._fenced(asked, asked.goal_id)
+        if refused is not None:
+            return refused
         if self._current is not None and self._current.goal_id == asked.goal_id:
             self._command(self._current, asked.command)
         return self._find(asked.goal_id) or self._status(asked.goal_id, GoalState.UNKNOWN)
+
+    def _fenced(self, command: Leased, goal_id: str) -> GoalStatus | None:
+        """Return the refusal of a command whose sender has no lease, or has been replaced; None: obey it."""
+        refusal = self._fence.refuse(command.lease)
+        if refusal is None:
+            return None
+        log.warning("%s: refused goal %s: %s", self.name, goal_id, refusal.reason)
+        kind = FailureKind.SUPERSEDED if refusal.over else FailureKind.NOT_READY
+        return self._status(goal_id, GoalState.REJECTED, failure=self._failure(kind, refusal.reason))
 
     def _command(self, current: _Current[F, R], command: Command) -> None:
         state = self._known[current.goal_id].state
@@ -212,6 +235,10 @@ class ActionServer(Generic[G, F, R]):
 
     def _watch_client(self) -> None:
         current = self._current
+        if current is not None and self._fence.is_over(current.lease):
+            # Its name may be there again, played by another: that one knows nothing of this goal.
+            self._command(current, Command.CANCEL)
+            return
         if current is None or not current.client:
             return
         now = self._clocks.monotonic()

@@ -16,6 +16,7 @@ from executive.ledger.port import Entry, Ledger, Reading, SentGoal, Transition
 from executive.task_memory import TaskMemory
 from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
 from skills.ports.hearing import Ear
+from skills.ports.lease import Lease
 from skills.ports.message import MAX_REQUEST_BYTES
 from skills.ports.tasks import AskHistory, History, TaskStatus
 
@@ -186,6 +187,10 @@ class CrashBus:
     def awake(self) -> frozenset[str]:
         """As the bus."""
         return self.inner.awake()
+
+    def lease(self) -> Lease | None:
+        """Return the lease of this process's role."""
+        return self.inner.lease()
 
 
 @dataclass(eq=False)

@@ -83,7 +83,7 @@ class CrashRig:
     def start(self, *roles: str, crash_at: str | None = None, crash_log: Path | None = None) -> None:
         """Start processes; the executive perhaps such that it is killed at a point."""
         for role in roles:
-            update: dict[str, object] = {"role": role, "again": True}
+            update: dict[str, object] = {"role": role}
             if role == "executive":
                 self.crash_at = self.crash_at if crash_at is None else crash_at
                 update |= {"crash_at": crash_at, "crash_log": None if crash_log is None else str(crash_log)}

@@ -10,10 +10,12 @@ from typing import Final, Literal
 from skills.ports.actions.gripper import Grip, GripGoal
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
+from skills.ports.fencing import Grantor
 from skills.ports.geometry import FloorPose, Pose, from_axes
 from skills.ports.hardware import Clock
 from skills.ports.keys import CLOCK, Nothing, Service
 from skills.ports.message import Message, RobotTime
+from skills.ports.serving import Endpoints
 from skills.ports.site import Site
 from skills.ports.world import Side, WorldState
 from skills.testing.mock_robot import MockRobot
@@ -85,6 +87,8 @@ class LastingRobot:
 
     def __post_init__(self) -> None:
         self._desk = self.bus.serve(RESET.key)
+        self._grantor = Grantor(self.bus, self.boot, self.clocks.monotonic)
+        self._leases = Endpoints(self.bus, self.clocks.monotonic, self._grantor.endpoints())
         self._began = self.clocks.monotonic()
         self.robot = MockRobot(self.bus, self.clocks, self.site, items=ITEMS, duration=SKILL_SECONDS)
         self.robot.watch = self._watch
@@ -102,6 +106,8 @@ class LastingRobot:
             self._ticks = int(seconds / TICK) + 1
             stamp = RobotTime(boot=self.boot, seconds=seconds)
             CLOCK.publish(self.bus, Clock(stamp=stamp, tick=self._ticks))
+        self._grantor.step()
+        self._leases.step()
         for request in self._desk.drain():
             self._become(self._first)
             self.robot.forget_calls()
@@ -115,6 +121,7 @@ class LastingRobot:
     def close(self) -> None:
         """End all skills."""
         self.robot.close()
+        self._leases.close()
         self._desk.close()
 
     def _watch(self, what: str, action: str, goal_id: str, goal: Message) -> None:

@@ -12,6 +12,7 @@ from pydantic import JsonValue
 
 from skills.ports.failure import Failure
 from skills.ports.keys import Service, Topic
+from skills.ports.lease import Leased
 from skills.ports.message import Message, RobotTime
 from skills.ports.skill import Command
 
@@ -40,7 +41,7 @@ class GoalState(StrEnum):
         }
 
 
-class SendGoal(Message):
+class SendGoal(Leased):
     """Start ``goal`` under this id. ``client`` is the announced name whose end brings the goal to rest."""
 
     goal_id: str
@@ -48,8 +49,11 @@ class SendGoal(Message):
     goal: dict[str, JsonValue]
 
 
-class GoalCommand(Message):
-    """Cancel, pause or resume the goal."""
+class GoalCommand(Leased):
+    """Cancel, pause or resume the goal.
+
+    A cancel is obeyed whatever its lease: coming to rest is always allowed.
+    """
 
     goal_id: str
     command: Command

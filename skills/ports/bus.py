@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Protocol
 
+from skills.ports.lease import Lease
 from skills.ports.message import MAX_REQUEST_BYTES
 
 if TYPE_CHECKING:
@@ -159,4 +160,8 @@ class Bus(Protocol):
 
     def awake(self) -> frozenset[str]:
         """Return those of them whose process goes on; one that hangs is missed within half a second."""
+        ...
+
+    def lease(self) -> Lease | None:
+        """Return the lease of this process's role; its commands carry it. None while it holds none."""
         ...

@@ -46,6 +46,7 @@ DELIVERY: Final[tuple[tuple[str, Delivery], ...]] = (
     ("hw/base/bumpers", Delivery.STATE),
     ("hw/group/*/status", Delivery.STATE),
     ("hw/stop/state", Delivery.STATE),
+    ("hw/leases", Delivery.STATE),
     ("world/robot", Delivery.CONTROL),
     ("world/**", Delivery.STATE),
     ("skill/*/approach_state", Delivery.CONTROL),

@@ -54,6 +54,7 @@ class FailureKind(StrEnum):
     TILTED = "TILTED"
     OTHER_ARM_FAILED = "OTHER_ARM_FAILED"
     INTERRUPTED = "INTERRUPTED"
+    SUPERSEDED = "SUPERSEDED"
 
 
 class Helper(StrEnum):
@@ -125,6 +126,9 @@ KINDS: Final = MappingProxyType(
         _K.OTHER_ARM_FAILED: KindFacts("the other arm failed before both could act", True, Helper.AGAIN),
         _K.INTERRUPTED: KindFacts(
             "the executive ended in the middle; how far it came is not known", True, Helper.OPERATOR
+        ),
+        _K.SUPERSEDED: KindFacts(
+            "another process plays the sender's role; its commands are not obeyed", False, Helper.OPERATOR
         ),
     }
 )

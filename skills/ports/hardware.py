@@ -10,6 +10,7 @@ from typing import Annotated, Final, Literal
 from pydantic import Field, model_validator
 
 from skills.ports.geometry import FloorPose
+from skills.ports.lease import Leased
 from skills.ports.message import Message, RobotTime, Vector3
 
 Positive = Annotated[float, Field(gt=0.0)]
@@ -227,7 +228,7 @@ class TrajectoryPoint(Message):
     velocities: tuple[float, ...]
 
 
-class TrajectoryGoal(Message):
+class TrajectoryGoal(Leased):
     """A motion of a group, as cubic splines between points; the first point is where the group stands.
 
     The group aborts when a joint strays from the path by more than ``path_tolerance`` or is not within
@@ -285,13 +286,16 @@ class Answer(Message):
     reason: str = ""
 
 
-class CancelMotion(Message):
-    """Stop the group's goal ``id`` within its limits; the group then holds. An empty id means any goal."""
+class CancelMotion(Leased):
+    """Stop the group's goal ``id`` within its limits; the group then holds. An empty id means any goal.
+
+    Coming to rest is always allowed: the lease is not looked at.
+    """
 
     id: str = ""
 
 
-class SetPoint(Message):
+class SetPoint(Leased):
     """One streamed set-point of a group; without a new one for 0.1 s the group holds."""
 
     stamp: RobotTime
@@ -305,7 +309,7 @@ class SetPoint(Message):
         return self
 
 
-class GripperCommand(Message):
+class GripperCommand(Leased):
     """Move the pads to ``width`` metres, with at most ``force`` newtons and ``speed`` metres a second."""
 
     id: str
@@ -337,7 +341,7 @@ class GripperState(Message):
     """Newtons between the pads, as the motor's effort tells."""
 
 
-class BaseVelocity(Message):
+class BaseVelocity(Leased):
     """m/s ahead and rad/s to the left; older than the drive's dead-man means stop."""
 
     linear: float

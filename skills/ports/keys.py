@@ -31,6 +31,7 @@ from skills.ports.hardware import (
     Wrench,
 )
 from skills.ports.hearing import Entrance
+from skills.ports.lease import LeaseAnswer, Leased, LeaseRequest, Leases
 from skills.ports.limits import SMALL, Limits
 from skills.ports.message import Message
 
@@ -43,6 +44,11 @@ class Nothing(Message):
     """An empty document: a query that needs no words."""
 
 
+def _with_lease(bus: Bus, message: Message) -> Message:
+    lease = bus.lease() if isinstance(message, Leased) and message.lease is None else None
+    return message if lease is None else message.model_copy(update={"lease": lease})
+
+
 @dataclass(frozen=True)
 class Topic(Generic[M]):
     """A key and the model of what is put on it, as JSON."""
@@ -51,8 +57,8 @@ class Topic(Generic[M]):
     model: type[M]
 
     def publish(self, bus: Bus, message: M) -> None:
-        """Put the message."""
-        bus.publish(self.key, message.model_dump_json().encode())
+        """Put the message; a command carries the lease of the bus's process."""
+        bus.publish(self.key, _with_lease(bus, message).model_dump_json().encode())
 
     def decode(self, payload: bytes) -> M:
         """Return the message; pydantic's ValidationError when it is none."""
@@ -76,8 +82,8 @@ class Service(Generic[Asked, Answered]):
     limits: Limits = SMALL
 
     def query(self, bus: Bus, message: Asked, *, timeout: float = 2.0) -> Pending:
-        """Ask; poll the result and give it to ``decode_answer``."""
-        return bus.query(self.key, message.model_dump_json().encode(), timeout=timeout)
+        """Ask; poll the result and give it to ``decode_answer``. A command carries the process's lease."""
+        return bus.query(self.key, _with_lease(bus, message).model_dump_json().encode(), timeout=timeout)
 
     def decode_answer(self, payload: bytes) -> Answered:
         """Return the answer; pydantic's ValidationError when it is none."""
@@ -144,6 +150,8 @@ STOP: Final = Service("hw/stop", Stop, StopState, limits=Limits(per_step=128, ra
 """The one command that an unreadable document does not keep from being carried out, nor a flood."""
 STOP_RELEASE: Final = Service("hw/stop/release", StopRelease, StopState)
 STOP_STATE: Final = Topic("hw/stop/state", StopState)
+LEASE: Final = Service("hw/lease", LeaseRequest, LeaseAnswer)
+LEASES: Final = Topic("hw/leases", Leases)
 RGBD: Final = "hw/camera/head/rgbd"
 """Binary: see ``skills.ports.image``."""
 

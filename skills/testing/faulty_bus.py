@@ -16,6 +16,7 @@ from pydantic import Field
 from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
 from skills.ports.clocks import Clocks
 from skills.ports.hearing import Ear
+from skills.ports.lease import Lease
 from skills.ports.message import MAX_REQUEST_BYTES, Message
 
 T = TypeVar("T", Sample, Request)
@@ -251,3 +252,7 @@ class FaultyBus:
     def awake(self) -> frozenset[str]:
         """Return those of them whose process goes on."""
         return self._bus.awake()
+
+    def lease(self) -> Lease | None:
+        """Return the lease of this process's role."""
+        return self._bus.lease()

@@ -9,6 +9,7 @@ from typing import Literal
 
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
 from skills.ports.hearing import Ear
+from skills.ports.lease import Lease
 from skills.ports.match import intersects, matches
 from skills.ports.message import MAX_REQUEST_BYTES
 from skills.wire.keyed_queue import DESK_DEPTH
@@ -206,6 +207,8 @@ class MemoryBus:
         self.hub = hub or MemoryHub()
         self.ear = Ear()
         self._announced: list[str] = []
+        self.held: Lease | None = None
+        """This end's lease, where one is granted."""
 
     def publish(self, key: str, payload: bytes) -> None:
         """Send to all who subscribed."""
@@ -252,6 +255,10 @@ class MemoryBus:
     def awake(self) -> frozenset[str]:
         """Return the same: in one thread nobody hangs alone."""
         return self.alive()
+
+    def lease(self) -> Lease | None:
+        """Return the lease of this process's role."""
+        return self.held
 
     def close(self) -> None:
         """Take back what was announced here."""

@@ -16,6 +16,7 @@ import zenoh
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
 from skills.ports.delivery import LARGE, Delivery, delivery_of
 from skills.ports.hearing import Ear
+from skills.ports.lease import Lease
 from skills.ports.message import MAX_REQUEST_BYTES
 from skills.ports.refusals import REFUSALS, RefusalTeller
 from skills.wire.configs import client_config
@@ -248,6 +249,9 @@ class ZenohBus:
         self._tokens: list[zenoh.LivelinessToken] = []
         self._names: dict[str, None] = {}
         self._own: list[str] = []
+        self._claims: dict[str, zenoh.LivelinessToken] = {}
+        self.held: Lease | None = None
+        """This process's lease, once it is granted."""
         self._pulse = Pulse(time.monotonic, silent_after)
         self._beats = self._session.declare_subscriber(f"{prefix}/{BEAT}", self._on_beat)
         self._liveliness = self._session.liveliness().declare_subscriber(
@@ -335,18 +339,25 @@ class ZenohBus:
         """Return those of them whose process goes on."""
         return self._pulse.awake(self.alive())
 
-    def present(self, name: str, *, timeout: float = 0.3) -> bool:
-        """Ask the network whether ``name`` is announced now; a "no" takes ``timeout`` seconds.
+    def lease(self) -> Lease | None:
+        """Return what this process holds."""
+        return self.held
 
-        Asked more than once: a session that has just been opened is told at first that nobody is there.
-        """
-        deadline = time.monotonic() + timeout
-        while time.monotonic() < deadline:
-            replies = self._session.liveliness().get(f"{self._prefix}/alive/{name}", timeout=timeout)
-            if any(reply.ok is not None for reply in replies):
-                return True
-            self.waker.wait(0.02)
-        return False
+    def claim(self, key: str) -> None:
+        """Show a claim until it is withdrawn or the session ends. ``skills.wire.presence`` says what for."""
+        self._claims[key] = self._session.liveliness().declare_token(f"{self._prefix}/{key}")
+
+    def withdraw(self, key: str) -> None:
+        """Take a claim back. One that is not shown is none."""
+        token = self._claims.pop(key, None)
+        if token is not None:
+            token.undeclare()  # type: ignore[no-untyped-call]
+
+    def claims(self, key: str, *, timeout: float) -> frozenset[str]:
+        """Ask the router for the claims under a key expression; blocks for at most ``timeout`` seconds."""
+        replies = self._session.liveliness().get(f"{self._prefix}/{key}", timeout=timeout)
+        start = len(self._prefix) + 1
+        return frozenset(str(reply.ok.key_expr)[start:] for reply in replies if reply.ok is not None)
 
     def close(self) -> None:
         """End the session. Closing twice is allowed."""

@@ -110,8 +110,9 @@ def test_a_fetch_asked_for_by_a_plain_put_goes_on_whatever_else_is_asked(live: P
 def test_a_second_one_for_the_same_robot_refuses(live: ProcessSystem, tmp_path: Path, role: Role) -> None:
     code, words = play(role, live._options, tmp_path)
     assert code == ExitCode.REFUSED, words
-    assert f"{role}: there is such a process for test/tiago" in words
-    assert "already" in words
+    assert f"{role}: process " in words
+    assert "plays this role already" in words
+    assert "for test/tiago at" in words
     assert "Traceback" not in words
     live.advance()
 

@@ -228,11 +228,11 @@ def test_a_session_that_has_just_been_opened_knows_who_is_present() -> None:
     endpoint = free_endpoint()
     router = open_session(router_config(endpoint), endpoint)
     first = ZenohBus(endpoint, "lab/robot")
-    first.announce("role/hardware")
+    first.claim("claim/hardware/first")
     for _ in range(10):
         second = ZenohBus(endpoint, "lab/robot")
-        assert second.present("role/hardware", timeout=2.0)
+        assert second.claims("claim/hardware/*", timeout=2.0) == {"claim/hardware/first"}
         second.close()
-    assert not first.present("role/executive", timeout=0.1)
+    assert not first.claims("claim/executive/*", timeout=2.0)
     first.close()
     router.close()
