@@ -12,6 +12,7 @@ from typing import Final, Literal
 
 from executive.security.holders import Holder
 from executive.security.rights import Rights, rights_of
+from skills.ports.delivery import KEPT
 from skills.ports.message import MAX_REQUEST_BYTES, Message
 
 Flow = Literal["ingress", "egress"]
@@ -129,4 +130,22 @@ def _rules(holder: Holder, prefix: str) -> list[Rule]:
                     key_exprs=tuple(f"{prefix}/{key}" for key in keys),
                 )
                 rules.append(rule)
-    return rules
+    return [*rules, *_kept_rules(holder, rights, prefix)]
+
+
+def _kept_rules(holder: Holder, rights: Rights, prefix: str) -> list[Rule]:
+    """Return the rules for states that are asked for again: of what one may hear, from who may tell it."""
+    every = (f"{prefix}/{KEPT}**",)
+    tells, hears = (tuple(f"{prefix}/{KEPT}{key}" for key in keys) for keys in (rights.tells, rights.hears))
+    asks: list[tuple[Flow, Kind, tuple[str, ...]]] = [("ingress", "query", hears), ("egress", "reply", hears)]
+    serves: list[tuple[Flow, Kind, tuple[str, ...]]] = [
+        ("ingress", "declare_queryable", every),
+        ("egress", "query", every),
+        ("ingress", "reply", tells),
+    ]
+    rules = (*asks, *serves) if holder.role == "robot" else asks
+    return [
+        Rule(id=f"{holder.common_name}/kept/{flow}/{kind}", flows=(flow,), messages=(kind,), key_exprs=keys)
+        for flow, kind, keys in rules
+        if keys
+    ]

@@ -4,8 +4,8 @@ A reader that is stopped in a debugger, or behind a cable that was pulled, would
 and the dead man's switch of everybody. What differs is what a reader misses that can't keep up:
 
 - ``CONTROL``: a stream whose next message makes up for the last one. Latest wins.
-- ``STATE``: said when it changes, and again or when asked for, so that a reader that missed it is not wrong
-  for ever.
+- ``STATE``: said when it changes, and once more a second later unless it has changed again: a reader that was
+  busy for a moment and missed it is not wrong for ever. ``kept/<key>`` answers with the latest.
 - ``BULK``: pictures. One at a time is on its way to a reader, whole or not at all; those that come meanwhile
   are not for that reader.
 """
@@ -18,6 +18,13 @@ from typing import Final
 
 from skills.ports.match import matches
 
+KEPT: Final = "kept/"
+"""Before the key of a state: where its publisher answers with what it said last."""
+KEPT_KEYS: Final = 256
+"""States that a process keeps; then the one that was said longest ago is forgotten. A process has a few
+dozen, the executive one for each task."""
+AGAIN_AFTER: Final = 1.0
+"""Host seconds after which a state is said once more. Who is busy for longer is said to hang."""
 LARGE: Final = 512 * 1024
 """Bytes of a payload above which it goes as bulk, whatever it is: half of what may wait on the way to a
 reader (``skills/wire/configs.py``)."""

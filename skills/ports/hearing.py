@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from skills.ports.hardware import RobotDescription
 
 M = TypeVar("M", bound=Message)
+V = TypeVar("V")
 
 ORDERED: Final = ("hw/", "world/")
 """How the keys begin whose stamps must not run backwards. The others are about many things; statuses of goals
@@ -102,10 +103,16 @@ class Entrance(Generic[M]):
     def __init__(self, ear: Ear, decode: Callable[[bytes], M]) -> None:
         self._ear, self._decode = ear, decode
         self._last: dict[str, RobotTime] = {}
+        self._said: dict[str, bytes] = {}
         self._older: dict[str, list[RobotTime]] = {}
 
     def read(self, key: str, payload: bytes) -> M | None:
-        """Return the message, or None for one that is refused for what it says."""
+        """Return the message, or None for one that is refused for what it says, or that is said again.
+
+        A state is said twice (``skills.ports.delivery``), for those who missed it the first time.
+        """
+        if self._said.get(key) == payload:
+            return None
         try:
             message = self._decode(payload)
         except ValueError as error:
@@ -122,6 +129,8 @@ class Entrance(Generic[M]):
         if wrong:
             self._ear.refuse(key, Reason.MISFIT, wrong)
             return None
+        if key.startswith(ORDERED) and stamp_of(message) is not None:
+            _keep(self._said, key, payload)
         return message
 
     def is_newer(self, key: str, message: M) -> bool:
@@ -131,13 +140,13 @@ class Entrance(Generic[M]):
             return True
         last = self._last.get(key)
         if last is not None and last.boot == stamp.boot and stamp.seconds < last.seconds:
-            row = self._older.setdefault(key, [])
+            row = self._older.setdefault(key, [])  # of keys in _last only
             if row and (row[-1].boot != stamp.boot or stamp.seconds < row[-1].seconds):
                 row.clear()
             row.append(stamp)
             if len(row) < OUTVOTED:
                 return False
-        self._last[key] = stamp
+        _keep(self._last, key, stamp)
         self._older.pop(key, None)
         return True
 
@@ -185,6 +194,13 @@ def stamp_of(message: Message) -> RobotTime | None:
     """Return a message's stamp, if it has one."""
     stamp: object = getattr(message, "stamp", None)
     return stamp if isinstance(stamp, RobotTime) else None
+
+
+def _keep(known: dict[str, V], key: str, value: V) -> None:
+    """Note it; of keys that somebody makes up, the oldest are forgotten."""
+    known[key] = value
+    if len(known) > KINDS:
+        known.pop(next(iter(known)))
 
 
 def _first(error: ValueError) -> str:

@@ -14,13 +14,14 @@ from typing import Final
 import zenoh
 
 from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
-from skills.ports.delivery import LARGE, Delivery, delivery_of
+from skills.ports.delivery import KEPT, LARGE, Delivery, delivery_of
 from skills.ports.hearing import Ear
 from skills.ports.lease import Lease
 from skills.ports.message import MAX_REQUEST_BYTES
 from skills.ports.refusals import REFUSALS, RefusalTeller
 from skills.wire.configs import client_config
 from skills.wire.credentials import Credentials
+from skills.wire.kept import AT_ONCE, Kept
 from skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
 from skills.wire.memory import MemorySample
 from skills.wire.pulse import BEAT, SILENT_AFTER, Pulse
@@ -243,6 +244,8 @@ class ZenohBus:
         self.waker = waker or Waker()
         self.ear = Ear(time.monotonic)
         self._refusals = RefusalTeller(self.ear)
+        self._kept = Kept(time.monotonic)
+        self._kept_desk: Desk | None = None
         self._prefix = prefix
         self._session = open_session(client_config(endpoint, patience, credentials), endpoint)
         self._publishers: dict[tuple[str, Delivery], zenoh.Publisher] = {}
@@ -262,6 +265,8 @@ class ZenohBus:
         """Send to all who subscribed."""
         # What is larger than the way out goes as pictures do, whatever it is.
         how = Delivery.BULK if len(payload) > LARGE else delivery_of(key)
+        if delivery_of(key) is Delivery.STATE:
+            self._keep(key, payload)
         self._publisher(key, how).put(payload)
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
@@ -330,6 +335,9 @@ class ZenohBus:
             refused = self._refusals.due(self._own[0] if self._own else "", time.monotonic())
             if refused is not None:
                 REFUSALS.publish(self, refused)
+            for key, payload in self._kept.due():
+                self._publisher(key, delivery_of(key)).put(payload)
+            self._answer_kept()
 
     def alive(self) -> frozenset[str]:
         """Return the names that are announced now."""
@@ -363,6 +371,20 @@ class ZenohBus:
         """End the session. Closing twice is allowed."""
         if not self._session.is_closed():
             self._session.close()  # type: ignore[no-untyped-call]
+
+    def _keep(self, key: str, payload: bytes) -> None:
+        self._kept.note(key, payload)
+        if self._kept_desk is None:
+            self._kept_desk = self.serve(f"{KEPT}**")
+
+    def _answer_kept(self) -> None:
+        """Answer who asks what was said last, under the key of each; a wildcard gets all that match."""
+        asked = [] if self._kept_desk is None else self._kept_desk.drain()
+        for request in asked[:AT_ONCE]:
+            known = {f"{KEPT}{key}": payload for key, payload in self._kept.latest.items()}
+            request.reply_each({key: payload for key, payload in known.items() if request.covers(key)})
+        for request in asked[AT_ONCE:]:
+            request.end()
 
     def _publisher(self, key: str, how: Delivery) -> zenoh.Publisher:
         publisher = self._publishers.pop((key, how), None)

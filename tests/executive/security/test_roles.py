@@ -245,3 +245,34 @@ def test_a_key_that_is_revoked_is_out_at_once(bus: Secured) -> None:
     assert bus.until(lambda: may("operator"))
     assert not may("second")
     assert second.alive() >= set()
+
+
+def test_states_are_asked_for_again_by_those_who_may_hear_them(bus: Secured) -> None:
+    skills, liar = bus.sessions["skills"], bus.sessions["viewer"]
+    skills.publish("world/state", b"believed")
+    liar.publish("world/state", b"a lie")
+    asking = {who: session for who, session in bus.sessions.items() if who in EVERYBODY and who != "skills"}
+    answers: dict[str, bytes | None] = {}
+
+    def ask() -> bool:
+        pending = {who: bus.query("kept/world/state", b"", timeout=1.0) for who, bus in asking.items()}
+
+        def over() -> bool:
+            skills.beat()
+            liar.beat()
+            return all(each.done() for each in pending.values())
+
+        bus.until(over)
+        answers.update((who, each.poll()) for who, each in pending.items())
+        return answers["operator"] is not None
+
+    assert bus.until(ask, 10.0)
+    assert {who for who, answer in answers.items() if answer is not None} == {
+        "executive",
+        "supervisor",
+        "viewer",
+        "requester",
+        "requester-2",
+        "operator",
+    }
+    assert set(answers.values()) == {b"believed", None}
