@@ -31,7 +31,7 @@ SITE: Final = "still"
 PREFIX: Final = f"{SITE}/tiago"
 ALLOWED: Final = 0.3
 """Seconds: others say that a process hangs after that (``skills/wire/pulse.py``)."""
-FETCH_WITHIN: Final = 400.0
+FETCH_WITHIN: Final = 1200.0
 FROZEN, THAWED = 8.0, 1.0
 
 
@@ -60,6 +60,7 @@ class Beats:
 
 def say(text: str) -> None:
     sys.stdout.write(f"{text}\n")
+    sys.stdout.flush()
 
 
 def fetch(session: zenoh.Session, still: Sequence[Reader], *, thawing: bool) -> dict[str, Any]:
@@ -71,10 +72,10 @@ def fetch(session: zenoh.Session, still: Sequence[Reader], *, thawing: bool) -> 
     assert answer["accepted"], answer
     status: dict[str, Any] = {}
     turn, asked = time.monotonic() + FROZEN, 0.0
-    frozen = True
+    frozen, began, told = True, time.monotonic(), ""
 
     def ended() -> bool:
-        nonlocal turn, frozen, asked
+        nonlocal turn, frozen, asked, told
         now = time.monotonic()
         if thawing and now >= turn:
             frozen = not frozen
@@ -84,10 +85,15 @@ def fetch(session: zenoh.Session, still: Sequence[Reader], *, thawing: bool) -> 
         if now - asked < 1.0:
             return False
         asked = now
-        for each in session.get(f"{PREFIX}/task/info", payload=json.dumps({"task": answer["task"]})):
+        for each in session.get(f"{PREFIX}/task/list"):
             if each.ok is not None:
-                status.update(json.loads(each.ok.payload.to_bytes()))
-        return "ended" in status and status["ended"] is not None
+                (found,) = json.loads(each.ok.payload.to_bytes())["tasks"]
+                status.update(found)
+        phase = status.get("progress", {}).get("phase", "")
+        if phase != told:
+            told = phase
+            say(f"{now - began:6.1f} s  {phase}")
+        return status.get("ended") is not None
 
     until(ended, FETCH_WITHIN)
     return status
