@@ -262,7 +262,8 @@ class Losing(Stepping):
         super().wait(seconds)
         if self.steps == 1:
             for pending in self.asked:
-                pending.answer, pending.ended = None, True
+                pending.replies.clear()
+                assert pending.done()
 
     def __post_init__(self) -> None:
         super().__post_init__()
