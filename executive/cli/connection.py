@@ -12,6 +12,7 @@ from pydantic import ValidationError
 from executive.cli.allowed import refuse_unless_allowed
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
+from executive.client.talks import reason_of
 from executive.options import BusOptions
 from executive.security.holders import KeysError
 from executive.security.identity import client_in
@@ -103,7 +104,8 @@ class Connection:
         """Return what is answered as it is, or None when nobody answers in time.
 
         Raises:
-            CommandError: REFUSED when the key that is shown does not allow the question.
+            CommandError: REFUSED when the key that is shown does not allow the question, or whoever serves it
+                has refused it each time.
         """
         self.require_right(key)
         deadline = time.monotonic() + ANSWER_WITHIN
@@ -111,6 +113,9 @@ class Connection:
             pending, asked_at = self.bus.query(key, payload, timeout=ANSWER_WITHIN), time.monotonic()
             self._await(pending, deadline)
             answer = pending.poll()
+            late, refusal = time.monotonic() >= deadline - AGAIN_AFTER, pending.refusal()
+            if answer is None and refusal is not None and late:
+                raise CommandError(f"{key} was refused: {reason_of(refusal)}", ExitCode.REFUSED)
             if answer is not None or time.monotonic() >= deadline:
                 return answer
             # An empty answer means "not known": zenoh may say so just after somebody has come.

@@ -3,6 +3,7 @@
 ClientError
 ├── NotConnectedError    no router answers there, or no executive behind it
 ├── OtherVersionError    the answer is none that this client understands
+├── DeclinedError        the question was not taken: too often, too large, or not as it should be
 ├── RejectedError        the request was not taken; ``problems`` say where and why
 ├── RefusedError         a verb (cancel, pause, ...) was not taken; ``reason`` says why
 ├── UnknownTaskError     the executive knows no such task (any more)
@@ -25,6 +26,19 @@ class NotConnectedError(ClientError):
 
 class OtherVersionError(ClientError):
     """An answer came that does not fit its model: the other program is of another version."""
+
+
+class DeclinedError(ClientError):
+    """A question that was not taken, again and again.
+
+    Args:
+        key: where it was asked.
+        reason: why not, in the words of whoever serves the key.
+    """
+
+    def __init__(self, key: str, reason: str) -> None:
+        self.key, self.reason = key, reason
+        super().__init__(f"{key} was declined: {reason}")
 
 
 class RejectedError(ClientError):

@@ -16,8 +16,9 @@ from typing import Final, TypeVar
 
 from pydantic import ValidationError
 
-from executive.client.errors import NotConnectedError, OtherVersionError
+from executive.client.errors import DeclinedError, NotConnectedError, OtherVersionError
 from skills.ports.bus import Bus, Pending
+from skills.ports.endpoint import Refusal
 from skills.ports.keys import Service
 from skills.ports.message import Message
 
@@ -76,13 +77,22 @@ class Talks:
             ) from error
 
     def raw(self, key: str, payload: bytes) -> Talk[bytes | None]:
-        """Return what is answered as it is, None when nobody answers in time."""
+        """Return what is answered as it is, None when nobody answers in time.
+
+        Raises:
+            DeclinedError: when it was refused each time, as for its rate.
+        """
         deadline = self.monotonic() + self.patience
         while True:
             asked_at = self.monotonic()
             pending = self.bus.query(key, payload, timeout=self.patience)
             yield from self._ended(pending, deadline)
             answer = pending.poll()
+            if answer is None and (refusal := pending.refusal()) is not None:
+                yield from self._pause(min(asked_at + AGAIN_AFTER, deadline))
+                if self.monotonic() >= deadline:
+                    raise DeclinedError(key, reason_of(refusal))
+                continue
             if answer is not None or self.monotonic() >= deadline:
                 return answer
             yield from self._pause(min(asked_at + AGAIN_AFTER, deadline))
@@ -99,3 +109,11 @@ class Talks:
         there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))
         seen = f"there are only {there}" if there else "nobody is there"
         return f"no executive answers on {self.where}: {seen}; start the system with `tandem up`"
+
+
+def reason_of(refusal: bytes) -> str:
+    """Return in words why a question was refused."""
+    try:
+        return Refusal.model_validate_json(refusal).reason
+    except ValidationError:
+        return "it was answered with an error that this program can't read"

@@ -13,6 +13,7 @@ from surroundings import Surroundings, WaitRequest
 from executive.client.aio import AsyncClient
 from executive.client.errors import (
     ClientError,
+    DeclinedError,
     NotConnectedError,
     OtherVersionError,
     RefusedError,
@@ -23,7 +24,7 @@ from executive.client.errors import (
 )
 from executive.client.sync import Client
 from skills.ports.tasks import ExecutiveInfo, NodeStatus, TaskState
-from skills.wire.memory import MemoryBus
+from skills.wire.memory import MemoryBus, MemoryPending
 
 WAIT = {"task": "wait", "item": 3}
 
@@ -253,6 +254,38 @@ def test_waiting_ends_after_a_silence_that_no_restart_explains(client: Client, l
     with pytest.raises(NotConnectedError, match="no executive answers on lab/tiago"):
         client.wait(task)
     assert 60.0 <= link.here.clocks.seconds - before < 70.0
+
+
+class Declining(Stepping):
+    """The executive refuses each question for a while, as for its rate."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self.until, ask = 1.0, self.bus.query
+
+        def query(key: str, payload: bytes, *, timeout: float = 2.0) -> object:
+            pending = ask(key, payload, timeout=timeout)
+            if self.here.clocks.seconds >= self.until:
+                return pending
+            pending.replies.clear()
+            return MemoryPending(error=b'{"reason": "too often; ask again in 1 s"}')
+
+        self.bus.query = query  # type: ignore[method-assign,assignment]
+
+
+def test_a_question_that_is_refused_for_its_rate_is_asked_again() -> None:
+    link = Declining(Surroundings())
+    client = Client(link=link, monotonic=link.here.clocks.monotonic)
+    assert client.tasks() == ()
+    assert link.here.clocks.seconds >= 1.0
+
+
+def test_a_question_that_is_always_refused_says_why() -> None:
+    link = Declining(Surroundings())
+    link.until = 100.0
+    client = Client(link=link, monotonic=link.here.clocks.monotonic)
+    with pytest.raises(DeclinedError, match="task/list was declined: too often; ask again in 1 s"):
+        client.tasks()
 
 
 class Losing(Stepping):
