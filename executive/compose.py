@@ -61,9 +61,8 @@ def run_up(options: RunOptions) -> ExitCode:
 
     def work(console: Console) -> ExitCode:
         scenario, site, bus_faults = _checked(options)
-        for line in _taken_up(options):
-            console.print(line, markup=False)
-        with _system(options, scenario, bus_faults, console) as system:
+        taken_up = _taken_up(options)
+        with _system(options, scenario, bus_faults, console, first=taken_up) as system:
             console.print(f"ready: {options.scenario} on {options.bus.prefix} at {options.bus.endpoint}")
             console.print(f"in another terminal: {hint(options, scenario, site)}", markup=False)
             console.print("Ctrl-C ends all")
@@ -133,7 +132,12 @@ def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
 
 @contextmanager
 def _system(
-    options: RunOptions, scenario: Scenario, bus_faults: BusFaults | None, console: Console
+    options: RunOptions,
+    scenario: Scenario,
+    bus_faults: BusFaults | None,
+    console: Console,
+    *,
+    first: tuple[str, ...] = (),
 ) -> Iterator[System]:
     if options.lockstep:
         lockstep = LockstepSystem(scenario, options.seed, bus_faults=bus_faults)
@@ -146,7 +150,7 @@ def _system(
     def say(line: str) -> None:
         console.print(line, style="yellow", markup=False)
 
-    with ProcessSystem(options, roles=options.only or ROLES, say=say) as processes:
+    with ProcessSystem(options, roles=options.only or ROLES, say=say, first=first) as processes:
         yield processes
 
 

@@ -124,6 +124,7 @@ class ProcessSystem:
         roles: which processes to start.
         say: takes a line when a skill's process has died and is started again.
         hung_after: host seconds without a beat after which a process is killed and started again.
+        first: lines to be said before anything starts, once it is clear that this system may.
 
     Raises:
         ScenarioError: when the scenario is wrong.
@@ -136,9 +137,11 @@ class ProcessSystem:
         roles: tuple[Role, ...] = ROLES,
         say: Callable[[str], None] = lambda _: None,
         hung_after: float = HUNG_AFTER,
+        first: Sequence[str] = (),
     ) -> None:
         observed: tuple[Role, ...] = (OBSERVER,) if options.metrics or options.traces else ()
         self._options, self._roles, self._say = options, roles + observed, say
+        self._first = tuple(first)
         self._ready = False
         self._hung = Hung(time.monotonic, hung_after)
         self._site = load_scenario(options.scenario).site
@@ -213,6 +216,9 @@ class ProcessSystem:
         self.supervisor.folder.mkdir(parents=True, exist_ok=True)
         if "router" in self._roles:
             self._refuse_second_router()
+        for line in self._first:
+            self._say(line)
+        if "router" in self._roles:
             self.supervisor.start(self._settings("router"))
         self._connect()
         for role in self._roles:

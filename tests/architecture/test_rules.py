@@ -79,3 +79,11 @@ def test_truth_is_read_by_tests_and_reports_only() -> None:
         "executive/campaigns/crash_physics.py",
         "executive/campaigns/oracle.py",
     }
+
+
+def test_python_programs_of_ours_are_isolated_from_the_current_folder() -> None:
+    """``executive.isolation.python`` makes their command lines; the benchmarks are found in the checkout."""
+    makers = {
+        str(path.relative_to(ROOT)) for path in sources() if "sys.executable" in path.read_text("utf-8")
+    }
+    assert makers == {"executive/isolation.py", "executive/cli/bench_command.py"}

@@ -68,6 +68,16 @@ def tandem(
     return Done(done.returncode, done.stdout, done.stderr)
 
 
+def users_folder(folder: Path) -> Path:
+    """Make a folder with packages of the user's that have the names of ours."""
+    for name in ("executive", "sim", "skills", "trees"):
+        (folder / name).mkdir(parents=True)
+        (folder / name / "__init__.py").write_text(
+            f"raise SystemExit('the {name} of the user was imported')\n"
+        )
+    return folder
+
+
 def commands() -> tuple[str, ...]:
     """Return all commands: the interface's page lists them, and tests/docs compares it with the program."""
     page = (ROOT / "docs" / "interface.md").read_text("utf-8")

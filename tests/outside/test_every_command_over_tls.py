@@ -13,7 +13,7 @@ from typing import Final
 
 import pytest
 
-from tests.outside._command import Done, Running, commands, free_port, running, tandem
+from tests.outside._command import Done, Running, commands, free_port, running, tandem, users_folder
 
 pytestmark = [pytest.mark.processes, pytest.mark.xdist_group("every_command")]
 
@@ -105,9 +105,13 @@ class Secured:
 @pytest.fixture(scope="module")
 def secured(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Secured]:
     made = Secured(tmp_path_factory.mktemp("secured"))
-    # TANDEM_AS of a client in the same terminal does not keep the robot from starting.
-    with running("up", "--speed", "0.2", env=made.env | {"TANDEM_AS": "the-operator"}) as up:
-        up.await_word("ready:")
+    # Neither TANDEM_AS of a client in the same terminal, nor folders of our names where the user is, keep the
+    # robot from starting.
+    env, cwd = made.env | {"TANDEM_AS": "the-operator"}, users_folder(tmp_path_factory.mktemp("user"))
+    with running("up", "--speed", "0.2", env=env, cwd=cwd) as up:
+        said = up.await_word("Ctrl-C ends all")
+        assert f"--connect {made.env['TANDEM_CONNECT']}" in said
+        assert f"--keys {made.keys} --as the-operator --wait" in said
         yield made
         assert_alive(up)
 
