@@ -1,7 +1,7 @@
 """What reaches the user's screen: our own words, and nothing that libraries print from C.
 
-A user saw ``ven = Mesa/X.org`` between the lines of the demo, and nanobind's lists of "leaked instances" at its
-end: all runs in one process there, with its camera and its planners.
+A user saw ``ven = Mesa/X.org`` between the lines of the demo, and nanobind's lists of "leaked instances" at
+its end: all runs in one process there, with its camera and its planners.
 """
 
 from __future__ import annotations
