@@ -123,4 +123,5 @@ class Waiting:
 
 
 def _words(status: TaskStatus) -> str:
-    return f"{status.state} {status.progress.phase}".rstrip()
+    phase = f"waits for {status.waits_for}" if status.waits_for else status.progress.phase
+    return f"{status.state} {phase}".rstrip()

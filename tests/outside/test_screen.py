@@ -19,7 +19,7 @@ pytestmark = [pytest.mark.processes, pytest.mark.xdist_group("screen")]
 def test_a_demo_that_is_interrupted_says_nothing_but_its_own_words(tmp_path: Path) -> None:
     picture = tmp_path / "picture.png"
     with running("demo", "--lockstep", "--seed", "1", "--picture", str(picture), cwd=tmp_path) as demo:
-        demo.await_word("find")  # its first phase: the camera has drawn
+        demo.await_word("look here")  # the camera has drawn
         assert demo.end(signal.SIGINT) == 130
         said = demo.said
     assert "interrupted" in said
