@@ -1,7 +1,7 @@
 """The disk of the skills' host is full.
 
-A user would have seen the processes of base and keeper end with a trace, start again three times, and take `tandem up` with
-them; and, after a restart of the robot's unit, a robot that had forgotten what it holds.
+A user would have seen the processes of base and keeper end with a trace, start again three times, and take
+`tandem up` with them; and, after a restart of the robot's unit, a robot that had forgotten what it holds.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from executive.client import Client
+from executive.client.sync import Client
 from tests.outside._command import free_port, running
 
 SITE = "full-disk"
@@ -62,7 +62,7 @@ def until(holds: Callable[[], bool], what: str) -> None:
 @pytest.mark.xdist_group("full-disk")
 def test_goals_are_refused_while_the_disk_is_full_and_taken_once_there_is_space(tmp_path: Path) -> None:
     endpoint = f"tcp/127.0.0.1:{free_port()}"
-    words = ("up", "--connect", endpoint, "--site", SITE, "--data", str(tmp_path / "data"))
+    words = ("up", "--connect", endpoint, "--site-key", SITE, "--data", str(tmp_path / "data"))
     with running(*words) as up:
         up.await_word("ready")
         assert (tmp_path / "data" / "held.jsonl").is_file()
