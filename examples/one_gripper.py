@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Final
 
 from skills.ports.bus import Bus
+from skills.ports.endpoint import answering
 from skills.ports.hardware import (
     Answer,
     Clock,
@@ -21,6 +22,7 @@ from skills.ports.hardware import (
 )
 from skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, gripper_command, gripper_state
 from skills.ports.message import RobotTime
+from skills.ports.serving import Endpoints
 
 PERIOD: Final = 0.01
 """Seconds between two steps."""
@@ -40,8 +42,14 @@ class OneGripper:
 
     def __init__(self, bus: Bus, description: RobotDescription, *, boot: str, between: float = 0.0) -> None:
         self._bus, self._description, self._boot, self._between = bus, description, boot, between
-        self._questions = bus.serve(DESCRIPTION.key)
-        self._commands = bus.serve(gripper_command("left").key)
+        self._endpoints = Endpoints(
+            bus,
+            lambda: self._tick * PERIOD,
+            (
+                answering(DESCRIPTION, lambda _: self._description),
+                answering(gripper_command("left"), self._take),
+            ),
+        )
         self._gripper = description.end_effector("left").gripper
         self._width = self._gripper.max_width
         self._command: GripperCommand | None = None
@@ -51,11 +59,7 @@ class OneGripper:
         """Hear, move, tell; the clock last, so that what belongs to a tick has come before it."""
         self._tick += 1
         stamp = RobotTime(boot=self._boot, seconds=self._tick * PERIOD)
-        for question in self._questions.drain():
-            question.reply(self._description.model_dump_json().encode())
-        for request in self._commands.drain():
-            self._command = gripper_command("left").asked.model_validate_json(request.payload)
-            request.reply(Answer(accepted=True).model_dump_json().encode())
+        self._endpoints.step()
         gripper_state("left").publish(self._bus, self._move(stamp))
         STOP_STATE.publish(self._bus, StopState(stopped=False))
         CLOCK.publish(self._bus, Clock(stamp=stamp, tick=self._tick))
@@ -63,8 +67,11 @@ class OneGripper:
 
     def close(self) -> None:
         """Stop serving."""
-        self._questions.close()
-        self._commands.close()
+        self._endpoints.close()
+
+    def _take(self, command: GripperCommand) -> Answer:
+        self._command = command
+        return Answer(accepted=True)
 
     def _move(self, stamp: RobotTime) -> GripperState:
         command = self._command

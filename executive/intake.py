@@ -7,79 +7,120 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Final
 
+from pydantic import JsonValue
+
+from executive.bounds import Bounds
+from executive.doors import with_sender
 from executive.ledger.port import LedgerError
-from executive.requests import Asked, Refused, read_request
+from executive.requests import Asked, Refused, check_request, read_request
 from executive.task_book import TaskBook
 from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks
+from skills.ports.documents import WHOLE
+from skills.ports.endpoint import AnyDocument, Call, endpoint
+from skills.ports.keys import Service
+from skills.ports.limits import Limits
 from skills.ports.message import Message
+from skills.ports.serving import Endpoints
 from skills.ports.site import Site
-from skills.ports.tasks import REQUEST, TASK_ANSWERS, Problem, TaskAnswer
+from skills.ports.tasks import REQUEST, TASK_ANSWERS, Problem, TaskAnswer, by_client
 from trees.task import TaskType
 
 AT_ONCE: Final = 64
 """Documents that one step reads and one commit makes durable; the rest waits for the next."""
 
 _LOG = logging.getLogger(__name__)
-_Reply = Callable[[bytes], None]
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True)
 class _Document:
-    payload: bytes
-    reply: _Reply | None
-    """None when it was put: then the answer is on ``task/answers`` only."""
+    fields: dict[str, JsonValue]
+    reply: Callable[[bytes], None]
 
 
 class Intake:
-    """Reads ``task/request``.
+    """Takes what is queried or put on ``task/request``, by anybody and by named clients.
 
     Args:
         bus: where clients are.
+        clocks: host time for rates.
         book: takes what is right.
         kinds: of tasks, by name.
         site: what is known beforehand.
+        bounds: what one client may ask for.
     """
 
-    def __init__(self, bus: Bus, book: TaskBook, kinds: Mapping[str, TaskType[Message]], site: Site) -> None:
+    def __init__(
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        book: TaskBook,
+        kinds: Mapping[str, TaskType[Message]],
+        site: Site,
+        *,
+        bounds: Bounds,
+    ) -> None:
         self._bus, self._book, self._kinds, self._site = bus, book, kinds, site
-        self._puts, self._asks = bus.subscribe(REQUEST), bus.serve(REQUEST, limit=1 << 20)
-        self._unread: list[_Document] = []
+        limits = Limits(per_step=AT_ONCE // 2, rate=bounds.rate, burst=bounds.burst)
+        service = Service(REQUEST, AnyDocument, TaskAnswer, limits=limits)
+        self._endpoints = Endpoints(
+            bus,
+            clocks.monotonic,
+            [
+                endpoint(service, self._hear, refuse=self._refuse, puts=True, at=key)
+                for key in (REQUEST, by_client("*", REQUEST))
+            ],
+        )
+        self._now: list[_Document] = []
 
     @property
     def unread(self) -> bool:
         """Whether documents wait for the next step."""
-        return bool(self._unread)
+        return self._endpoints.waiting
 
     def step(self) -> tuple[str, ...]:
         """Consider what came, commit once, then answer all; return the ids of what was accepted."""
-        self._unread += [_Document(sample.payload, None) for sample in self._puts.drain()]
-        self._unread += [_Document(request.payload, request.reply) for request in self._asks.drain()]
-        now, self._unread = self._unread[:AT_ONCE], self._unread[AT_ONCE:]
+        self._endpoints.step()
+        now, self._now = self._now, []
         if not now:
             return ()
-        answers = self._kept([self._consider(document.payload) for document in now])
+        answers = self._kept([self._consider(document.fields) for document in now])
         for document, answer in zip(now, answers, strict=True):
-            if document.reply is not None:
-                document.reply(answer.model_dump_json().encode())
+            document.reply(answer.model_dump_json().encode())
             TASK_ANSWERS.publish(self._bus, answer)
         return tuple(dict.fromkeys(answer.task for answer in answers if answer.accepted))
 
     def close(self) -> None:
         """Take nothing any more."""
-        self._puts.close()
-        self._asks.close()
+        self._endpoints.close()
+
+    def _hear(self, call: Call[AnyDocument]) -> None:
+        document = with_sender(call.fields, call.name)
+        if isinstance(document, Problem):
+            call.reply(self._refuse((document,)).model_dump_json().encode())
+        else:
+            self._now.append(_Document(document, call.reply))
+
+    def _refuse(self, problems: tuple[Problem, ...]) -> TaskAnswer:
+        answer = TaskAnswer(accepted=False, problems=problems)
+        TASK_ANSWERS.publish(self._bus, answer)
+        return answer
 
     def read(self, payload: bytes) -> Asked | Refused:
+        """Check a document that was taken before a restart."""
+        return self._checked(lambda: read_request(payload, self._kinds, self._site))
+
+    def _checked(self, check: Callable[[], Asked | Refused]) -> Asked | Refused:
         """Check one document; a check that raises costs its request, not the service."""
         try:
-            return read_request(payload, self._kinds, self._site)
+            return check()
         except Exception as error:  # noqa: BLE001 - as said
             _LOG.exception("a request's check raised")
             text = f"a request that can be checked; its check raised {type(error).__name__}"
-            return Refused((Problem(path="(the document)", expected=text),))
+            return Refused((Problem(path=WHOLE, expected=text),))
 
-    def _consider(self, payload: bytes) -> TaskAnswer:
-        asked = self.read(payload)
+    def _consider(self, fields: dict[str, JsonValue]) -> TaskAnswer:
+        asked = self._checked(lambda: check_request(fields, self._kinds, self._site))
         if isinstance(asked, Refused):
             return TaskAnswer(accepted=False, problems=asked.problems, client_id=asked.client_id)
         try:
@@ -106,7 +147,7 @@ class Intake:
 
 def _not_kept(client_id: str, error: LedgerError) -> TaskAnswer:
     problem = Problem(
-        path="(the document)",
+        path=WHOLE,
         expected="a disk that it can be written to; ask again later",
         found=str(error),
         code="NOT_KEPT",

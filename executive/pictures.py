@@ -6,15 +6,18 @@ from collections import deque
 from dataclasses import dataclass, field
 from typing import Final
 
-from pydantic import ValidationError
-
 from skills.ports.actions.perception import PICTURE
 from skills.ports.bus import Bus, Pending
 from skills.ports.clocks import Clocks
+from skills.ports.endpoint import answering
 from skills.ports.failure import Failure
+from skills.ports.keys import Nothing, Service
+from skills.ports.serving import Endpoints
 from skills.ports.tasks import TASK_PICTURE, AskPicture, Attempt
 from trees.context import TreeContext
 
+STORED_PICTURE: Final = Service(TASK_PICTURE, AskPicture, Nothing, reads=True)
+"""Answered with a JPEG."""
 KEPT_OF_A_TASK: Final = 8
 KEPT: Final = 64
 """Pictures in memory, of all tasks; the oldest go."""
@@ -25,20 +28,20 @@ PICTURE_WITHIN: Final = 3.0
 
 
 class Album:
-    """The pictures, and the desk where they are asked for.
+    """The pictures, served on ``task/picture``.
 
     Args:
         bus: where clients are.
+        clocks: host time for rates.
     """
 
-    def __init__(self, bus: Bus) -> None:
-        self._desk = bus.serve(TASK_PICTURE)
+    def __init__(self, bus: Bus, clocks: Clocks) -> None:
+        self._endpoints = Endpoints(bus, clocks.monotonic, (answering(STORED_PICTURE, self._find),))
         self._pictures: deque[tuple[str, str, bytes]] = deque()
 
-    def step(self) -> None:
-        """Answer all who asked; with nothing where there is no such picture."""
-        for request in self._desk.drain():
-            request.reply(self._find(request.payload))
+    def step(self) -> bool:
+        """Answer who asked, with nothing where there is no such picture; return whether more wait."""
+        return self._endpoints.step()
 
     def keep(self, task: str, number: str, picture: bytes) -> None:
         """Keep a picture; the oldest of the task, and of all, make room."""
@@ -55,13 +58,9 @@ class Album:
 
     def close(self) -> None:
         """Stop serving."""
-        self._desk.close()
+        self._endpoints.close()
 
-    def _find(self, payload: bytes) -> bytes:
-        try:
-            asked = AskPicture.model_validate_json(payload)
-        except ValidationError:
-            return b""
+    def _find(self, asked: AskPicture) -> bytes:
         wanted = (asked.task, asked.picture)
         return next((picture for *at, picture in self._pictures if tuple(at) == wanted), b"")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
@@ -11,7 +12,7 @@ from pydantic import JsonValue, ValidationError
 
 from executive.envelope import FIELDS, Envelope
 from skills.ports.documents import parse, problems_of, show
-from skills.ports.message import Message
+from skills.ports.message import PLAIN_TEXT, Message
 from skills.ports.site import Site
 from skills.ports.tasks import Problem
 from trees.task import TaskType
@@ -22,7 +23,11 @@ ID_FIELD: Final = "id"
 """The client's own name for its request: repeated in the answer."""
 BY_FIELD: Final = "by"
 """Who asked, by the key of the request; put there by ``executive.doors``."""
+ANYBODY: Final = ""
+"""Who came by a key without a name."""
 MAX_ID: Final = 64
+PLAIN: Final = re.compile(PLAIN_TEXT)
+"""Ids stand in logs, in files and on screens."""
 
 
 @dataclass(frozen=True)
@@ -45,14 +50,24 @@ class Refused:
     client_id: str = ""
 
 
+def asked_by(document: Mapping[str, JsonValue]) -> str:
+    """Return who asked, out of a document with the sender's name."""
+    return str(document.get(BY_FIELD, ANYBODY))
+
+
 def read_request(payload: bytes, kinds: Mapping[str, TaskType[Message]], site: Site) -> Asked | Refused:
-    """Check a document against the kinds of task, their models, and what is known beforehand."""
+    """Read a document and check it."""
     document = parse(payload)
-    if isinstance(document, tuple):
-        return Refused(document)
+    return Refused(document) if isinstance(document, tuple) else check_request(document, kinds, site)
+
+
+def check_request(
+    document: dict[str, JsonValue], kinds: Mapping[str, TaskType[Message]], site: Site
+) -> Asked | Refused:
+    """Check a document against the kinds of task, their models, and what is known beforehand."""
     client_id = document.get(ID_FIELD, "")
-    if not isinstance(client_id, str) or len(client_id) > MAX_ID:
-        expected = f"text of at most {MAX_ID} characters"
+    if not isinstance(client_id, str) or len(client_id) > MAX_ID or not PLAIN.fullmatch(client_id):
+        expected = f"text of at most {MAX_ID} characters, none of which is a control character"
         return Refused((Problem(path=ID_FIELD, expected=expected, found=show(client_id)),))
     name = document.get(KIND_FIELD)
     kind = kinds.get(name) if isinstance(name, str) else None

@@ -70,7 +70,7 @@ def take_up(
         died: how the executive of before ended, in words; empty when nobody knows.
     """
     found = Comeback()
-    lately = ledger.history(AskHistory(limit=KEPT)).tasks
+    lately = _lately(ledger)
     book.ended_lately(tuple(status for status in reversed(lately) if status.state.terminal))
     for entry in ledger.open_entries():
         book.take_up(entry)
@@ -107,6 +107,17 @@ def _poisonous(status: TaskStatus, memory: TaskMemory, died: str) -> Failure | N
     if memory.crashes <= RESUMES:
         return None
     return crashed_at(status.kind, memory.crashes, status.progress, died)
+
+
+def _lately(ledger: Ledger) -> tuple[TaskStatus, ...]:
+    """Return the newest tasks, as many as are kept in memory, the newest first."""
+    asked, found = AskHistory(), tuple[TaskStatus, ...]()
+    while True:
+        page = ledger.history(asked)
+        found += page.tasks
+        if not page.more or len(found) >= KEPT:
+            return found[:KEPT]
+        asked = AskHistory(before=page.more)
 
 
 def _refuse(book: TaskBook, entry: Entry, refused: Refused, now: RobotTime | None) -> TaskStatus:

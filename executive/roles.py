@@ -163,13 +163,11 @@ def executive_node(
     """
     from importlib.metadata import version  # noqa: PLC0415
 
-    from executive.doors import Doors  # noqa: PLC0415
     from executive.service import Executive, Policy  # noqa: PLC0415
     from trees.registry import discover  # noqa: PLC0415
 
-    doors = Doors(bus, clocks)
-    executive = Executive(
-        doors,
+    return Executive(
+        bus,
         clocks,
         site,
         discover(),
@@ -180,8 +178,6 @@ def executive_node(
         policy=Policy(on_restart=on_restart),
         died=died,
     )
-    doors.tasks = executive.book.all
-    return executive
 
 
 def load_ahead(role: str) -> None:
@@ -196,7 +192,6 @@ def load_ahead(role: str) -> None:
 
 
 _AHEAD: Final = (
-    "executive.doors",
     "executive.ledger.sqlite",
     "executive.service",
     "skills.wire.clocks",

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final
 
+from executive.bounds import Bounds
 from executive.control import Control
+from executive.doors import cancel_of_own
 from executive.endings import Ending
 from executive.expectation import Expectation
 from executive.goal_journal import LedgerJournal
@@ -72,6 +74,8 @@ class Policy:
     """What becomes of a task that was under way, unless its request says so."""
     waiting: int = MAX_WAITING
     """Tasks that may wait."""
+    bounds: Bounds = field(default_factory=Bounds)
+    """What one client may ask for."""
     keep_tasks: int = 20_000
     """Ended tasks that a lasting ledger keeps ..."""
     keep_days: float = 180.0
@@ -116,18 +120,23 @@ class Executive:
         self.knowledge = Knowledge(bus, clocks, site)
         self.clients = Clients(bus, clocks, NAME, LedgerJournal(self._ledger, self._remember))
         self._wall = WallClock(clocks, self._ledger.reading(), host)
-        self.book = TaskBook(self._ledger, self._wall, start, bound=self._policy.waiting)
+        bounds = self._policy.bounds
+        self.book = TaskBook(
+            self._ledger, self._wall, start, bound=self._policy.waiting, bound_of_one=bounds.open
+        )
         self._bus, self._clocks, self._kinds, self._version = bus, clocks, dict(tasks), version
         self._holds = Holds(clocks, self.knowledge, self.clients)
         self.book.hold = lambda kind: self._holds.why_not(self._kinds[kind])
         self._told_first: tuple[str, str] = ("", "")  # of those that wait, and what it waits for
         self._turn: Turn | None = None
         self._last_tree = TreeSnapshot(task="", kind="", tick=0, root=_NO_TREE)
-        self._intake = Intake(bus, self.book, self._kinds, site)
+        self._intake = Intake(bus, clocks, self.book, self._kinds, site, bounds=bounds)
         self._control = Control(self.book, clocks, lambda: self._turn, self._tell)
         self._control.changed = self._changed
-        self._verbs, self._album = Verbs(bus, self._control.verbs(), self._keep), Album(bus)
-        self._questions = Questions(bus, self.book, self._ledger, info=self._info, tree=self._tree)
+        own = cancel_of_own(self.book.find, self._control.cancel)
+        self._verbs = Verbs(bus, clocks, self._control.verbs(), self._keep, (own,))
+        self._album = Album(bus, clocks)
+        self._questions = Questions(bus, clocks, self.book, self._ledger, info=self._info, tree=self._tree)
         self._tries: list[Tries] = []  # of the running task, and of those before whose picture is under way
         self._pulse, self._task_log = Pulse(bus, clocks), TaskLog()
         self._leftovers = Leftovers(bus, clocks, self.clients, self.knowledge)
@@ -158,17 +167,17 @@ class Executive:
             status = self.book.get(task)
             if status is not None and status.state is TaskState.QUEUED:
                 self._tell(status)
-        self._verbs.step()
+        more = self._verbs.step()
         for late in self.book.expire(self._clocks.robot()):
             self._tell(late)
         self._move_on()
         self._tell_first()
         self._note_tries()
-        self._album.step()
-        self._questions.step()
+        more = self._album.step() or more
+        more = self._questions.step() or more
         self._pulse.step("" if self._turn is None else self._turn.task, len(self.book.waiting))
         next_one = self._turn is None and self.book.next() is not None and self._leftovers.none
-        return self._intake.unread or next_one
+        return self._intake.unread or more or next_one
 
     def close(self) -> None:
         """Stop the tree, whose leaves cancel their goals, and leave. Closing twice is allowed.

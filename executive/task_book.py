@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import heapq
 import logging
 import uuid
 from collections.abc import Callable, Mapping
@@ -10,11 +11,12 @@ from typing import Final
 
 from executive.ledger.port import Entry, Ledger, LedgerError
 from executive.ledger.stubs import same_request
-from executive.requests import Asked
+from executive.requests import Asked, asked_by
 from executive.states import FIRST, check
 from executive.task_memory import TaskMemory
 from executive.task_queue import TaskQueue, Waiting
 from executive.wall_clock import WallClock, date
+from skills.ports.documents import WHOLE, show
 from skills.ports.failure import Failure
 from skills.ports.message import RobotTime
 from skills.ports.tasks import Attempt, Problem, TaskAnswer, TaskState, TaskStatus
@@ -52,10 +54,19 @@ class TaskBook:
         start: name of this start of the executive (``start_id``); empty in lockstep, where a run has one
             start only and ids are ``fetch-0001``.
         bound: tasks that may wait.
+        bound_of_one: tasks of one named client that may be open.
     """
 
-    def __init__(self, ledger: Ledger, wall: WallClock, start: str = "", *, bound: int = MAX_WAITING) -> None:
-        self.queue = TaskQueue()
+    def __init__(
+        self,
+        ledger: Ledger,
+        wall: WallClock,
+        start: str = "",
+        *,
+        bound: int = MAX_WAITING,
+        bound_of_one: int = MAX_WAITING,
+    ) -> None:
+        self.queue, self._open = TaskQueue(), bound_of_one
         self._ledger, self._wall, self._start, self._bound = ledger, wall, start, bound
         self._utc, self._noted_at = wall.utc, float("-inf")
         self._numbered = ledger.last_number()
@@ -72,10 +83,11 @@ class TaskBook:
 
         The same document under the same client's id is not queued again; its answer is the first one's.
         """
-        known = self._ledger.of_client(asked.client_id) if asked.client_id else None
+        by = asked_by(asked.document)
+        known = self._ledger.of_client(asked.client_id, by) if asked.client_id else None
         if known is not None:
             return _again(asked, known.status)
-        problem = self._no_room(asked)
+        problem = self._no_room(asked, by)
         if problem is not None:
             return TaskAnswer(accepted=False, problems=(problem,), client_id=asked.client_id)
         self._numbered += 1
@@ -167,6 +179,25 @@ class TaskBook:
     def entry(self, task: str) -> Entry:
         """Return what was accepted; KeyError when it has ended."""
         return self._entries[task]
+
+    @property
+    def count(self) -> int:
+        """How many tasks are in memory."""
+        return len(self._entries) + len(self._ended)
+
+    def page(self, before: int, limit: int) -> tuple[tuple[TaskStatus, ...], int]:
+        """Return the newest of those in memory, oldest first, and the place before which there are more.
+
+        Args:
+            before: only those that came before this place in the order of arrival; 0: from the newest.
+            limit: how many.
+        """
+        known = [(_number(task), task) for task in (*self._ended, *self._entries)]
+        older = [each for each in known if not before or each[0] < before]
+        newest = heapq.nlargest(limit + 1, older)
+        found = [self.get(task) for _, task in reversed(newest[:limit])]
+        more = newest[limit - 1][0] if len(newest) > limit else 0
+        return tuple(status for status in found if status is not None), more
 
     def all(self) -> tuple[TaskStatus, ...]:
         """Return those that have not ended and those that ended lately, oldest first."""
@@ -274,29 +305,39 @@ class TaskBook:
 
     def explained(self, status: TaskStatus) -> TaskStatus:
         """Return a task's status with what it waits for, if it does."""
-        if status.state is not TaskState.QUEUED:
-            return status
-        found = next((each for each in self.queue if each.task == status.task), None)
-        return status if found is None else status.model_copy(update={"waits_for": self.waits_for(found)})
+        waits = self.waits(status)
+        return status.model_copy(update={"waits_for": waits}) if waits else status
 
-    def _no_room(self, asked: Asked) -> Problem | None:
+    def waits(self, status: TaskStatus) -> str:
+        """Return what a task waits for, in words; nothing when it does not wait."""
+        found = self.queue.find(status.task) if status.state is TaskState.QUEUED else None
+        return "" if found is None else self.waits_for(found)
+
+    def _no_room(self, asked: Asked, by: str) -> Problem | None:
         last, now = asked.envelope.expires, self._wall.earliest
         if last is not None and last < now:
             return Problem(path="expires", expected=f"a time to come (it is {now:.0f})", found=f"{last:g}")
+        if by and self._open_of(by) >= self._open:
+            bound = f"at most {self._open} open requests of a client; ask again when one has ended"
+            return Problem(path=WHOLE, expected=bound, found="as many open")
         if len(self.queue) < self._bound:
             return None
         return Problem(
-            path="(the document)",
+            path=WHOLE,
             expected=f"at most {self._bound} tasks waiting; ask again later",
             found=f"{len(self.queue)} waiting",
             code="QUEUE_FULL",
         )
 
+    def _open_of(self, by: str) -> int:
+        """Return how many requests of a client have not ended, those not yet on disk included."""
+        return sum(asked_by(entry.status.request) == by for entry in self._entries.values())
+
 
 def _again(asked: Asked, first: TaskStatus) -> TaskAnswer:
     if same_request(first.request, asked.document):
         return TaskAnswer(accepted=True, task=first.task, client_id=asked.client_id)
-    found = f"that of {first.task}, which asks else"
+    found = f"id {show(asked.client_id)}, which {first.task} has with different contents"
     problem = Problem(path="id", expected="an id for each request", found=found)
     return TaskAnswer(accepted=False, problems=(problem,), client_id=asked.client_id)
 

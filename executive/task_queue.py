@@ -46,6 +46,7 @@ class TaskQueue:
 
     def __init__(self) -> None:
         self._waiting: list[Waiting] = []
+        self._by_task: dict[str, Waiting] = {}
         self._kinds: Counter[str] = Counter()
         self._first_end = NEVER
         """No later than the first latest start; so that a look costs nothing while nothing can be late."""
@@ -60,8 +61,13 @@ class TaskQueue:
         """Put a task in at its place."""
         entry = Waiting((-priority, number), task, asked, begun)
         insort(self._waiting, entry)
+        self._by_task[task] = entry
         self._kinds[asked.kind.name] += 1
         self._first_end = min(self._first_end, entry.expires)
+
+    def find(self, task: str) -> Waiting | None:
+        """Return a task that waits; None when it does not."""
+        return self._by_task.get(task)
 
     @property
     def kinds(self) -> tuple[str, ...]:
@@ -87,7 +93,7 @@ class TaskQueue:
 
     def remove(self, task: str) -> Waiting | None:
         """Take a task out; None when it does not wait."""
-        found = next((each for each in self._waiting if each.task == task), None)
+        found = self.find(task)
         if found is not None:
             self._waiting.remove(found)
             self._discount(found)
@@ -112,6 +118,7 @@ class TaskQueue:
         return late
 
     def _discount(self, gone: Waiting) -> None:
+        del self._by_task[gone.task]
         name = gone.asked.kind.name
         self._kinds[name] -= 1
         if not self._kinds[name]:

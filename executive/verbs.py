@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
-from pydantic import ValidationError
-
-from skills.ports.bus import Bus, Desk
+from executive.ledger.port import LedgerError
+from skills.ports.bus import Bus
+from skills.ports.clocks import Clocks
+from skills.ports.endpoint import Endpoint, answering
 from skills.ports.keys import Service
 from skills.ports.message import Message
+from skills.ports.serving import Endpoints
 from skills.ports.tasks import ControlAnswer
 
 M = TypeVar("M", bound=Message)
@@ -23,44 +25,46 @@ class Verb(Generic[M]):
     service: Service[M, ControlAnswer]
     take: Callable[[M], ControlAnswer]
 
-    def answer(self, payload: bytes) -> ControlAnswer:
-        """Read a document and take it."""
-        model = self.service.asked
-        try:
-            asked = model.model_validate_json(payload)
-        except ValidationError as error:
-            fields = ", ".join(f'"{name}"' for name in model.model_fields)
-            first = error.errors(include_url=False)[0]
-            at = ".".join(str(part) for part in first["loc"]) or "the document"
-            reason = f"a document with {fields} was expected; at {at}: {first['msg']}"
-            return ControlAnswer(accepted=False, reason=reason)
-        return self.take(asked)
-
 
 class Verbs:
-    """The desks of the verbs.
+    """Serves the verbs.
 
     Args:
         bus: where clients are.
+        clocks: host time for rates.
         verbs: all of them.
         keep: has on disk what a verb has changed; called before it is answered.
+        more: further endpoints, such as the verbs of named clients.
     """
 
-    def __init__(self, bus: Bus, verbs: Iterable[Verb[Message]], keep: Callable[[], None]) -> None:
-        self._keep = keep
-        self._desks: list[tuple[Desk, Verb[Message]]] = [
-            (bus.serve(each.service.key), each) for each in verbs
-        ]
+    def __init__(
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        verbs: Iterable[Verb[Message]],
+        keep: Callable[[], None],
+        more: Sequence[Endpoint] = (),
+    ) -> None:
+        served = [_kept(each.service, each.take, keep) for each in verbs]
+        self._endpoints = Endpoints(bus, clocks.monotonic, (*served, *more), fatal=(LedgerError,))
 
-    def step(self) -> None:
-        """Answer all who asked."""
-        for desk, verb in self._desks:
-            for request in desk.drain():
-                answer = verb.answer(request.payload)
-                self._keep()
-                request.reply(answer.model_dump_json().encode())
+    def step(self) -> bool:
+        """Answer who asked; return whether more wait."""
+        return self._endpoints.step()
 
     def close(self) -> None:
         """Stop serving."""
-        for desk, _ in self._desks:
-            desk.close()
+        self._endpoints.close()
+
+
+def _kept(
+    service: Service[Message, ControlAnswer],
+    take: Callable[[Message], ControlAnswer],
+    keep: Callable[[], None],
+) -> Endpoint:
+    def answer(asked: Message) -> ControlAnswer:
+        taken = take(asked)
+        keep()
+        return taken
+
+    return answering(service, answer)

@@ -253,9 +253,9 @@ class CrashLedger:
         """As the ledger."""
         return self.inner.entry(task)
 
-    def of_client(self, client_id: str) -> Entry | None:
+    def of_client(self, client_id: str, by: str) -> Entry | None:
         """As the ledger."""
-        return self.inner.of_client(client_id)
+        return self.inner.of_client(client_id, by)
 
     def history(self, asked: AskHistory) -> History:
         """As the ledger."""

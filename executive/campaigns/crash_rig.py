@@ -12,10 +12,10 @@ from typing import Final, Literal, Self, TypeVar
 
 from pydantic import JsonValue
 
-from executive.campaigns.crash_world import RESET
+from executive.campaigns.crash_world import RESET, AskReset
 from executive.processes import Supervisor
 from executive.settings import WorkerSettings
-from skills.ports.keys import Nothing, Service
+from skills.ports.keys import Service
 from skills.ports.message import Message
 from skills.ports.tasks import REQUEST, TASK_HISTORY, AskHistory, TaskAnswer, TaskStatus
 from skills.wire.clocks import ProcessClocks
@@ -143,7 +143,7 @@ class CrashRig:
 
     def reset(self) -> None:
         """Have everything where it was at first."""
-        self._ask(RESET.key, Nothing().model_dump_json().encode(), lambda: None)
+        self._ask(RESET.key, AskReset(by="campaign").model_dump_json().encode(), lambda: None)
 
     def _ask(self, key: str, payload: bytes, meanwhile: Callable[[], None]) -> bytes:
         end = self.now() + START_WITHIN

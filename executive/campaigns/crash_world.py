@@ -10,10 +10,11 @@ from typing import Final, Literal
 from skills.ports.actions.gripper import Grip, GripGoal
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
+from skills.ports.endpoint import answering
 from skills.ports.fencing import Grantor
 from skills.ports.geometry import FloorPose, Pose, from_axes
 from skills.ports.hardware import Clock
-from skills.ports.keys import CLOCK, Nothing, Service
+from skills.ports.keys import CLOCK, Service
 from skills.ports.message import Message, RobotTime
 from skills.ports.serving import Endpoints
 from skills.ports.site import Site
@@ -31,14 +32,20 @@ TRUTH: Final = "truth.json"
 DEEDS: Final = "deeds.jsonl"
 
 
+class AskReset(Message):
+    """Put everything back to where it was at first."""
+
+    by: str
+
+
 class Reset(Message):
     """The answer: all is as at the beginning."""
 
     done: bool = True
 
 
-RESET: Final = Service("sim/mock/reset", Nothing, Reset)
-"""Put everything back to where it was at first. For this campaign's mock only."""
+RESET: Final = Service("sim/mock/reset", AskReset, Reset)
+"""For this campaign's mock only."""
 
 
 class Truth(Message):
@@ -86,9 +93,12 @@ class LastingRobot:
     _told_at: float = float("-inf")
 
     def __post_init__(self) -> None:
-        self._desk = self.bus.serve(RESET.key)
         self._grantor = Grantor(self.bus, self.boot, self.clocks.monotonic)
-        self._leases = Endpoints(self.bus, self.clocks.monotonic, self._grantor.endpoints())
+        self._endpoints = Endpoints(
+            self.bus,
+            self.clocks.monotonic,
+            (*self._grantor.endpoints(), answering(RESET, self._reset)),
+        )
         self._began = self.clocks.monotonic()
         self.robot = MockRobot(self.bus, self.clocks, self.site, items=ITEMS, duration=SKILL_SECONDS)
         self.robot.watch = self._watch
@@ -107,12 +117,7 @@ class LastingRobot:
             stamp = RobotTime(boot=self.boot, seconds=seconds)
             CLOCK.publish(self.bus, Clock(stamp=stamp, tick=self._ticks))
         self._grantor.step()
-        self._leases.step()
-        for request in self._desk.drain():
-            self._become(self._first)
-            self.robot.forget_calls()
-            self._keep()
-            request.reply(Reset().model_dump_json().encode())
+        self._endpoints.step()
         if now - self._told_at > 1.0:
             self._told_at = now
             self.robot.tell()
@@ -121,8 +126,13 @@ class LastingRobot:
     def close(self) -> None:
         """End all skills."""
         self.robot.close()
-        self._leases.close()
-        self._desk.close()
+        self._endpoints.close()
+
+    def _reset(self, _: AskReset) -> Reset:
+        self._become(self._first)
+        self.robot.forget_calls()
+        self._keep()
+        return Reset()
 
     def _watch(self, what: str, action: str, goal_id: str, goal: Message) -> None:
         now = self.clocks.utc()

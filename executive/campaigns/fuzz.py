@@ -21,6 +21,7 @@ from executive.campaigns.fuzz_inputs import TASK_HERE, Input, inputs
 from executive.interface_doc import entries
 from executive.schemas import separate_schemas
 from executive.service import Executive
+from skills.ports.endpoint import Refusal
 from skills.ports.keys import Service
 from skills.ports.message import Message
 from skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask, ControlAnswer, TaskAnswer
@@ -43,7 +44,8 @@ class FuzzCounts(Message):
     verbs_taken: int
     verbs_refused: int
     answered: int
-    """Questions, which can't be refused."""
+    """Questions."""
+    questions_refused: int
     reasons: dict[str, int]
     """Of refused requests: what was expected, how often; the commonest fifty."""
     broken: str = ""
@@ -67,6 +69,9 @@ class Target:
         """Send it and look at the answer; AssertionError when it is none."""
         payload = each.payload.replace(TASK_HERE.encode(), self._task.encode())
         answer = self._query(each.key, payload)
+        if answer is None:
+            self.counts["questions_refused"] += 1
+            return
         if each.key == REQUEST:
             self._judge_request(payload, TaskAnswer.model_validate_json(answer))
             return
@@ -98,10 +103,14 @@ class Target:
             assert problem.expected, "a problem without what was expected"
             self.reasons[problem.expected[:60]] += 1
 
-    def _query(self, key: str, payload: bytes) -> bytes:
+    def _query(self, key: str, payload: bytes) -> bytes | None:
         pending = self._bus.query(key, payload)
         self._clocks.advance(0.01)
         self._executive.step()
+        refusal = pending.refusal()
+        if refusal is not None:
+            assert Refusal.model_validate_json(refusal).problems, "refused without a problem"
+            return None
         answer = pending.poll()
         assert answer is not None, "no answer"
         return answer
@@ -126,7 +135,7 @@ def fuzz(count: int, start: int, say: Callable[[int], None] = lambda _: None) ->
         reasons += target.reasons
         target.close()
         say(fed)
-    names = ("accepted", "refused", "verbs_taken", "verbs_refused", "answered")
+    names = ("accepted", "refused", "verbs_taken", "verbs_refused", "answered", "questions_refused")
     told = dict(reasons.most_common(50))
     return FuzzCounts(
         seed=start, inputs=fed, reasons=told, broken=broken, **{name: counts[name] for name in names}

@@ -16,11 +16,11 @@ from typing import Final
 
 from pydantic import JsonValue
 
-from executive.campaigns.crash_world import ITEM, RESET
+from executive.campaigns.crash_world import ITEM, RESET, AskReset
 from executive.options import BusOptions, RunOptions
 from executive.parts import Role
 from executive.systems import ProcessSystem, SystemFailure, wait_for
-from skills.ports.keys import Latest, Nothing
+from skills.ports.keys import Latest
 from skills.ports.message import Message
 from skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, CancelTask, TaskAnswer
 
@@ -171,7 +171,7 @@ class _Driver:
 
     def one(self, number: int) -> str:
         """Carry out one task; return the state in which it ended."""
-        self._ask(RESET.key, Nothing().model_dump_json().encode())
+        self._ask(RESET.key, AskReset(by="campaign").model_dump_json().encode())
         answer = TaskAnswer.model_validate_json(self._ask(REQUEST, json.dumps(request(number)).encode()))
         if not answer.accepted:
             raise SystemFailure(f"task {number} was refused: {answer.problems}")

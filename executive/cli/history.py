@@ -13,13 +13,13 @@ from typing import Final
 from executive.cli.connection import Connection
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
+from executive.client.pages import listed
 from executive.ledger.port import LedgerError, LedgerLockedError
 from executive.ledger.sqlite import FILE, SqliteLedger
 from executive.options import BusOptions, default_data
-from skills.ports.keys import Nothing
-from skills.ports.tasks import TASK_HISTORY, TASK_LIST, AskHistory, History, TaskStatus
+from skills.ports.tasks import PAGE, TASK_HISTORY, TASK_LIST, AskHistory, History, TaskStatus
 
-LIMIT: Final = 200
+LIMIT: Final = PAGE
 """Tasks of one question."""
 LATELY: Final = 50
 """Tasks that are listed without --all when the file is read."""
@@ -31,7 +31,7 @@ def lately(options: BusOptions, data: Path | None) -> tuple[TaskStatus, ...]:
     """Return the tasks that the executive has in memory; without one the newest of the file."""
     try:
         with Connection(options) as connection:
-            return connection.ask(TASK_LIST, Nothing()).tasks
+            return listed(lambda each: connection.ask(TASK_LIST, each))
     except CommandError as nobody:
         _only_absence(nobody)
         with_file = _file(options, data, nobody)

@@ -97,10 +97,11 @@ def _seconds(view: View) -> str:
 
 
 def _first(connection: Connection) -> View:
+    from executive.client.pages import listed  # noqa: PLC0415
     from skills.ports.keys import Nothing  # noqa: PLC0415
     from skills.ports.tasks import TASK_LIST, TREE_NOW  # noqa: PLC0415
 
-    tasks = connection.ask(TASK_LIST, Nothing()).tasks
+    tasks = listed(lambda each: connection.ask(TASK_LIST, each))
     tree = connection.ask(TREE_NOW, Nothing())
     at_work = [each for each in tasks if not each.state.terminal and each.started is not None]
     shown = (at_work or list(tasks))[-1] if tasks else None

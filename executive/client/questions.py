@@ -35,6 +35,7 @@ from skills.ports.tasks import (
     AnswerQuestion,
     AskHistory,
     AskPicture,
+    AskTasks,
     Breakpoint,
     CancelTask,
     ControlAnswer,
@@ -45,6 +46,7 @@ from skills.ports.tasks import (
     Reprioritise,
     StepTask,
     TaskAnswer,
+    TaskList,
     TaskStatus,
     TreeSnapshot,
     by_client,
@@ -92,7 +94,12 @@ class Questions:
 
     def tasks(self) -> Talk[tuple[TaskStatus, ...]]:
         """Return the tasks that have not ended and the last that have, oldest first."""
-        return (yield from self.talks.ask(TASK_LIST, Nothing())).tasks
+        asked, pages = AskTasks(), list[TaskList]()
+        while True:
+            pages.append((yield from self.talks.ask(TASK_LIST, asked)))
+            if not pages[-1].more:
+                return tuple(status for page in reversed(pages) for status in page.tasks)
+            asked = AskTasks(before=pages[-1].more)
 
     def status(self, task: str) -> Talk[TaskStatus]:
         """Return a task as it stands; UnknownTaskError when there is none of this id."""

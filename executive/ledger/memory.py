@@ -9,6 +9,7 @@ from typing import Final
 
 from executive.ledger.port import Entry, Reading, SentGoal, Transition
 from executive.ledger.stubs import stub_of
+from executive.requests import asked_by
 from executive.task_memory import TaskMemory
 from skills.ports.action import GoalState
 from skills.ports.tasks import AskHistory, History, TaskStatus
@@ -27,12 +28,12 @@ class MemoryLedger:
     def __init__(self) -> None:
         self._entries: dict[str, Entry] = {}
         self._transitions: dict[str, list[Transition]] = {}
-        self._clients: dict[str, str] = {}
+        self._clients: dict[tuple[str, str], str] = {}  # by who asked and the client's id
         self._attempts: dict[str, dict[str, int]] = {}
         self._goals: dict[str, SentGoal] = {}
         self._past: dict[str, dict[str, deque[float]]] = {}
         self._number = 0
-        self._forgotten: dict[str, Entry] = {}  # by the client's id
+        self._forgotten: dict[tuple[str, str], Entry] = {}  # likewise
         self._reading: Reading | None = None
         self._done: dict[str, set[str]] = {}
 
@@ -43,7 +44,7 @@ class MemoryLedger:
         self._number = max(self._number, entry.number)
         self._transitions[task] = [Transition(entry.status.state, entry.status.accepted_at)]
         if entry.status.client_id:
-            self._clients[entry.status.client_id] = task
+            self._clients[_named(entry.status)] = task
 
     def change(self, status: TaskStatus, at: float) -> None:
         """Keep it."""
@@ -90,9 +91,10 @@ class MemoryLedger:
         """Return it."""
         return self._entries.get(task)
 
-    def of_client(self, client_id: str) -> Entry | None:
+    def of_client(self, client_id: str, by: str) -> Entry | None:
         """Return it."""
-        return self._entries.get(self._clients.get(client_id, "")) or self._forgotten.get(client_id)
+        named = (by, client_id)
+        return self._entries.get(self._clients.get(named, "")) or self._forgotten.get(named)
 
     def history(self, asked: AskHistory) -> History:
         """Look through all."""
@@ -141,10 +143,10 @@ class MemoryLedger:
         for status in old:
             if status.client_id:
                 stub = replace(self._entries[status.task], status=stub_of(status))
-                self._forgotten[status.client_id] = stub
+                self._forgotten[_named(status)] = stub
             for kept in (self._entries, self._transitions, self._attempts, self._done):
                 kept.pop(status.task, None)
-            self._clients.pop(status.client_id, None)
+            self._clients.pop(_named(status), None)
         while len(self._forgotten) > KEPT_IDS:
             del self._forgotten[next(iter(self._forgotten))]
         return len(old)
@@ -159,6 +161,10 @@ class MemoryLedger:
 
     def close(self) -> None:
         """Do nothing."""
+
+
+def _named(status: TaskStatus) -> tuple[str, str]:
+    return asked_by(status.request), status.client_id
 
 
 def split(goal_id: str) -> tuple[str, str, int]:

@@ -119,8 +119,11 @@ class Ledger(Protocol):
         """Return a task by its id."""
         ...
 
-    def of_client(self, client_id: str) -> Entry | None:
-        """Return the task of a client's own id, also one that is forgotten but for that."""
+    def of_client(self, client_id: str, by: str) -> Entry | None:
+        """Return the task of a client's own id; ``by``: the client's name, empty without one.
+
+        Also one that is forgotten but for that.
+        """
         ...
 
     def history(self, asked: AskHistory) -> History:

@@ -63,6 +63,13 @@ MIGRATIONS: Final[tuple[tuple[str, ...], ...]] = (
             SELECT 1, max(at), '', 0.0, 0.0 FROM transitions HAVING count(*) > 0""",
     ),
     ("ALTER TABLE tasks ADD COLUMN memory TEXT NOT NULL DEFAULT '{}'",),  # TaskMemory as JSON
+    (
+        # Two clients may both call a request "1".
+        "ALTER TABLE tasks ADD COLUMN asked_by TEXT NOT NULL DEFAULT ''",
+        "UPDATE tasks SET asked_by = coalesce(json_extract(status, '$.request.by'), '')",
+        "DROP INDEX by_client",
+        "CREATE UNIQUE INDEX by_client ON tasks (asked_by, client_id) WHERE client_id IS NOT NULL",
+    ),
 )
 """By version: what leads from the one before to it. Add to the end; never change what was released."""
 

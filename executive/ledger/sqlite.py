@@ -19,6 +19,7 @@ from executive.ledger.port import Entry, LedgerError, LedgerLockedError, Reading
 from executive.ledger.schema import MIGRATIONS
 from executive.ledger.stubs import KEPT_IDS, stub_of
 from executive.on_restart import OnRestart
+from executive.requests import asked_by
 from executive.task_memory import TaskMemory
 from skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
 
@@ -114,6 +115,7 @@ class SqliteLedger:
             str(status.state),
             int(not status.state.terminal),
             status.client_id or None,
+            asked_by(status.request),
             status.accepted_at,
             entry.on_restart,
             int(entry.test_run),
@@ -121,8 +123,8 @@ class SqliteLedger:
             status.model_dump_json(),
         )
         self._write(
-            "INSERT INTO tasks (number, task, kind, state, open, client_id, accepted_at, on_restart, "
-            "test_run, memory, status) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+            "INSERT INTO tasks (number, task, kind, state, open, client_id, asked_by, accepted_at, "
+            "on_restart, test_run, memory, status) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
             row,
         )
         self._transition(status, status.accepted_at)
@@ -193,9 +195,10 @@ class SqliteLedger:
         return next(iter(self._entries(f"{_ENTRY} WHERE task = ?", (task,))), None)
 
     @_told
-    def of_client(self, client_id: str) -> Entry | None:
+    def of_client(self, client_id: str, by: str) -> Entry | None:
         """Read it."""
-        return next(iter(self._entries(f"{_ENTRY} WHERE client_id = ?", (client_id,))), None)
+        found = self._entries(f"{_ENTRY} WHERE asked_by = ? AND client_id = ?", (by, client_id))
+        return next(iter(found), None)
 
     @_told
     def history(self, asked: AskHistory) -> History:

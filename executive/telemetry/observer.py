@@ -14,13 +14,14 @@ from skills.ports.action import GoalStatus
 from skills.ports.bus import Bus, Pending
 from skills.ports.clocks import Clocks
 from skills.ports.hearing import Heard
-from skills.ports.keys import Latest, Nothing
+from skills.ports.keys import Latest
 from skills.ports.refusals import REFUSALS, Refusals
 from skills.ports.tasks import (
     TASK_LIST,
     TASK_PULSE,
     TASK_STATUS,
     TREE,
+    AskTasks,
     ExecutivePulse,
     TaskStatus,
     TreeSnapshot,
@@ -130,7 +131,7 @@ class Observer:
         came, self._there = there and not self._there, there
         now = self._clocks.monotonic()
         if came or (self._asked_at is not None and now - self._asked_at > ASK_EVERY):
-            self._known, self._asked_at = TASK_LIST.query(self._bus, Nothing()), now
+            self._known, self._asked_at = TASK_LIST.query(self._bus, AskTasks()), now
         answer = None if self._known is None else self._known.poll()
         if answer is not None:
             self._known = self._asked_at = None

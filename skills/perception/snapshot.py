@@ -7,14 +7,18 @@ from typing import Final
 import cv2
 
 from skills.ports.actions.perception import PICTURE
-from skills.ports.bus import Bus, Request
+from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.compute import Compute, Job
+from skills.ports.endpoint import Call, endpoint
 from skills.ports.hardware import RgbdHeader
 from skills.ports.hearing import Heard
 from skills.ports.image import decode, header_of
-from skills.ports.keys import RGBD
+from skills.ports.keys import RGBD, Nothing, Service
+from skills.ports.serving import Endpoints
 
+NEXT_PICTURE: Final = Service(PICTURE, Nothing, Nothing, reads=True, exact=True)
+"""Answered with a JPEG; with nothing when no picture came."""
 PICTURE_AFTER: Final = 1.0
 """Robot seconds within which a picture must come."""
 WORK_AFTER: Final = 1.0
@@ -37,15 +41,17 @@ class Snapshots:
 
     def __init__(self, bus: Bus, clocks: Clocks, compute: Compute) -> None:
         self._bus, self._clocks, self._compute = bus, clocks, compute
-        self._desk = bus.serve(PICTURE)
-        self._waiting: list[Request] = []
+        self._endpoints = Endpoints(bus, clocks.monotonic, (endpoint(NEXT_PICTURE, self._on_question),))
+        self._asked: list[Call[Nothing]] = []
+        self._waiting: list[Call[Nothing]] = []
         self._inbox: Heard[RgbdHeader] | None = None
         self._job: Job[bytes] | None = None
         self._until = 0.0
 
     def step(self) -> bool:
         """Take questions, then the picture, then answer."""
-        asked = self._desk.drain()
+        more = self._endpoints.step()
+        asked, self._asked = self._asked, []
         if not asked and not self._waiting:
             return False
         now = robot_seconds(self._clocks)
@@ -61,18 +67,21 @@ class Snapshots:
             self._answer(self._job.result())
         elif now > self._until:
             self._answer(b"")
-        return False
+        return more
 
     def close(self) -> None:
         """Tell whoever still waits that there is none."""
         self._answer(b"")
-        self._desk.close()
+        self._endpoints.close()
+
+    def _on_question(self, call: Call[Nothing]) -> None:
+        self._asked.append(call)
 
     def _answer(self, jpeg: bytes) -> None:
         self._hush()
         waiting, self._waiting, self._job = self._waiting, [], None
-        for request in waiting:
-            request.reply(jpeg)
+        for call in waiting:
+            call.reply(jpeg)
 
     def _hush(self) -> None:
         if self._inbox is not None:

@@ -16,6 +16,10 @@ MAX_REQUEST_BYTES: Final = 64 * 1024
 """What a client's document may weigh at the most."""
 
 
+PLAIN_TEXT: Final = r"^[^\x00-\x1f\x7f-\x9f\u2028\u2029]*$"
+"""Text without control characters and line breaks, as a pattern."""
+
+
 class Message(BaseModel):
     """Base of all that crosses the bus or stands in a file."""
 

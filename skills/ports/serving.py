@@ -198,9 +198,9 @@ class _Served:
         payload = request.payload or (b"{}" if service.reads else b"")
         fields = parse(payload, limit=limits.bytes, depth=limits.depth)
         if isinstance(fields, tuple):
-            return fields
+            return tuple(self._told_what(each) for each in fields)
         if not fields and not service.reads:
-            return _wrong("a document with at least one field", "{}")
+            return _wrong(f"at least one field of {self._shape}", "{}")
         try:
             # The JSON and not the fields: only so does the model read arrays as tuples and texts as enums.
             document = (
@@ -209,6 +209,18 @@ class _Served:
         except ValidationError as error:
             return problems_of(error)
         return Call(document, fields, key, name, request.reply)
+
+    @property
+    def _shape(self) -> str:
+        """The document that is expected, in words."""
+        names = ", ".join(f'"{name}"' for name in self.service.asked.model_fields)
+        return f"a JSON object with {names}" if names else "a JSON object"
+
+    def _told_what(self, problem: Problem) -> Problem:
+        """Say which fields a document has, to whoever sent none."""
+        if problem.expected not in {"JSON", "a JSON object"} or self.service.asked is AnyDocument:
+            return problem
+        return problem.model_copy(update={"expected": self._shape})
 
     def _answer(self, call: Call[Message]) -> bytes | None:
         answer = self.endpoint.take(call)

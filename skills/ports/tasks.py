@@ -127,10 +127,26 @@ class TaskStatus(Message):
     """What it waits for while it is QUEUED, in words: its turn, its earliest start, the release of a stop."""
 
 
+PAGE: Final = 100
+"""Tasks of one answer: some 120 KB, which take a few milliseconds to write."""
+Place = Annotated[int, Field(ge=0, le=2**53 - 1)]
+"""A task's place in the order of arrival; 0 stands for none."""
+
+
+class AskTasks(Message):
+    """Ask for the tasks that the executive remembers, from the newest."""
+
+    before: Place = 0
+    """Only older ones than the place that an answer's ``more`` told; 0: from the newest."""
+    limit: Annotated[int, Field(ge=1, le=PAGE)] = PAGE
+
+
 class TaskList(Message):
-    """Every task that the executive remembers, oldest first."""
+    """A page of the tasks that the executive remembers, oldest first."""
 
     tasks: tuple[TaskStatus, ...]
+    more: Place = 0
+    """Where the next question goes on with older ones (``before``); 0 when there are none."""
 
 
 class NameTask(Message):
@@ -187,16 +203,16 @@ class AskHistory(Message):
     """UTC seconds: only what was accepted then or later."""
     task: str = ""
     """Only the task of this id."""
-    before: int = 0
+    before: Place = 0
     """Only older ones than the place in the ledger that an answer's ``more`` told; 0: from the newest."""
-    limit: Annotated[int, Field(ge=1, le=500)] = 100
+    limit: Annotated[int, Field(ge=1, le=PAGE)] = PAGE
 
 
 class History(Message):
     """Tasks of the ledger, the newest first."""
 
     tasks: tuple[TaskStatus, ...]
-    more: int = 0
+    more: Place = 0
     """Where the next question goes on (``before``); 0 when there are no more."""
 
 
@@ -320,7 +336,7 @@ TASK_FORCE: Final = Service("task/force", ForceNode, ControlAnswer)
 TASK_HISTORY: Final = Service("task/history", AskHistory, History, reads=True, limits=Limits(per_step=1))
 TASK_PICTURE: Final = "task/picture"
 """Asked with an AskPicture; answered with a JPEG, or with nothing when there is none."""
-TASK_LIST: Final = Service("task/list", Nothing, TaskList, reads=True, limits=Limits(per_step=4))
+TASK_LIST: Final = Service("task/list", AskTasks, TaskList, reads=True, limits=Limits(per_step=4))
 TASK_INFO: Final = Service("task/info", Nothing, ExecutiveInfo, reads=True)
 TASK_PULSE: Final = Topic("task/pulse", ExecutivePulse)
 TREE: Final = Topic("tree/snapshot", TreeSnapshot)

@@ -64,12 +64,14 @@ from skills.ports.actions.perception import LOOK, TRACK, LookFeedback, LookGoal,
 from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks
+from skills.ports.endpoint import answering
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import IDENTITY, FloorPose, Pose, wrap
 from skills.ports.grasping import standing_in_map
 from skills.ports.keys import DESCRIPTION
 from skills.ports.message import Message, RobotTime, Vector3
 from skills.ports.node import Node
+from skills.ports.serving import Endpoints
 from skills.ports.site import Site
 from skills.ports.skill import ActionType, Outcome, failed, succeeded
 from skills.ports.world import (
@@ -134,7 +136,7 @@ class _Mortal:
 class _Served:
     """A skill, its server, and how to make another one."""
 
-    serve: Callable[[Bus], Node]
+    make: Callable[[Bus], Node]
     server: Node
     bus: _Mortal | None
     there: bool = True
@@ -185,7 +187,9 @@ class MockRobot:
         self._seen_at_look, self._duration = seen_at_look, duration
         self._extent: dict[Side, float] = {"left": TUCKED, "right": TUCKED}
         self._description = mock_description()
-        self._desk = bus.serve(DESCRIPTION.key)
+        self._endpoints = Endpoints(
+            bus, clocks.monotonic, (answering(DESCRIPTION, lambda _: self._description),)
+        )
         self._faults: dict[str, dict[int, Fault]] = {}
         self.leaf_faults: dict[str | tuple[str, int], Fault] = {}
         """Faults by the leaf that sent the goal, at each of its attempts or at one (1 is the first)."""
@@ -226,8 +230,7 @@ class MockRobot:
 
     def step(self) -> bool:
         """Answer, and tell what is believed."""
-        for request in self._desk.drain():
-            request.reply(self._description.model_dump_json().encode())
+        self._endpoints.step()
         if not self._told:
             self._told = True
             self.tell()
@@ -238,7 +241,7 @@ class MockRobot:
         """End all skills."""
         for served in self._servers.values():
             served.server.close()
-        self._desk.close()
+        self._endpoints.close()
 
     @property
     def now(self) -> RobotTime:
@@ -323,7 +326,7 @@ class MockRobot:
         served = self._servers[action]
         if not served.there and self._ends is not None:
             served.bus = _Mortal(self._ends())
-            served.server, served.there = served.serve(served.bus), True
+            served.server, served.there = served.make(served.bus), True
 
     @property
     def busy(self) -> tuple[str, ...]:

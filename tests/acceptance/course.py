@@ -14,13 +14,14 @@ from executive.systems import LockstepSystem
 from sim.scenario import Scenario
 from sim.truth import Truth, lies_on
 from skills.ports.action import GoalStatus
-from skills.ports.keys import Latest, Nothing
+from skills.ports.keys import Latest
 from skills.ports.site import Site
 from skills.ports.tasks import (
     TASK_CANCEL,
     TASK_LIST,
     TASK_STATUS,
     TREE,
+    AskTasks,
     CancelTask,
     ControlAnswer,
     NodeStatus,
@@ -108,7 +109,7 @@ class Course:
 
     def tasks(self) -> tuple[TaskStatus, ...]:
         """Return the executive's list."""
-        pending = TASK_LIST.query(self.system.bus, Nothing())
+        pending = TASK_LIST.query(self.system.bus, AskTasks())
         self.until(pending.done, within=1.0)
         answer = pending.poll()
         assert answer is not None

@@ -20,8 +20,7 @@ from executive.processes import Supervisor
 from executive.settings import WorkerSettings
 from executive.systems import ProcessSystem, wait_for
 from sim.scenario import Scenario
-from skills.ports.keys import Nothing
-from skills.ports.tasks import REQUEST, TASK_LIST, TaskAnswer, TaskList
+from skills.ports.tasks import REQUEST, TASK_LIST, AskTasks, TaskAnswer, TaskList
 from tests.fakes.ports import free_endpoint
 
 ROOT = Path(__file__).parents[2]
@@ -127,6 +126,6 @@ def query(system: ProcessSystem, payload: bytes) -> TaskAnswer:
 
 def tasks(system: ProcessSystem) -> TaskList:
     """Return all tasks that the executive remembers."""
-    answer = wait_for(system, TASK_LIST.query(system.bus, Nothing()), 5.0)
+    answer = wait_for(system, TASK_LIST.query(system.bus, AskTasks()), 5.0)
     assert answer is not None
     return TaskList.model_validate_json(answer)

@@ -16,10 +16,8 @@ MAY_SUBSCRIBE: Final = {
     "skills/ports/hearing.py": "Heard, which checks",
     "skills/testing/faulty_bus.py": "a bus around a bus",
     "sim/line.py": "a bus around a bus",
-    "executive/doors.py": "a bus around a bus",
     "executive/campaigns/crash_points.py": "a bus around a bus",
     "skills/ports/serving.py": "documents that are put instead of asked: served, so checked as questions are",
-    "executive/intake.py": "clients' documents: each is answered with what is wrong with it",
 }
 
 

@@ -43,6 +43,22 @@ def test_nothing_is_set_by_hand(path: Path) -> None:
     assert [call for call in BY_HAND if call in used and name not in BY_HAND[call]] == []
 
 
+SERVES = {
+    "skills/ports/serving.py",  # the one mechanism
+    "executive/campaigns/crash_points.py",  # buses around a bus
+    "sim/line.py",
+    "skills/testing/faulty_bus.py",
+    "skills/wire/zenoh_bus.py",  # the bus itself
+}
+
+
+@pytest.mark.parametrize("path", sources(), ids=lambda path: str(path.relative_to(ROOT)))
+def test_queries_are_taken_by_one_mechanism(path: Path) -> None:
+    """Who takes a query from the bus must check it: docs/endpoints.md, "Serving"."""
+    if str(path.relative_to(ROOT)) not in SERVES:
+        assert [call for call in calls(path) if call.endswith(".serve")] == []
+
+
 @pytest.mark.parametrize("path", sources(), ids=lambda path: str(path.relative_to(ROOT)))
 def test_no_sleep_and_no_wall_clock(path: Path) -> None:
     name = str(path.relative_to(ROOT))

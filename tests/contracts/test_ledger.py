@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -55,13 +56,13 @@ def test_what_was_entered_is_there_as_it_was(ledger: Ledger) -> None:
     ledger = again(ledger)
     assert ledger.open_entries() == (entry(1, client_id="mine"), entry(2))
     assert ledger.entry("wait-0002") == entry(2)
-    assert ledger.of_client("mine") == entry(1, client_id="mine")
+    assert ledger.of_client("mine", "") == entry(1, client_id="mine")
     assert ledger.last_number() == 2
 
 
 def test_what_is_not_there_is_none(ledger: Ledger) -> None:
     assert ledger.entry("wait-0009") is None
-    assert ledger.of_client("nobody") is None
+    assert ledger.of_client("nobody", "") is None
     assert (ledger.last_number(), ledger.open_entries(), ledger.open_goals()) == (0, (), ())
     assert (ledger.transitions("wait-0009"), ledger.attempts("wait-0009"), ledger.past("wait")) == (
         (),
@@ -150,6 +151,19 @@ def test_old_ones_are_forgotten_by_age_and_number(
     assert [ledger.transitions(f"wait-000{number}") for number in gone] == [()] * len(gone)
 
 
+def test_a_clients_id_is_its_own(ledger: Ledger) -> None:
+    hers, his = (
+        replace(each, status=each.status.model_copy(update={"request": {"by": name}}))
+        for each, name in ((entry(1, client_id="1"), "ann"), (entry(2, client_id="1"), "bob"))
+    )
+    for each in (hers, his):
+        ledger.enter(each)
+    ledger.commit()
+    assert ledger.of_client("1", "ann") == hers
+    assert ledger.of_client("1", "bob") == his
+    assert ledger.of_client("1", "") is None
+
+
 def test_a_clients_id_is_known_after_its_task_is_forgotten(ledger: Ledger) -> None:
     """So that the same request does not run a second time, whatever has been forgotten."""
     for number in range(1, 4):
@@ -160,7 +174,7 @@ def test_a_clients_id_is_known_after_its_task_is_forgotten(ledger: Ledger) -> No
     assert ledger.prune(older_than=1e9, keep=0) == 3
     ledger = again(ledger)
     assert [each.task for each in ledger.history(AskHistory()).tasks] == ["wait-0004"]
-    known = ledger.of_client("c2")
+    known = ledger.of_client("c2", "")
     assert known is not None
     assert (known.status.task, known.status.state) == ("wait-0002", S.SUCCEEDED)
     assert same_request(known.status.request, entry(2, client_id="c2").status.request)

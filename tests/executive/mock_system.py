@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 import time
 
-from executive.doors import Doors
 from executive.service import Executive
 from executive.task_book import start_id
 from skills.ports.geometry import Pose, from_axes
@@ -35,10 +34,7 @@ def main(port: str, duration: str, parts: str) -> None:
         }
         nodes.append(MockRobot(robot_bus, robot_clocks, site, items=items, duration=float(duration)))
     if "executive" in parts:
-        doors = Doors(bus, clocks)
-        executive = Executive(doors, clocks, site, discover(), start=start_id(), version="test")
-        doors.tasks = executive.book.all
-        nodes.append(executive)
+        nodes.append(Executive(bus, clocks, site, discover(), start=start_id(), version="test"))
     sys.stdout.write("ready\n")
     sys.stdout.flush()
     while True:

@@ -6,9 +6,8 @@ import json
 
 import pytest
 
-from executive.bounds import Bounds, Rates
-from executive.doors import Doors
-from executive.service import Executive
+from executive.bounds import Bounds
+from executive.service import Executive, Policy
 from skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask, ControlAnswer, TaskAnswer, by_client
 from skills.site import load
 from skills.wire.clocks import SteppedClocks
@@ -24,9 +23,9 @@ class Here:
     def __init__(self, bounds: Bounds = BOUNDS) -> None:
         hub, self.clocks = MemoryHub(), SteppedClocks()
         self.bus = MemoryBus(hub)
-        self.doors = Doors(MemoryBus(hub), self.clocks, bounds)
-        self.executive = Executive(self.doors, self.clocks, load("lab"), {"wait": WAITING})
-        self.doors.tasks = self.executive.book.all
+        self.executive = Executive(
+            MemoryBus(hub), self.clocks, load("lab"), {"wait": WAITING}, policy=Policy(bounds=bounds)
+        )
 
     def ask(self, client: str, document: object = WAIT) -> TaskAnswer | None:
         key = by_client(client, REQUEST) if client else REQUEST
@@ -130,9 +129,39 @@ def test_a_wrong_document_is_answered_as_ever() -> None:
     assert refused(Here().ask("ann", b"no json"))[0] == "(the document)"
 
 
-def test_a_bucket_fills_up_to_its_burst() -> None:
-    now = [0.0]
-    rates = Rates(Bounds(rate=10.0, burst=2.0), lambda: now[0])
-    assert [rates.take("a") for _ in range(3)] == [0.0, 0.0, pytest.approx(0.1)]
-    now[0] = 100.0
-    assert [rates.take("a") for _ in range(3)] == [0.0, 0.0, pytest.approx(0.1)]
+def test_two_clients_may_call_their_requests_the_same() -> None:
+    here = Here()
+    hers = accepted(here.ask("ann", {**WAIT, "id": "1"}))
+    his = accepted(here.ask("bob", {**WAIT, "item": 3, "id": "1"}))
+    assert hers != his
+    assert accepted(here.ask("ann", {**WAIT, "id": "1"})) == hers
+    path, _ = refused(here.ask("ann", {**WAIT, "item": 3, "id": "1"}))
+    assert path == "id"
+
+
+def test_requests_that_are_still_unread_count_as_open() -> None:
+    here = Here(Bounds(rate=1000.0, burst=1000.0, open=5))
+    body = json.dumps(WAIT).encode()
+    for _ in range(20):
+        here.bus.publish(by_client("ann", REQUEST), body)
+    asked = [here.bus.query(by_client("ann", REQUEST), body) for _ in range(20)]
+    for _ in range(5):
+        here.executive.step()
+    assert len(here.executive.book.all()) == 5
+    assert all(each.done() for each in asked)
+
+
+@pytest.mark.parametrize("name", ['a"b', "a b", "a\\", "\n", "é"])
+def test_a_name_that_is_none_gets_nowhere(name: str) -> None:
+    here = Here()
+    pending = here.bus.query(f"task/by/{name}/request", json.dumps(WAIT).encode())
+    here.executive.step()
+    answer = pending.poll()
+    assert answer is not None
+    assert "a name of letters" in TaskAnswer.model_validate_json(answer).problems[0].expected
+    assert here.executive.book.all() == ()
+
+
+@pytest.mark.parametrize("text", ["a\nb", "\x00", "\x7f", "\u2028", "a\n"])
+def test_an_id_has_no_control_characters(text: str) -> None:
+    assert refused(Here().ask("", {**WAIT, "id": text}))[0] == "id"

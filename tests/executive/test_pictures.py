@@ -10,6 +10,7 @@ from skills.ports.actions.perception import PICTURE
 from skills.ports.bus import Desk
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.tasks import TASK_LIST, TASK_PICTURE, AskPicture, Attempt
+from skills.wire.clocks import SteppedClocks
 from skills.wire.memory import MemoryHub
 
 WAIT = {"task": "wait", "item": 29}
@@ -92,7 +93,7 @@ def test_a_picture_that_comes_after_the_end_is_in_the_list(here: Surroundings, c
 
 
 def test_the_album_is_bounded() -> None:
-    album = Album(MemoryHub().endpoint())
+    album = Album(MemoryHub().endpoint(), SteppedClocks())
     for task in range(KEPT):
         for number in range(KEPT_OF_A_TASK + 2):
             album.keep(str(task), str(number), b"jpeg")

@@ -7,20 +7,26 @@ from pathlib import Path
 import pytest
 from surroundings import Surroundings
 
+from executive.client.pages import listed
 from executive.expectation import Expectation
 from executive.ledger.sqlite import SqliteLedger
 from executive.service import Policy
+from skills.ports.endpoint import Refusal
 from skills.ports.tasks import (
     TASK_HISTORY,
+    TASK_LIST,
     TASK_STATUS,
     TREE,
     AskHistory,
+    AskTasks,
     History,
+    TaskList,
     TaskState,
     TaskStatus,
     TreeSnapshot,
     task_status,
 )
+from skills.wire.memory import MemoryPending
 
 WAIT = {"task": "wait", "item": 29}
 
@@ -73,8 +79,45 @@ def test_the_history_has_what_memory_has_forgotten(
     assert history(here, AskHistory(task=tasks[0])).tasks[0].state is TaskState.SUCCEEDED
 
 
-def test_a_question_about_the_history_that_is_none_gets_an_empty_answer(here: Surroundings) -> None:
-    assert get(here, TASK_HISTORY.key, b"{") == b'{"tasks":[],"more":0}'
+@pytest.mark.parametrize("document", [b"{", b'{"before": 99999999999999999999}', b'{"limit": 101}'])
+def test_a_question_about_the_history_that_is_none_is_refused(here: Surroundings, document: bytes) -> None:
+    pending = here.bus.query(TASK_HISTORY.key, document)
+    here.step()
+    assert pending.poll() is None
+    assert Refusal.model_validate_json(pending.refusal() or b"").problems
+
+
+def test_a_long_list_comes_in_pages(here: Surroundings) -> None:
+    for _ in range(250):
+        here.ask(WAIT)
+        here.clocks.advance(0.1)
+
+    def page(asked: AskTasks) -> TaskList:
+        return TaskList.model_validate_json(get(here, TASK_LIST.key, asked.model_dump_json().encode()) or b"")
+
+    newest = page(AskTasks())
+    assert [each.task for each in newest.tasks] == [f"wait-{number:04d}" for number in range(151, 251)]
+    assert [each.task for each in page(AskTasks(before=newest.more, limit=2)).tasks] == [
+        "wait-0149",
+        "wait-0150",
+    ]
+    assert [each.task for each in listed(page)] == [f"wait-{number:04d}" for number in range(1, 251)]
+
+
+def test_a_wildcard_is_answered_by_questions_only_each_under_its_key(here: Surroundings) -> None:
+    first, second = here.ask(WAIT).task, here.ask(WAIT).task
+    pending = here.bus.query("task/**", b"")
+    here.step()
+    assert isinstance(pending, MemoryPending)
+    assert set(pending.replies) == {
+        "task/list",
+        "task/info",
+        "task/history",
+        "task/status",
+        f"task/{first}/status",
+        f"task/{second}/status",
+    }
+    assert {each.state for each in here.executive.book.all()} == {TaskState.RUNNING, TaskState.QUEUED}
 
 
 def test_old_tasks_go_when_the_service_starts(here: Surroundings) -> None:

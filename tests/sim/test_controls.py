@@ -94,7 +94,7 @@ def test_an_obstacle_is_placed_moved_and_removed(room: Room, ask: Asking) -> Non
 @pytest.mark.parametrize(
     ("key", "document", "said"),
     [
-        (PLACE_ITEM.key, b"{", "expected JSON"),
+        (PLACE_ITEM.key, b"{", "a JSON object with"),
         (PLACE_ITEM.key, {"tag": 500, "support": "table", "x": 1, "y": 0.5}, "knows no item 500"),
         (PLACE_ITEM.key, {"tag": 29, "support": "sofa", "x": 1, "y": 0.5}, "no furniture 'sofa'"),
         (REMOVE.key, {"name": "nothing"}, "nothing movable is called 'nothing'"),

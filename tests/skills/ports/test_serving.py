@@ -137,7 +137,7 @@ def test_a_wildcard_is_answered_under_each_key_that_is_read_only(room: Room) -> 
 def test_a_question_needs_no_document_and_a_command_one_with_a_field(room: Room) -> None:
     assert room.ask("a/show").poll() is not None
     assert room.ask("a/draw").poll() is not None
-    assert "expected JSON" in room.refused("a/push", b"")
+    assert 'a JSON object with "by", "force"' in room.refused("a/push", b"")
     assert "at least one field" in room.refused("a/push", b"{}")
     assert room.pushed == []
     room.ask("a/push", {"by": "me"})
