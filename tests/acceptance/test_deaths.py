@@ -16,7 +16,7 @@ from executive.ledger.sqlite import FILE, SqliteLedger
 from executive.options import RunOptions
 from executive.parts import ROLES, Role
 from executive.processes import RESTARTS
-from executive.systems import LedgerFailure, ProcessSystem, SystemFailure, wait_for
+from executive.systems import LedgerFailure, ProcessSystem, RefusedError, SystemFailure, wait_for
 from sim.scenario import load_scenario
 from sim.truth import lies_on
 from skills.ports.action import GoalState, status_topic
@@ -123,7 +123,7 @@ def test_a_ledger_that_can_not_be_read_is_told_and_all_ends(tmp_path: Path) -> N
 def test_a_ledger_has_one_owner(tmp_path: Path) -> None:
     ledger = SqliteLedger(tmp_path)
     system = ProcessSystem(RunOptions(bus=own_bus(), data=tmp_path), roles=("router", "executive"))
-    with pytest.raises(SystemFailure, match=r"exit code 4.*\n?.*another executive has this ledger"):
+    with pytest.raises(RefusedError, match=r"exit code 4.*\n?.*another executive has this ledger"):
         system.__enter__()
     ledger.close()
 
