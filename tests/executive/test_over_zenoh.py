@@ -120,7 +120,9 @@ def test_a_router_alone_is_not_enough(start: Start, capfd: pytest.CaptureFixture
     assert "no executive answers on lab/tiago" in capfd.readouterr().err
 
 
-def test_an_executive_without_a_robot_takes_the_task_and_says_so(start: Start, capfd: pytest.CaptureFixture[str]) -> None:
+def test_an_executive_without_a_robot_takes_the_task_and_says_so(
+    start: Start, capfd: pytest.CaptureFixture[str]
+) -> None:
     system = start("0.0", "executive")
     assert main(["request", "fetch", "--item", "29", *system]) == 0
     said = capfd.readouterr()
