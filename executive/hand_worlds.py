@@ -312,7 +312,7 @@ def _find(robot: MockRobot) -> None:
             item=item,
             size=(0.07, 0.07, 0.07),
             tag_in_map=ITEMS[item],
-            seen=robot.world.stamp,
+            seen=robot.now,
             quality=1.0,
             position_sigma=0.002,
         )

@@ -12,7 +12,9 @@ from executive.parts import Role
 from executive.roles import SKILL_ROLES, Surroundings, executive_node, skill_nodes
 from sim.scenario import Scenario
 from sim.station import Station, StationSettings
+from skills.one_boot import OneBoot
 from skills.ports.bus import Bus
+from skills.ports.hardware import RobotDescription
 from skills.ports.node import Node
 from skills.ports.site import Site
 from skills.site import load
@@ -71,23 +73,26 @@ class Lockstep:
         self.nodes: list[Node] = [self.station]
         for role in SKILL_ROLES:
             if role not in without:
-                self.nodes += self._skills(role, seed, site)
+                self.nodes.append(self._skills(role, seed, site))
         self.bus = MemoryBus(self.hub)
         """An end of the bus for whoever runs the system."""
         if "executive" not in without:
             self.nodes.append(executive_node(self._end("executive"), self.clocks, site, start=""))
 
-    def _skills(self, role: Role, seed: int, site: Site) -> Sequence[Node]:
-        at = Surroundings(
-            bus=self._end(role),
-            clocks=self.clocks,
-            description=self.station.model.description,
-            site=site,
-            compute=InlineCompute(self.clocks),
-            seed=seed,
-            charge=True,
-        )
-        return skill_nodes(role, at)
+    def _skills(self, role: Role, seed: int, site: Site) -> Node:
+        def build(bus: Bus, description: RobotDescription) -> Sequence[Node]:
+            at = Surroundings(
+                bus=bus,
+                clocks=self.clocks,
+                description=description,
+                site=site,
+                compute=InlineCompute(self.clocks),
+                seed=seed,
+                charge=True,
+            )
+            return skill_nodes(role, at)
+
+        return OneBoot(role, self._end(role), self.clocks, build, self.station.model.description)
 
     def _end(self, role: Role) -> Bus:
         """Return an end of the bus for a role."""
@@ -106,6 +111,8 @@ class Lockstep:
         self.clocks.advance(self.period, heard=not self.station.silent)
         for node in self.nodes:
             node.step()
+            if node is self.station and self.station.boot != self.clocks.boot:
+                self.clocks.reboot(self.station.boot)
 
     def run_until(self, condition: Callable[[], bool], *, within: float) -> bool:
         """Step until the condition holds, at most ``within`` robot seconds; return whether it does."""

@@ -23,6 +23,7 @@ from executive.isolation import isolated, python
 from executive.parts import OBSERVER, ROLES
 from executive.settings import REFUSED, UNKEPT, WAIT, WorkerSettings
 from executive.telemetry.log_files import trim
+from skills.ports.hardware import StopState
 
 ENDS_WITHIN: Final = 5.0
 """Seconds that a process has for its own end; then it is killed."""
@@ -31,8 +32,9 @@ FOLLOWERS_END_WITHIN: Final = 1.5
 LAST_WORDS: Final = 12
 """Lines of a dead process's log that are shown."""
 SKILL_ROLES: Final = tuple(role for role in ROLES if role not in {"router", "hardware", "executive"})
-RESTARTED: Final = (*SKILL_ROLES, "executive", OBSERVER)
-"""Those that are started again: what they do is taken up."""
+RESTARTED: Final = (*SKILL_ROLES, "hardware", "executive", OBSERVER)
+"""Those that are started again: what they do is taken up. Simulated hardware begins
+at its scenario's start."""
 NO_USE: Final = (REFUSED, UNKEPT)
 """Exit codes that say that another start would end the same way."""
 RESTARTS: Final = 3
@@ -165,8 +167,11 @@ class Supervisor:
             if child.process.poll() is not None
         )
 
-    def restart(self, role: str) -> bool:
-        """Start a dead process again, as it was; return whether it may be."""
+    def restart(self, role: str, stop: StopState | None = None) -> bool:
+        """Start a dead process again, as it was; return whether it may be.
+
+        Hardware begins with the ``stop`` that was set: a crash must not release it.
+        """
         child, now = self.child(role), time.monotonic()
         bound = RESTARTS_OF_EXECUTIVE if role == "executive" else RESTARTS
         times = self._restarted.setdefault(role, deque(maxlen=bound))
@@ -179,7 +184,8 @@ class Supervisor:
         self._orphans[child.process.pid] = now + FOLLOWERS_END_WITHIN
         _tell_group(child.process.pid, signal.SIGTERM)
         died = Death(role, child.process.returncode, child.last_words()).describe()[-QUOTED:]
-        self.start(child.settings.model_copy(update={"crash_at": None, "died": died}))
+        fresh: dict[str, object] = {"crash_at": None, "died": died, "stop": stop}
+        self.start(child.settings.model_copy(update=fresh))
         return True
 
     def give_up(self, role: str) -> None:

@@ -20,7 +20,7 @@ from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.failure import Failure
 from skills.ports.geometry import Pose
 from skills.ports.keys import Latest
-from skills.ports.message import Message
+from skills.ports.message import Message, RobotTime
 from skills.ports.tasks import (
     TASK_ANSWERS,
     TASK_STATUS,
@@ -218,7 +218,7 @@ class Recorder:
     def _take_trees(self, now: float) -> None:
         for tree in self._trees.take():
             known = self._nodes.setdefault(tree.task, {})
-            at = now if tree.stamp is None else tree.stamp.seconds
+            at = round(now - self._ago(tree.stamp), 6)
             for node in walk(tree.root):
                 before = known.get(node.path, NodeStatus.INVALID)
                 if node.status is before:
@@ -235,6 +235,11 @@ class Recorder:
                         message=node.message,
                     )
                 )
+
+    def _ago(self, stamp: RobotTime | None) -> float:
+        """Return how many robot seconds ago that was; of another boot, or not known when: just now."""
+        now = self._clocks.robot()
+        return 0.0 if now is None or stamp is None else now.since(stamp) or 0.0
 
     def _this_run(self, processes: Mapping[str, int]) -> ThisRun:
         return ThisRun(

@@ -286,6 +286,8 @@ def _play_hardware(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[]
 
         scenario = scenario.with_faults(load_faults(settings.faults).faults)
     station = Station(bus, load(settings.site), scenario, how)
+    if settings.stop is not None:
+        station.hardware.set_stop(settings.stop)
     try:
         await_renderer(station, bus, stopped)
         bus.announce("process/hardware")
@@ -323,6 +325,7 @@ def _play_mock(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bo
 def _play_node(
     settings: WorkerSettings, bus: ZenohBus, presence: Presence, stopped: Callable[[], bool]
 ) -> None:
+    from skills.one_boot import OneBoot  # noqa: PLC0415
     from skills.wire.clocks import ProcessClocks  # noqa: PLC0415
     from skills.wire.lease_holder import LeaseHolder, Leasing  # noqa: PLC0415
     from skills.wire.loop import run  # noqa: PLC0415
@@ -340,19 +343,25 @@ def _play_node(
         Path(settings.data).mkdir(parents=True, exist_ok=True)
     compute = ProcessCompute(bus.waker.wake)
     try:
-        at = Surroundings(
-            bus=faulty,
-            clocks=clocks,
-            description=_ask_description(bus, stopped),
-            site=site,
-            compute=compute,
-            seed=settings.seed,
-            journal=None if settings.journal is None else Path(settings.journal),
-        )
+        description = _ask_description(bus, stopped)
+
+        def build(bus: Bus, description: RobotDescription) -> Sequence[Node]:
+            at = Surroundings(
+                bus=bus,
+                clocks=clocks,
+                description=description,
+                site=site,
+                compute=compute,
+                seed=settings.seed,
+                journal=None if settings.journal is None else Path(settings.journal),
+            )
+            nodes = skill_nodes(settings.role, at)
+            _keep_goals(settings, nodes)
+            return nodes
+
         holder.acquire(stopped)
-        nodes = skill_nodes(settings.role, at)
-        _keep_goals(settings, nodes)
-        run(settings.role, bus, clocks, [Leasing(holder, nodes)], stopped)
+        skills = OneBoot(settings.role, faulty, clocks, build, description)
+        run(settings.role, bus, clocks, [Leasing(holder, [skills])], stopped)
     finally:
         compute.close()
 

@@ -296,7 +296,8 @@ class Run:
             return True
         if now is None or self._ticked_at is None:
             return now is not None
-        return now.boot != self._ticked_at.boot or now.seconds - self._ticked_at.seconds >= TICK_PERIOD
+        passed = now.since(self._ticked_at)
+        return passed is None or passed >= TICK_PERIOD
 
     def _tick(self) -> None:
         self._ticked_at, self._ticked_on_host = self._clocks.robot(), self._clocks.monotonic()

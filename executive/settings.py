@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final
-
-from pydantic import Field
+from typing import Final
 
 from executive.on_restart import OnRestart
 from executive.parts import LogFormat, Role
+from skills.ports.hardware import StopState
 from skills.ports.message import Message
 from skills.wire.pulse import SILENT_AFTER
 
@@ -35,10 +34,12 @@ class WorkerSettings(Message):
     """What becomes of a task that was under way when the executive ended, unless its request says so."""
     died: str = ""
     """How the process whose place it takes ended, with its last words; empty: nobody knows, or it did not."""
-    lineage: Annotated[str, Field(pattern="^[0-9a-z]{0,32}$")] = ""
+    lineage: str = ""
     """Random name of who starts the role's processes one after the other; empty: one of its own."""
-    generation: Annotated[int, Field(ge=0, le=999_999_999)] = 0
+    generation: int = 0
     """Counts them: each takes the place of the one before, which is known to be dead."""
+    stop: StopState | None = None
+    """The hardware's: the stop that was set when the one before it died; it begins with it."""
     crash_at: str | None = None
     """Kill this process at a point by its name (``executive.crash_points``); for the campaign of crashes."""
     crash_log: str | None = None

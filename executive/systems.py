@@ -23,7 +23,8 @@ from sim.chatter import unheard
 from sim.scenario import Scenario, load_scenario
 from skills.ports.bus import Bus, Pending
 from skills.ports.clocks import Clocks
-from skills.ports.keys import Nothing
+from skills.ports.hardware import StopState
+from skills.ports.keys import STOP_STATE, Latest, Nothing
 from skills.ports.site import Site
 from skills.ports.tasks import TASK_INFO
 from skills.testing.faulty_bus import BusFaults
@@ -151,6 +152,7 @@ class ProcessSystem:
         self._relay = LogRelay(self.supervisor.folder, self._log_sinks(), options.log_format)
         self._bus: ZenohBus | None = None
         self._clocks: ProcessClocks | None = None
+        self._stop: Latest[StopState] | None = None
 
     @property
     def bus(self) -> ZenohBus:
@@ -267,6 +269,7 @@ class ProcessSystem:
                 if time.monotonic() > deadline:
                     raise SystemFailure(f"no router at {self._options.bus.endpoint}") from None
         self._clocks = ProcessClocks(self._bus)
+        self._stop = Latest(self._bus, STOP_STATE)
 
     def _open(self, patience: float) -> ZenohBus:
         bus = self._options.bus
@@ -313,7 +316,7 @@ class ProcessSystem:
         """Start skills again that have died; what died in the start, or too often, ends the system."""
         deaths, fatal = self.supervisor.deaths(), list[Death]()
         for death in deaths:
-            if self._ready and self.supervisor.restart(death.role):
+            if self._ready and self.supervisor.restart(death.role, self._stop_of(death.role)):
                 self._say(f"{death.head()}; started again")
             elif self._ready and death.role == OBSERVER:
                 self.supervisor.give_up(death.role)
@@ -327,10 +330,18 @@ class ProcessSystem:
         self._relay.step()
         self.supervisor.tidy()
 
+    def _stop_of(self, role: str) -> StopState | None:
+        """Return the stop that hardware which is started again begins with: that of before."""
+        stop = None if self._stop is None or role != "hardware" else self._stop.refresh()
+        return stop if stop is not None and stop.stopped else None
+
     def _kill_hung(self) -> None:
-        """Kill who hangs for too long; the next look finds it dead, and starts it again."""
+        """Kill who hangs for too long; the next look finds it dead, and starts it again.
+
+        Not the hardware: what it simulates would begin anew, and a robot's own is not ours to kill.
+        """
         names = {f"process/{child.role}": child for child in self.supervisor.children}
-        restarted = {name for name in names if name.removeprefix("process/") in RESTARTED}
+        restarted = {name for name in names if name.removeprefix("process/") in {*RESTARTED} - {"hardware"}}
         for name in self._hung.look(restarted & self.bus.alive(), self.bus.awake()):
             self._say(f"the {names[name].role} process hangs; it is killed")
             names[name].process.kill()

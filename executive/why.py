@@ -91,8 +91,9 @@ def _bad_end(status: TaskStatus) -> bool:
 
 def _head(status: TaskStatus) -> Iterator[str]:
     took = ""
-    if status.started is not None and status.ended is not None and status.started.boot == status.ended.boot:
-        took = f" after {status.ended.seconds - status.started.seconds:.1f} s of robot time"
+    seconds = None if status.started is None or status.ended is None else status.ended.since(status.started)
+    if seconds is not None:
+        took = f" after {seconds:.1f} s of robot time"
     phase = f", in the phase {status.progress.phase!r}" if status.progress.phase else ""
     yield f"{status.task}: {status.state}{took}{phase}, {status.progress.fraction:.0%} done"
     yield f"  asked for: {json.dumps(status.request)}"

@@ -19,7 +19,7 @@ from skills.ports.endpoint import Call, answering, endpoint
 from skills.ports.geometry import Pose
 from skills.ports.hardware import Answer
 from skills.ports.keys import Service, Topic
-from skills.ports.message import Message, RobotTime, Vector3
+from skills.ports.message import Message, RobotTime, RobotTimer, Vector3
 from skills.ports.serving import Endpoints
 
 if TYPE_CHECKING:
@@ -118,10 +118,10 @@ class Controls:
         self._reset = reset
         self._fault = fault
         self._photographs: list[tuple[int, Call[PhotographRequest]]] = []
-        self._now, self._seconds = RobotTime(boot="", seconds=0.0), 0.0
+        self._now, self._timer = RobotTime(boot="", seconds=0.0), RobotTimer(0.0)
         self._endpoints = Endpoints(
             bus,
-            lambda: self._seconds,
+            lambda: self._timer.reading,
             (
                 answering(RESET, self._on_reset),
                 answering(PLACE_ITEM, self._on_place_item),
@@ -144,8 +144,7 @@ class Controls:
 
     def step(self, now: RobotTime) -> None:
         """Do what was asked since the last step."""
-        # The robot's clock begins anew with a reset; rates count on.
-        self._seconds += max(0.0, now.seconds - self._now.seconds)
+        self._timer.read(now)
         self._now = now
         self._endpoints.step()
         self._send_photographs()

@@ -96,6 +96,11 @@ class Station:
         return self._camera
 
     @property
+    def boot(self) -> str:
+        """The name of this start of the hardware; another one after a reset."""
+        return self.hardware.now.boot
+
+    @property
     def silent(self) -> bool:
         """Whether a fault keeps the hardware's clock from being heard."""
         return self.trouble.silent

@@ -35,7 +35,7 @@ from skills.ports.endpoint import answering, endpoint
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.fencing import Listening
 from skills.ports.lease import Lease, Leased
-from skills.ports.message import Message
+from skills.ports.message import Message, RobotTime
 from skills.ports.serving import Endpoints
 from skills.ports.skill import Command, F, G, Outcome, R, Run, Skill, Slice
 from skills.ports.tasks import Problem
@@ -59,6 +59,7 @@ class _Current(Generic[F, R]):
     goal_id: str
     client: str
     run: Run[F, R]
+    begun: RobotTime | None
     command: Command = Command.GO_ON
     ready_at: float = 0.0
     started: bool = False
@@ -120,12 +121,15 @@ class ActionServer(Generic[G, F, R]):
     def step(self) -> bool:
         """Answer who asks, then resume the skill."""
         self._fence.step()
+        self._watch_hardware()
         waiting = self._endpoints.step()
         self._watch_client()
         return self._resume() or waiting
 
     def close(self) -> None:
         """End what runs; the skill's last act is to send a stop."""
+        if self._current is not None:
+            self._watch_hardware()
         if self._current is not None:
             self._current.run.close()
             self._end(
@@ -183,7 +187,8 @@ class ActionServer(Generic[G, F, R]):
             return self._status(sent.goal_id, GoalState.REJECTED, failure=unstored)
         log.info("goal begins", extra=self._about(sent.goal_id))
         run = self._skill.run(goal, sent.goal_id)
-        self._current = _Current(sent.goal_id, sent.client, run, lease=sent.lease)
+        begun = self._clocks.robot()
+        self._current = _Current(sent.goal_id, sent.client, run, begun, lease=sent.lease)
         return self._change(sent.goal_id, GoalState.RUNNING)
 
     def _store(self, goal_id: str) -> Failure | None:
@@ -250,6 +255,15 @@ class ActionServer(Generic[G, F, R]):
         elif now - current.client_gone_since > ORPHANED_AFTER:
             log.warning("a client is gone, its goal is cancelled", extra=self._about(current.goal_id))
             self._command(current, Command.CANCEL)
+
+    def _watch_hardware(self) -> None:
+        """End a goal whose hardware has started anew: nothing that it has sent or measured holds any more."""
+        current, now = self._current, self._clocks.robot()
+        if current is None or current.begun is None or now is None or now.since(current.begun) is not None:
+            return
+        current.run.close()
+        text = f"the hardware was started anew (boot {now.boot}, before: {current.begun.boot})"
+        self._end(GoalState.FAILED, failure=self._failure(FailureKind.HARDWARE_LOST, text))
 
     def _stand_by(self, current: _Current[F, R], *, awake: bool) -> None:
         """Come to rest while the client does not go on, and go on when it does."""

@@ -28,7 +28,7 @@ CAUSES: Final = 8
 
 def _taken_in(world: WorldState, sighting: Sighting) -> bool:
     fact = world.item(sighting.item)
-    return fact is not None and (fact.held is not None or fact.seen.seconds >= sighting.stamp.seconds)
+    return fact is not None and (fact.held is not None or sighting.stamp.is_after(fact.seen) is False)
 
 
 @dataclass(eq=False)

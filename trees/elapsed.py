@@ -8,8 +8,8 @@ from skills.ports.clocks import Clocks
 class Elapsed:
     """Counts from when it was made; call ``update`` in each step.
 
-    A clock that starts anew (another boot id) counts on from its zero. ``standing`` tells for how long it
-    has not moved, by the host's clock, so that nobody waits for ever for hardware that is gone.
+    A clock that starts anew (another boot id) counts on from the first time that it tells. ``standing`` tells
+    for how long it has not moved, by the host's clock: nobody waits for ever for hardware that is gone.
 
     Args:
         clocks: robot time, and host time for when the robot's stands still.
@@ -28,10 +28,9 @@ class Elapsed:
         """Take the time; what has passed since the last call is left out when it does not count."""
         now, host, last = self._clocks.robot(), self._clocks.monotonic(), self._last
         if now is not None and now != last:
-            same = last is not None and now.boot == last.boot
-            passed = now.seconds - last.seconds if same and last is not None else now.seconds
+            passed = None if last is None else now.since(last)
             self._last, self._moved_at = now, host
-            if counts and last is not None:
+            if counts and passed is not None:
                 self.robot += max(0.0, passed)
         self.standing = host - self._moved_at
 

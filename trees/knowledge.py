@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, Protocol, TypeVar
 
 from skills.ports.actions.arm import ArmStatus, arm_status
 from skills.ports.actions.bimanual import ZONES, Zones
@@ -10,6 +10,7 @@ from skills.ports.bus import Bus, Pending
 from skills.ports.clocks import Clocks
 from skills.ports.hardware import RobotDescription, StopState
 from skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, Latest, Nothing
+from skills.ports.message import RobotTime
 from skills.ports.site import Site
 from skills.ports.world import (
     ROBOT_POSE,
@@ -26,8 +27,22 @@ ASK_AGAIN: Final = 0.5
 """Host seconds between two questions for the robot's description."""
 
 
+class _Stamped(Protocol):
+    """What tells when it was so."""
+
+    @property
+    def stamp(self) -> RobotTime:
+        """When."""
+        ...
+
+
+S = TypeVar("S", bound=_Stamped)
+
+
 class Knowledge:
     """Reads ``world/...`` and what the arms and the hardware tell; the trees' conditions read this alone.
+
+    What was told before the hardware's present boot is not known.
 
     Args:
         bus: where the skills are.
@@ -47,6 +62,9 @@ class Knowledge:
         self._arms = {side: Latest(bus, arm_status(f"arm_{side}")) for side in SIDES}
         self._ticks = Latest(bus, CLOCK, depth=4)
         self._tick_heard_at: float | None = None
+        self._boot: str | None = None
+        self._restarted = False
+        """Whether the hardware has started anew, and not all has been told since."""
         self._asked: Pending | None = None
         self._asked_at = float("-inf")
 
@@ -56,8 +74,7 @@ class Knowledge:
         self._world.refresh()
         self._robot.refresh()
         self._stop.refresh()
-        if self._ticks.take():
-            self._tick_heard_at = self._clocks.monotonic()
+        self._hear_hardware()
         for latest in self._arms.values():
             latest.refresh()
         if self.description is None:
@@ -67,17 +84,17 @@ class Knowledge:
     @property
     def world(self) -> WorldState | None:
         """The keeper's facts, or None before they came."""
-        return self._world.value
+        return self._current(self._world.value)
 
     @property
     def scene(self) -> PlanningScene | None:
         """What stands around, or None before it came; read when asked for, which is seldom."""
-        return self._scene.refresh()
+        return self._current(self._scene.refresh())
 
     @property
     def robot(self) -> RobotPose | None:
         """The robot's pose, or None before it came."""
-        return self._robot.value
+        return self._current(self._robot.value)
 
     @property
     def robot_localised(self) -> bool:
@@ -91,17 +108,21 @@ class Knowledge:
 
     @property
     def hardware_silent_for(self) -> float:
-        """Host seconds since the hardware's clock was heard; 0.0 when it never was: it isn't watched then."""
+        """Host seconds since the hardware's clock was heard; 0.0 when it never was: it isn't watched then.
+
+        Hardware that has started anew counts as silent until all has been told that a task needs: what was
+        told before says nothing about now.
+        """
         return 0.0 if self._tick_heard_at is None else self._clocks.monotonic() - self._tick_heard_at
 
     def arm(self, side: Side) -> ArmStatus | None:
         """Return what the arm tells, or None before it did."""
-        return self._arms[side].value
+        return self._current(self._arms[side].value)
 
     @property
     def zones(self) -> Zones | None:
         """Where which hand gets to, or None before it came; read when asked for, which is seldom."""
-        return self._zones.refresh()
+        return self._current(self._zones.refresh())
 
     def missing(self) -> tuple[str, ...]:
         """Return the names of what has not been heard yet and no task can do without."""
@@ -123,6 +144,23 @@ class Knowledge:
         self._ticks.close()
         for latest in self._arms.values():
             latest.close()
+
+    def _hear_hardware(self) -> None:
+        ticked, now = self._ticks.take(), self._clocks.robot()
+        if now is not None and now.boot != self._boot:
+            self._restarted, self._boot = self._boot is not None, now.boot
+            if self._restarted:  # perhaps as another robot
+                self.description, self._asked, self._asked_at = None, None, float("-inf")
+        if ticked and not (self._restarted and self.missing()):
+            self._restarted = False
+            self._tick_heard_at = self._clocks.monotonic()
+
+    def _current(self, message: S | None) -> S | None:
+        """Return a message of the hardware's present boot, or None."""
+        now = self._clocks.robot()
+        if message is None or (now is not None and now.since(message.stamp) is None):
+            return None
+        return message
 
     def _ask_for_description(self) -> None:
         now = self._clocks.monotonic()

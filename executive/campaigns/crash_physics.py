@@ -29,7 +29,7 @@ from skills.ports.clocks import robot_seconds
 from skills.ports.failure import Failure
 from skills.ports.hearing import Heard
 from skills.ports.keys import Latest
-from skills.ports.message import Message
+from skills.ports.message import Message, RobotTime
 from skills.ports.tasks import TaskState
 from skills.ports.world import WORLD, Side, WorldState
 from skills.site import load
@@ -219,7 +219,7 @@ class Killer:
             os.kill(self.system.pids()[self.victim], signal.SIGKILL)
             self.killed_at = round(now, 2)
             if self.victim != "executive":
-                self.deeds.append(Deed(what="born", at=now))
+                self.deeds.append(Deed(what="born", at=_at(self.system.clocks.robot())))
         return False
 
     def close(self) -> None:
@@ -233,9 +233,9 @@ class Killer:
             (key.removeprefix("skill/").removesuffix("/status"), status)
             for key, status, _ in self._statuses.take()
         ]
-        told.sort(key=lambda each: 0.0 if each[1].stamp is None else each[1].stamp.seconds)
+        told.sort(key=lambda each: _at(each[1].stamp))
         for action, status in told:
-            at = 0.0 if status.stamp is None else status.stamp.seconds
+            at = _at(status.stamp)
             goal = status.goal_id
             if status.state.terminal and goal in self._open:
                 self._open.discard(goal)
@@ -248,13 +248,18 @@ class Killer:
     def _done_before(self, goal_id: str, at: float) -> bool:
         """Say whether it was believed at that time that what a hand is to bring about was so already."""
         node = node_of(goal_id)
-        world = next((each for each in reversed(self._beliefs) if each.stamp.seconds < at), None)
+        world = next((each for each in reversed(self._beliefs) if _at(each.stamp) < at), None)
         if world is None:
             return False
         if node.endswith("close"):
             side: Side = "right" if node.startswith("right") else "left"
             return world.in_hand(side) is not None
         return node == "let go" and any(each.item == ITEM for each in world.placed)
+
+
+def _at(stamp: RobotTime | None) -> float:
+    """Return the robot seconds of a stamp: the hardware of a run is started once."""
+    return 0.0 if stamp is None else stamp.seconds
 
 
 def _quiet(_: str) -> None:

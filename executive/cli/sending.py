@@ -90,8 +90,9 @@ def _with_id(payload: bytes) -> bytes:
 
 def _end_as(status: TaskStatus) -> None:
     took = ""
-    if status.started is not None and status.ended is not None and status.started.boot == status.ended.boot:
-        took = f" after {status.ended.seconds - status.started.seconds:.1f} s of robot time"
+    seconds = None if status.started is None or status.ended is None else status.ended.since(status.started)
+    if seconds is not None:
+        took = f" after {seconds:.1f} s of robot time"
     if status.state is TaskState.SUCCEEDED:
         typer.echo(f"{status.state}{took}")
         return

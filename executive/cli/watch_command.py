@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from rich.console import Group
 
     from executive.cli.connection import Connection
+    from skills.ports.message import RobotTime
     from skills.ports.tasks import TaskStatus, TreeSnapshot
 
 REFRESH: Final = 0.1
@@ -28,7 +29,7 @@ class View:
 
     status: TaskStatus | None = None
     tree: TreeSnapshot | None = None
-    now: float | None = None
+    now: RobotTime | None = None
     gone: bool = False
 
 
@@ -92,8 +93,9 @@ def _seconds(view: View) -> str:
     status = view.status
     if status is None or status.started is None:
         return ""
-    end = view.now if status.ended is None else status.ended.seconds
-    return "" if end is None else f"{max(0.0, end - status.started.seconds):.1f} s"
+    end = view.now if status.ended is None else status.ended
+    seconds = None if end is None else end.since(status.started)
+    return "" if seconds is None else f"{max(0.0, seconds):.1f} s"
 
 
 def _first(connection: Connection) -> View:
@@ -105,7 +107,7 @@ def _first(connection: Connection) -> View:
     tree = connection.ask(TREE_NOW, Nothing())
     at_work = [each for each in tasks if not each.state.terminal and each.started is not None]
     shown = (at_work or list(tasks))[-1] if tasks else None
-    return View(shown, tree, None if tree.stamp is None else tree.stamp.seconds)
+    return View(shown, tree, tree.stamp)
 
 
 def _follow(connection: Connection, console: object, view: View) -> None:
@@ -125,6 +127,6 @@ def _follow(connection: Connection, console: object, view: View) -> None:
                     view.status = status
             view.tree = trees.refresh() or view.tree
             tick = clock.refresh()
-            view.now = view.now if tick is None else tick.stamp.seconds
+            view.now = view.now if tick is None else tick.stamp
             view.gone = "executive" not in connection.bus.alive()
             live.update(picture(view, height=console.height), refresh=True)

@@ -190,6 +190,5 @@ def _remember(known: OrderedDict[str, T], name: str, value: T) -> None:
 
 
 def _between(begun: RobotTime | None, ended: RobotTime | None) -> float | None:
-    if begun is None or ended is None or begun.boot != ended.boot:
-        return None
-    return max(0.0, ended.seconds - begun.seconds)
+    passed = None if begun is None or ended is None else ended.since(begun)
+    return None if passed is None else max(0.0, passed)

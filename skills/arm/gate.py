@@ -29,10 +29,12 @@ class Gate:
         """
         said = None if self._orders is None else self._orders.refresh()
         now = self._clocks.robot()
-        if said is None or self._side is None or now is None or said.stamp.boot != now.boot:
+        if said is None or self._side is None or now is None:
             return None
-        mine = said.of(self._side)
-        if said.open and now.seconds - said.stamp.seconds > ORDER_LOST_AFTER:
+        age, mine = now.since(said.stamp), said.of(self._side)
+        if age is None:
+            return None
+        if said.open and age > ORDER_LOST_AFTER:
             return ArmOrder(side=self._side, order=Order.HOLD)
         return None if mine is None or mine.order is Order.GO else mine
 

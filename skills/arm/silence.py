@@ -17,6 +17,4 @@ SILENT_AFTER: Final = 0.5
 def joints_silent(newest: JointStates | None, clocks: Clocks) -> bool:
     """Say whether no joint states have come for too long, or none of the hardware's present boot."""
     now = clocks.robot()
-    if newest is None or now is None or newest.stamp.boot != now.boot:
-        return True
-    return now.seconds - newest.stamp.seconds > SILENT_AFTER
+    return newest is None or now is None or not newest.stamp.is_fresh(now, SILENT_AFTER)

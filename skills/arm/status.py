@@ -9,7 +9,7 @@ from skills.kinematics.described import by_name, carried
 from skills.kinematics.extent import Extent
 from skills.ports.actions.arm import ArmState, ArmStatus, arm_status
 from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
+from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.keys import JOINT_STATES, Latest
 from skills.ports.world import SCENE
 
@@ -45,27 +45,26 @@ class ArmStatusBoard:
     def show(self, state: ArmState) -> None:
         """Set the state; told in the next step."""
         self.state = state
-        now = self._clocks.robot()
-        self._since = float("-inf") if now is None else now.seconds
+        self._since = robot_seconds(self._clocks)
 
     def step(self) -> bool:
         """Tell, if there is something new or it is time."""
         joints, scene = self._joints.refresh(), self._scene.refresh()
-        now = self._clocks.robot()
-        if now is None or joints is None:
+        stamp, now = self._clocks.robot(), robot_seconds(self._clocks)
+        if stamp is None or joints is None:
             return False
         ended = self.state in {ArmState.ARM_SUCCESS, ArmState.ARM_FAIL}
-        if ended and now.seconds - self._since >= SHOWN:
+        if ended and now - self._since >= SHOWN:
             self.state = ArmState.ARM_IDLE
-        if self.state is self._told and now.seconds - self._told_at < PERIOD - 1e-6:
+        if self.state is self._told and now - self._told_at < PERIOD - 1e-6:
             return False
         held = () if scene is None else carried(scene, self._arm.description)
         mine = () if self._arm.hand is None else tuple(h for h in held if h.link == self._arm.hand.frame)
         reach = self._extent.metres(by_name(joints.names, joints.positions), mine)
         self._topic.publish(
-            self._bus, ArmStatus(stamp=now, group=self._arm.group.name, state=self.state, extent=reach)
+            self._bus, ArmStatus(stamp=stamp, group=self._arm.group.name, state=self.state, extent=reach)
         )
-        self._told, self._told_at = self.state, now.seconds
+        self._told, self._told_at = self.state, now
         return False
 
     def close(self) -> None:

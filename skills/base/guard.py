@@ -12,6 +12,7 @@ from skills.ports.clocks import Clocks
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.hardware import RobotDescription
 from skills.ports.keys import BUMPERS, STOP_STATE, Latest
+from skills.ports.message import RobotTime
 
 SILENCE: Final = 0.5
 """Robot seconds without scan or odometry after which the base does not move."""
@@ -53,16 +54,16 @@ class Guard:
                 where=where,
                 evidence={"by": stop.by, "reason": stop.reason},
             )
-        found = self._senses(now.seconds, where, anywhere=anywhere)
+        found = self._senses(now, where, anywhere=anywhere)
         for name, status in arms.items():
             if found is not None:
                 return found
-            if status is None or status.stamp.boot != now.boot:
+            silent = None if status is None else now.since(status.stamp)
+            if status is None or silent is None:
                 found = Failure(
                     kind=FailureKind.NOT_READY, message=f"{name} has not told its state", where=where
                 )
                 continue
-            silent = now.seconds - status.stamp.seconds
             if status.state not in AT_EASE or status.extent > self._extent or silent > ARM_SILENCE:
                 found = Failure(
                     kind=FailureKind.BASE_HELD,
@@ -97,11 +98,11 @@ class Guard:
         for latest in self._arms.values():
             latest.close()
 
-    def _senses(self, now: float, where: str, *, anywhere: bool) -> Failure | None:
+    def _senses(self, now: RobotTime, where: str, *, anywhere: bool) -> Failure | None:
         odometry, scans = self._localiser.odometry, self._localiser.recent
-        if odometry is None:
+        silent = None if odometry is None else now.since(odometry.stamp)
+        if silent is None:
             return Failure(kind=FailureKind.NOT_READY, message="no odometry has been heard", where=where)
-        silent = now - odometry.stamp.seconds
         if silent > SILENCE:
             return Failure(
                 kind=FailureKind.HARDWARE_LOST,
@@ -109,7 +110,9 @@ class Guard:
                 where=where,
                 evidence={"silent_s": silent},
             )
-        silent = now - scans[-1].stamp.seconds if scans else now
+        silent = now.since(scans[-1].stamp) if scans else None
+        if silent is None:
+            return Failure(kind=FailureKind.LASER_SILENT, message="no scan has been heard", where=where)
         if silent > SILENCE:
             return Failure(
                 kind=FailureKind.LASER_SILENT,

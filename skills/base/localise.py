@@ -171,7 +171,7 @@ class Localise:
     def _gather(self, scans: list[ScanPoints]) -> Steps:
         """Collect scans at rest; True: cancelled."""
         start = robot_seconds(self._clocks)
-        known = self._localiser.recent[-1].stamp.seconds if self._localiser.recent else start
+        known = self._localiser.recent[-1].stamp if self._localiser.recent else self._clocks.robot()
         while len(scans) < SCANS and robot_seconds(self._clocks) - start < PATIENCE:
             command = yield LocaliseFeedback(progress=0.0)
             heard_at = robot_seconds(self._clocks)
@@ -180,10 +180,10 @@ class Localise:
             start += robot_seconds(self._clocks) - heard_at  # a pause does not count
             if self._localiser.moving:
                 scans.clear()
-                known = robot_seconds(self._clocks)
+                known = self._clocks.robot()
                 continue
-            since = scans[-1].stamp.seconds if scans else known
-            scans += [scan for scan in self._localiser.recent if scan.stamp.seconds > since]
+            since = scans[-1].stamp if scans else known
+            scans += [s for s in self._localiser.recent if since is None or s.stamp.is_after(since)]
         return False
 
     def _search(self, search: Search) -> Steps:
@@ -209,7 +209,7 @@ class Localise:
             )
         if runner_up is not None and best.score - runner_up.score < CLEAR_LEAD:
             return None
-        if not self._localiser.initialise(best.pose, view.stamp.seconds, FOUND_SIGMA):
+        if not self._localiser.initialise(best.pose, view.stamp, FOUND_SIGMA):
             return failed(self._failure(FailureKind.NOT_READY, "the base moved while its place was searched"))
         fit_elsewhere = 0.0 if runner_up is None else runner_up.fit
         return succeeded(LocaliseResult(base_in_map=best.pose, fit=best.fit, runner_up=fit_elsewhere))

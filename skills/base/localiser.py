@@ -22,6 +22,7 @@ from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.geometry import FloorPose, floor_distance, wrap
 from skills.ports.hardware import LaserScan, Odometry, RobotDescription
 from skills.ports.keys import LASER, ODOMETRY, Latest
+from skills.ports.message import RobotTime
 from skills.ports.world import ROBOT_POSE, RobotPose
 
 PERIOD: Final = 0.05
@@ -119,12 +120,12 @@ class Localiser:
         last = self._buffer.last
         return last is not None and (abs(last.linear) > AT_REST[0] or abs(last.angular) > AT_REST[1])
 
-    def initialise(self, base_in_map: FloorPose, at_seconds: float, sigma: tuple[float, float]) -> bool:
-        """Start from a pose that held at a time (robot seconds), known to ``sigma`` (m, rad).
+    def initialise(self, base_in_map: FloorPose, at: RobotTime, sigma: tuple[float, float]) -> bool:
+        """Start from a pose that held at a moment, known to ``sigma`` (m, rad).
 
         Returns False when there is no odometry of that time.
         """
-        base_in_odom = self._buffer.at(at_seconds)
+        base_in_odom = self._buffer.at(at)
         if base_in_odom is None and self._buffer.last is not None and not self.moving:
             base_in_odom = self._buffer.last.base_in_odom
         if base_in_odom is None:
@@ -150,7 +151,7 @@ class Localiser:
         if self._waiting is not None:
             self._try_scan(self._waiting)
         now = robot_seconds(self._clocks)
-        if now - self._published_at >= PERIOD - 1e-6 or now < self._published_at:
+        if now - self._published_at >= PERIOD - 1e-6:
             self._publish(now)
         return False
 
@@ -161,18 +162,16 @@ class Localiser:
 
     def _forget_another_boot(self, odometry: Odometry) -> None:
         last = self._buffer.last
-        if last is not None and last.stamp.boot != odometry.stamp.boot:
+        if last is not None and odometry.stamp.since(last.stamp) is None:
             self.localised, self.reason = False, "the hardware started anew: localise first"
             self._recent.clear()
-            self._matched_at = None
+            self._matched_at = self._waiting = self.placed = None
 
     def _notice_a_leap(self, odometry: Odometry) -> None:
         """Where odometry goes on as no drive can, nobody knows where the base is."""
         last = self._buffer.last
-        if last is None or last.stamp.boot != odometry.stamp.boot:
-            return
-        seconds = odometry.stamp.seconds - last.stamp.seconds
-        if seconds <= 0.0:
+        seconds = None if last is None else odometry.stamp.since(last.stamp)
+        if last is None or seconds is None or seconds <= 0.0:
             return
         metres = floor_distance(last.base_in_odom, odometry.base_in_odom)
         radians = abs(wrap(odometry.base_in_odom.yaw - last.base_in_odom.yaw))
@@ -187,12 +186,14 @@ class Localiser:
                 self.reason = f"odometry jumped by {metres:.2f} m and {radians:.2f} rad"
 
     def _try_scan(self, scan: LaserScan) -> None:
-        base_in_odom = self._buffer.at(scan.stamp.seconds)
+        base_in_odom = self._buffer.at(scan.stamp)
         if base_in_odom is None:
-            last = self._buffer.last
-            if last is None or robot_seconds(self._clocks) - scan.stamp.seconds < LATE:
+            last, now = self._buffer.last, self._clocks.robot()
+            age = None if now is None else now.since(scan.stamp)
+            onward = None if last is None else scan.stamp.since(last.stamp)
+            if last is None or onward is None or age is None or age < LATE:
                 return
-            base_in_odom = ahead(last, scan.stamp.seconds - last.stamp.seconds)
+            base_in_odom = ahead(last, onward)
         self._waiting = None
         points = self._geometry.points(scan)
         if points is None:

@@ -10,7 +10,10 @@ from typing import Final
 from skills.base.floor import between, compose
 from skills.ports.geometry import FloorPose
 from skills.ports.hardware import Odometry
+from skills.ports.message import RobotTime
 
+SAME: Final = 1e-9
+"""Seconds between two moments that are one: stamps are rounded to 1e-6."""
 KEPT: Final = 100
 """Messages: two seconds at 50 Hz."""
 
@@ -24,10 +27,10 @@ class OdometryBuffer:
 
     def add(self, odometry: Odometry) -> None:
         """Take a message; one older than the last is dropped."""
-        last = self.last
-        if last is not None and last.stamp.boot != odometry.stamp.boot:
+        later = None if self.last is None else odometry.stamp.is_after(self.last.stamp)
+        if later is None:
             self._kept.clear()
-        elif last is not None and odometry.stamp.seconds <= last.stamp.seconds:
+        elif not later:
             return
         self._kept.append(odometry)
 
@@ -36,20 +39,27 @@ class OdometryBuffer:
         """The newest message."""
         return self._kept[-1] if self._kept else None
 
-    def at(self, seconds: float) -> FloorPose | None:
-        """Return base_in_odom at that time, interpolated; None when it lies before or after what is held."""
-        times = [each.stamp.seconds for each in self._kept]
-        index = bisect_left(times, seconds)
-        if index == len(times):
+    def at(self, stamp: RobotTime) -> FloorPose | None:
+        """Return base_in_odom at a moment, interpolated; None when it lies before or after what is held."""
+        last = self.last
+        if last is None or stamp.is_after(last.stamp) is not False:
             return None
+        index = bisect_left(self._kept, 0.0, key=lambda each: _since(each, stamp))
         after = self._kept[index]
-        if math.isclose(after.stamp.seconds, seconds, abs_tol=1e-9):
+        left = _since(after, stamp)
+        if left < SAME:
             return after.base_in_odom
         if index == 0:
             return None
         before = self._kept[index - 1]
-        share = (seconds - before.stamp.seconds) / (after.stamp.seconds - before.stamp.seconds)
-        return between(before.base_in_odom, after.base_in_odom, share)
+        passed = -_since(before, stamp)
+        return between(before.base_in_odom, after.base_in_odom, passed / (passed + left))
+
+
+def _since(odometry: Odometry, stamp: RobotTime) -> float:
+    passed = odometry.stamp.since(stamp)
+    assert passed is not None, "what is kept is of one boot, and so is what is asked for"
+    return passed
 
 
 def ahead(odometry: Odometry, seconds: float) -> FloorPose:

@@ -92,10 +92,11 @@ class Ride(Generic[F]):
     @property
     def pose(self) -> FloorPose:
         """base_in_map now: odometry carried on to this moment, seen from the map."""
-        odometry = self._localiser.odometry
+        odometry, now = self._localiser.odometry, self._clocks.robot()
         if odometry is None:
             return self._localiser.odom_in_map
-        late = min(max(self.now - odometry.stamp.seconds, 0.0), 2 * CYCLE)
+        age = None if now is None else now.since(odometry.stamp)
+        late = min(max(age or 0.0, 0.0), 2 * CYCLE)
         return compose(self._localiser.odom_in_map, ahead(odometry, late))
 
     def cycle(self, linear: float, angular: float) -> Motion[F]:

@@ -43,7 +43,7 @@ class BaseStatusBoard:
     def step(self) -> bool:
         """Publish when it is time."""
         now = robot_seconds(self._clocks)
-        if now - self._published_at >= PERIOD - 1e-6 or now < self._published_at:
+        if now - self._published_at >= PERIOD - 1e-6:
             self._publish()
         return False
 
@@ -58,7 +58,7 @@ class BaseStatusBoard:
         stamp = self._clocks.robot()
         if stamp is None:
             return
-        self._published_at = stamp.seconds
+        self._published_at = robot_seconds(self._clocks)
         BASE_STATUS.publish(
             self._bus, BaseStatus(stamp=stamp, state=self._state, serves_item=self._serves_item)
         )

@@ -22,6 +22,7 @@ from skills.ports.actions.bimanual import CROSSING, RIGHT_OF_WAY, Order, RightOf
 from skills.ports.bus import Bus
 from skills.ports.hardware import ArmsCrossing, CancelMotion, JointStates, RobotDescription
 from skills.ports.keys import JOINT_STATES, Latest, group_cancel
+from skills.ports.message import RobotTime, RobotTimer
 from skills.ports.world import SCENE, SIDES, Side
 
 PERIOD: Final = 0.05
@@ -64,7 +65,8 @@ class Coordinator:
         self.coordinating = False
         """Whether somebody has asked for it."""
         self.seen: Situation | None = None
-        self._looked_at: float | None = None
+        self._looked_at: RobotTime | None = None
+        self._timer = RobotTimer()
         self._told: RightOfWay | None = None
         self._sweep: Generator[None, None, bool] | None = None
         self._clear: bool | None = None
@@ -97,13 +99,13 @@ class Coordinator:
     def step(self) -> bool:
         """With each new message of the joints: see, rule, tell."""
         joints, crossing = self._joints.refresh(), self._crossing.refresh()
-        if joints is None or crossing is None or joints.stamp.seconds == self._looked_at:
+        if joints is None or crossing is None or joints.stamp == self._looked_at:
             return False
-        self._looked_at = joints.stamp.seconds
+        self._looked_at = joints.stamp
         left, right = (self._arms[side].look(joints) for side in SIDES)
         self._look_ahead(joints)
         self.seen = Situation(
-            now=joints.stamp.seconds,
+            now=self._timer.read(joints.stamp),
             risk=crossing.near if self._eager else crossing.risk,
             clearance=crossing.clearance,
             left=left,
@@ -147,7 +149,8 @@ class Coordinator:
         )
         told = self._told
         same = told is not None and told.model_copy(update={"stamp": message.stamp}) == message
-        if told is None or not same or message.stamp.seconds - told.stamp.seconds >= PERIOD - 1e-6:
+        passed = None if told is None else message.stamp.since(told.stamp)
+        if not same or passed is None or passed >= PERIOD - 1e-6:
             RIGHT_OF_WAY.publish(self._bus, message)
             self._told = message
 

@@ -19,7 +19,7 @@ from skills.ports.clocks import Clocks
 from skills.ports.geometry import Pose, rotate, subtract
 from skills.ports.hardware import GroupStatus, JointStates, MotionState, RobotDescription, Wrench
 from skills.ports.keys import JOINT_STATES, STOP_STATE, Latest, group_setpoint, group_status, wrench
-from skills.ports.message import Vector3
+from skills.ports.message import RobotTime, Vector3
 from skills.ports.world import SIDES, Side
 
 LONGEST: Final = 0.05
@@ -48,7 +48,7 @@ class TwoArms:
         self._approaches: list[Latest[ApproachStatus]] = [
             Latest(bus, approach_status(arm.group)) for arm in self.arms
         ]
-        self._at = float("-inf")
+        self._at: RobotTime | None = None
         self._bare: dict[Side, Vector3] = dict.fromkeys(SIDES, _NOTHING)
         self.aims: tuple[Pose, Pose] | None = None
         """Where both tools shall be, in the base, left first; None while the arms are not led."""
@@ -136,9 +136,10 @@ class TwoArms:
             self._wrenches[side].refresh()
         if self._somebody_else():
             self.disengage()
-        if joints is None or joints.stamp.seconds == self._at:
+        if joints is None or joints.stamp == self._at:
             return False
-        period, self._at = min(LONGEST, joints.stamp.seconds - self._at), joints.stamp.seconds
+        passed = None if self._at is None else joints.stamp.since(self._at)
+        period, self._at = LONGEST if passed is None else min(LONGEST, passed), joints.stamp
         if not self.leading or self.stopped or period <= 0.0:
             return False
         if self.span is not None and self.middle is not None:

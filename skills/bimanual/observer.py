@@ -14,6 +14,7 @@ from skills.ports.bus import Bus
 from skills.ports.chain import Chain
 from skills.ports.hardware import ArmsCrossing, JointStates, RobotDescription
 from skills.ports.keys import Latest
+from skills.ports.message import RobotTimer
 from skills.ports.world import Side
 
 STILL: Final = 0.02
@@ -47,7 +48,7 @@ class ArmObserver:
         self._approach = Latest(bus, approach_status(group.name))
         self.record: list[Array] = []
         """Positions (n,) of the approach that runs, from its start to the farthest that it got."""
-        self._recorded_at = float("-inf")
+        self._timer, self._recorded_at = RobotTimer(), float("-inf")
         self._stands_since: float | None = None
         self.waits = False
         """Whether it has stood for long, and no field of its own runs: for something else than a way."""
@@ -84,19 +85,16 @@ class ArmObserver:
         speeds = dict(zip(joints.names, joints.velocities, strict=True))
         self.speeds = np.array([speeds[joint] for joint in self.joints])
         moving = float(np.max(np.abs(self.speeds))) > STILL
-        active = (
-            told is not None
-            and told.active
-            and told.stamp.boot == now.boot
-            and now.seconds - told.stamp.seconds < SILENT_AFTER
-        )
-        self._remember(q, told if active else None, now.seconds)
+        age = None if told is None else now.since(told.stamp)
+        active = told is not None and told.active and age is not None and age < SILENT_AFTER
+        at = self._timer.read(now)
+        self._remember(q, told if active else None, at)
         away = float(np.max(np.abs(q - self.safe_at)))
         self.q = q
         self._note_goal(told if active else None, away)
         if moving or active or self._stands_since is None:
-            self._stands_since = now.seconds
-        self.waits = now.seconds - self._stands_since > WAITS_AFTER
+            self._stands_since = at
+        self.waits = at - self._stands_since > WAITS_AFTER
         self.now = self._seen(joints, told if active else None, moving=moving, away=away)
         return self.now
 

@@ -7,7 +7,7 @@ from typing import Final
 from skills.bimanual.zones import COST, ZonesAsk, ZonesFound, zones
 from skills.ports.actions.bimanual import ZONES, Zones
 from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
+from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.compute import Compute, Job
 from skills.ports.hardware import RobotDescription
 
@@ -36,20 +36,20 @@ class ZonesBoard:
 
     def step(self) -> bool:
         """Begin, wait, tell."""
-        now = self._clocks.robot()
-        if now is None:
+        stamp, now = self._clocks.robot(), robot_seconds(self._clocks)
+        if stamp is None:
             return False
         if self._job is None:
             self._job = self._compute.submit(zones, self._ask, cost=COST)
         if self._found is None and self._job.done():
             self._found = self._job.result()
         found = self._found
-        if found is not None and now.seconds - self._told_at >= PERIOD - 1e-6:
-            self._told_at = now.seconds
+        if found is not None and now - self._told_at >= PERIOD - 1e-6:
+            self._told_at = now
             ZONES.publish(
                 self._bus,
                 Zones(
-                    stamp=now,
+                    stamp=stamp,
                     height=found.height,
                     torso=found.torso,
                     cell=found.cell,

@@ -10,6 +10,7 @@ from skills.ports.actions.gripper import HandState, HandStatus, hand_status
 from skills.ports.bus import Bus
 from skills.ports.hardware import EndEffector, GripperMotion, GripperState
 from skills.ports.keys import Latest, gripper_state
+from skills.ports.message import RobotTimer
 
 PERIOD: Final = 0.1
 """Robot seconds between two messages without a change."""
@@ -34,7 +35,7 @@ class HandWatch:
     def __init__(self, bus: Bus, hand: EndEffector) -> None:
         self._bus, self._side = bus, hand.side
         self._states, self._topic = Latest(bus, gripper_state(hand.side)), hand_status(hand.side)
-        self._command = ""
+        self._timer, self._command = RobotTimer(), ""
         self._stalled_at: float | None = None
         self._empty_since: float | None = None
         self._slack_since: float | None = None
@@ -56,8 +57,8 @@ class HandWatch:
         self._states.close()
 
     def _judge(self, state: GripperState) -> HandState:
-        told, now = self._told, state.stamp
-        if state.command_id != self._command or (told is not None and told.stamp.boot != now.boot):
+        told, now = self._told, self._timer.read(state.stamp)
+        if state.command_id != self._command or (told is not None and state.stamp.since(told.stamp) is None):
             self._command, self._stalled_at = state.command_id, None
             self._empty_since = self._slack_since = None
         order = order_of(state.command_id)
@@ -70,17 +71,17 @@ class HandWatch:
             self._stalled_at = state.width
         left = self._stalled_at is not None and abs(state.width - self._stalled_at) > WIDTH_TOLERANCE
         slack = order is Order.CLOSE and stalled and not presses
-        self._empty_since = _since(self._empty_since, now.seconds, holds=met or left)
-        self._slack_since = _since(self._slack_since, now.seconds, holds=slack)
-        empty = _for(self._empty_since, now.seconds, SURE_AFTER)
-        if empty or _for(self._slack_since, now.seconds, SLACK_AFTER):
+        self._empty_since = _since(self._empty_since, now, holds=met or left)
+        self._slack_since = _since(self._slack_since, now, holds=slack)
+        empty = _for(self._empty_since, now, SURE_AFTER)
+        if empty or _for(self._slack_since, now, SLACK_AFTER):
             return HandState.EMPTY
         return HandState.HOLDING if self._stalled_at is not None else HandState.OPEN
 
     def _tell(self, state: GripperState, judged: HandState) -> None:
         told, now = self._told, state.stamp
-        same = told is not None and told.state is judged and told.stamp.boot == now.boot
-        if same and told is not None and now.seconds - told.stamp.seconds < PERIOD - 1e-6:
+        passed = None if told is None else now.since(told.stamp)
+        if told is not None and told.state is judged and passed is not None and passed < PERIOD - 1e-6:
             return
         self._told = HandStatus(
             stamp=now, side=self._side, state=judged, width=state.width, force=state.force

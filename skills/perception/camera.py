@@ -13,6 +13,7 @@ from skills.ports.hardware import RgbdHeader
 from skills.ports.hearing import Heard
 from skills.ports.image import header_of
 from skills.ports.keys import RGBD
+from skills.ports.message import RobotTime
 from skills.ports.skill import Command, Slice
 
 SILENT_AFTER: Final = 3.0
@@ -35,9 +36,9 @@ class Camera:
             self._inbox = None
 
     def picture(
-        self, session: Session, after: float
+        self, session: Session, after: RobotTime
     ) -> Generator[LookFeedback | Slice, Command, tuple[RgbdHeader, bytes]]:
-        """Return the next picture taken later than ``after`` (robot seconds), as header and payload.
+        """Return the next picture not taken before ``after``, as header and payload.
 
         While the run is paused, nobody listens.
 
@@ -52,9 +53,9 @@ class Camera:
             )
         return self._fresh[0]
 
-    def _arrived(self, after: float) -> bool:
+    def _arrived(self, after: RobotTime) -> bool:
         for _, header, payload in self._listen().take():
-            if header.stamp.seconds >= after:
+            if after.is_after(header.stamp) is False:  # one of another boot is not of this run
                 self._fresh.append((header, payload))
         return bool(self._fresh)
 

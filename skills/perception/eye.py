@@ -95,9 +95,9 @@ class Eye:
             raise LookError(FailureKind.NOT_LOCALISED, "the robot's pose in the map is not known")
 
     def shot(
-        self, view: View, after: float
+        self, view: View, after: RobotTime
     ) -> Generator[LookFeedback | Slice, Command, tuple[RobotTime, Shot]]:
-        """Return the next picture later than ``after`` (robot s) that shows something, with its time.
+        """Return the next picture not before ``after`` that shows something, with its time.
 
         Raises:
             LookError: CAMERA_BLIND when all that come are dark or stand still.
@@ -115,7 +115,7 @@ class Eye:
             waited = session.now - blind_since
             if waited >= BLIND_AFTER:
                 raise LookError(FailureKind.CAMERA_BLIND, wrong, waited_s=waited)
-            after = header.stamp.seconds + 1e-6
+            after = header.stamp.plus(1e-6)
 
     def read(
         self, view: View, shot: Shot, standing: tuple[tuple[int, Box], ...]

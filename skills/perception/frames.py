@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 from skills.ports.bus import Bus
@@ -36,20 +36,18 @@ class JointHistory:
     def refresh(self) -> None:
         """Take in what has arrived."""
         for state in self._states.take():
-            if self._kept and not _before(self._kept[-1].stamp, state.stamp):
+            if self._kept and self._kept[-1].stamp.is_after(state.stamp) is not False:
                 self._kept.clear()
             self._kept.append(state)
 
     def positions(self, stamp: RobotTime) -> Mapping[str, float] | None:
         """Return the joints' positions (rad or m) at a moment, interpolated; None while not known."""
-        if not self._kept or self._kept[-1].stamp.boot != stamp.boot:
-            return None
-        at = bisect_left(self._kept, stamp.seconds, key=lambda state: state.stamp.seconds)
-        if at == len(self._kept):
+        at = _first_not_before(self._kept, stamp)
+        if at is None or at == len(self._kept):
             return None
         after = self._kept[at]
         before = self._kept[max(at - 1, 0)]
-        share = _share(before.stamp.seconds, after.stamp.seconds, stamp.seconds)
+        share = _share(before.stamp, after.stamp, stamp)
         if share is None or before.names != after.names:
             return None
         return {
@@ -78,21 +76,21 @@ class RobotPoseHistory:
     def refresh(self) -> None:
         """Take in what has arrived."""
         for pose in self._poses.take():
-            if self._kept and not _before(self._kept[-1].stamp, pose.stamp):
+            if self._kept and self._kept[-1].stamp.is_after(pose.stamp) is not False:
                 self._kept.clear()
             self._kept.append(pose)
 
     def base_in_map(self, stamp: RobotTime) -> FloorPose | None:
         """Return the base at a moment, interpolated; None when it is not known (yet) or not localised."""
-        if not self._kept or self._kept[-1].stamp.boot != stamp.boot:
+        at = _first_not_before(self._kept, stamp)
+        if at is None:
             return None
-        at = bisect_left(self._kept, stamp.seconds, key=lambda pose: pose.stamp.seconds)
         if at == len(self._kept):
             last = self._kept[-1]
-            still = not last.moving and stamp.seconds - last.stamp.seconds <= _MAX_GAP
+            still = not last.moving and last.stamp.is_fresh(stamp, _MAX_GAP)
             return last.base_in_map if still and last.localised else None
         after, before = self._kept[at], self._kept[max(at - 1, 0)]
-        share = _share(before.stamp.seconds, after.stamp.seconds, stamp.seconds)
+        share = _share(before.stamp, after.stamp, stamp)
         if share is None or not (before.localised and after.localised):
             return None
         a, b = before.base_in_map, after.base_in_map
@@ -119,14 +117,26 @@ class CameraMount:
         return self._chain.pose(positions)
 
 
-def _before(a: RobotTime, b: RobotTime) -> bool:
-    return a.boot == b.boot and a.seconds <= b.seconds
-
-
-def _share(before: float, after: float, at: float) -> float | None:
-    """Return how far ``at`` lies between two times (0 to 1), or None when they are too far from it."""
-    if after <= before:
-        return 1.0 if abs(at - after) <= _MAX_GAP else None
-    if after - before > 2 * _MAX_GAP:
+def _first_not_before(kept: Sequence[JointStates] | Sequence[RobotPose], stamp: RobotTime) -> int | None:
+    """Return where the first that is no earlier than the stamp is (the end: none), or None: unknown."""
+    if not kept or kept[-1].stamp.since(stamp) is None:
         return None
-    return min(max((at - before) / (after - before), 0.0), 1.0)
+
+    def after_stamp(each: JointStates | RobotPose) -> float:
+        passed = each.stamp.since(stamp)
+        assert passed is not None, "what is kept is of one boot"
+        return passed
+
+    return bisect_left(kept, 0.0, key=after_stamp)
+
+
+def _share(before: RobotTime, after: RobotTime, at: RobotTime) -> float | None:
+    """Return how far ``at`` lies between two times (0 to 1), or None when they are too far from it."""
+    span, passed = after.since(before), at.since(before)
+    if span is None or passed is None:
+        return None
+    if span <= 0.0:
+        return 1.0 if abs(passed) <= _MAX_GAP else None
+    if span > 2 * _MAX_GAP:
+        return None
+    return min(max(passed / span, 0.0), 1.0)

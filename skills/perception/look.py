@@ -170,7 +170,7 @@ class Look:
         goal, session = looking.goal, looking.session
         looking.heads.append(head)
         yield from looking.head.move(session, looking.joints, head)
-        after = session.now + SETTLE
+        after = session.stamp.plus(SETTLE)
         seen: list[Sighting] = []
         missed: list[int] = []
         shot: Shot | None = None
@@ -178,7 +178,7 @@ class Look:
             stamp, shot = yield from self._eye.shot(looking, after)
             if taken + 1 == pictures:
                 looking.camera.close()
-            after = stamp.seconds + 1e-6
+            after = stamp.plus(1e-6)
             standing = self._eye.standing(looking.sightings)
             found = yield from self._eye.read(looking, shot, standing)
             seen.extend(found.sightings)

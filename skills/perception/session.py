@@ -10,6 +10,7 @@ from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.hardware import StopState
 from skills.ports.keys import Latest
+from skills.ports.message import RobotTime
 from skills.ports.skill import Command, Slice
 
 Steps: TypeAlias = Generator[LookFeedback | Slice, Command, bool]
@@ -51,6 +52,18 @@ class Session:
     def now(self) -> float:
         """Robot seconds."""
         return robot_seconds(self.clocks)
+
+    @property
+    def stamp(self) -> RobotTime:
+        """The moment that it is: what is seen is later or earlier than this.
+
+        Raises:
+            LookError: HARDWARE_LOST when the hardware has not been heard.
+        """
+        now = self.clocks.robot()
+        if now is None:
+            raise LookError(FailureKind.HARDWARE_LOST, "the hardware's clock has not been heard")
+        return now
 
     def breathe(self, slice_of: float | None = None) -> Generator[LookFeedback | Slice, Command, None]:
         """Yield once; then read the inboxes and heed the command.

@@ -31,7 +31,7 @@ from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import angle_between, compose, to_pose
 from skills.ports.hardware import RobotDescription
 from skills.ports.keys import STOP_STATE, Latest
-from skills.ports.message import Quaternion, RobotTime
+from skills.ports.message import Quaternion, RobotTime, RobotTimer
 from skills.ports.site import Site
 from skills.ports.skill import ActionType, Command, Run, Slice, canceled, failed
 from skills.ports.world import SIGHTINGS, Sighting, Sightings
@@ -54,6 +54,8 @@ class _Tracking(View):
     head: Head
     gaze: Gaze
     missed: Counter[int] = field(default_factory=Counter)
+    timer: RobotTimer = field(default_factory=RobotTimer)
+    """Robot seconds as its pictures count them."""
 
     def refresh(self) -> None:
         super().refresh()
@@ -131,10 +133,10 @@ class Track:
         raise AssertionError("it follows until it is cancelled or fails")
 
     def _follow(self, view: _Tracking) -> Steps:
-        after = view.session.now
+        after = view.session.stamp
         while True:
             stamp, shot = yield from self._eye.shot(view, after)
-            after = stamp.seconds + 1e-6
+            after = stamp.plus(1e-6)
             found = yield from self._eye.read(view, shot, self._eye.standing())
             before = view.missed
             missing = (*found.absent, *found.unread)
@@ -143,13 +145,13 @@ class Track:
             found = TagsFound(found.sightings, gone)
             self._tell(view, stamp, found)
             if view.goal.gaze and (yield from self._turned(view, stamp, shot, found)):
-                after = view.session.now + SETTLE
+                after = view.session.stamp.plus(SETTLE)
 
     def _turned(
         self, view: _Tracking, stamp: RobotTime, shot: Shot, found: TagsFound
     ) -> Generator[LookFeedback | Slice, Command, bool]:
         """Turn the head to where it sees more of what it follows; say whether it had to."""
-        gaze, now = view.gaze, stamp.seconds
+        gaze, now = view.gaze, view.timer.read(stamp)
         facts = {fact.item: fact for fact in self._eye.facts()}
         held = {item for item, fact in facts.items() if fact.held is not None}
         followed = set(view.goal.gaze) - held

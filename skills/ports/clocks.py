@@ -14,6 +14,13 @@ class Clocks(Protocol):
         """Return the hardware's last time, or None while no hardware has been heard."""
         ...
 
+    def passed(self) -> float:
+        """Return the robot seconds that have passed so far, counted on when the hardware starts anew.
+
+        It never falls, and stands while no hardware is heard: timers read this.
+        """
+        ...
+
     def monotonic(self) -> float:
         """Return seconds of the host's monotonic clock (in lockstep: simulated seconds)."""
         ...
@@ -24,6 +31,5 @@ class Clocks(Protocol):
 
 
 def robot_seconds(clocks: Clocks) -> float:
-    """Return the seconds of the robot's clock, 0.0 before the hardware was heard."""
-    now = clocks.robot()
-    return 0.0 if now is None else now.seconds
+    """Return a timer's reading (see ``Clocks.passed``); it can't be compared to a stamp."""
+    return clocks.passed()

@@ -87,7 +87,7 @@ KINDS: Final = MappingProxyType(
         _K.TIMED_OUT: KindFacts("no result within the time allowed", True, Helper.AGAIN),
         _K.SKILL_LOST: KindFacts("the process of the skill is gone", True, Helper.AGAIN),
         _K.SKILL_CRASHED: KindFacts("the skill raised an error; its log has the trace", True, Helper.AGAIN),
-        _K.HARDWARE_LOST: KindFacts("the hardware is silent", True, Helper.OPERATOR),
+        _K.HARDWARE_LOST: KindFacts("the hardware is silent, or was started anew", True, Helper.OPERATOR),
         _K.HARDWARE_STOPPED: KindFacts("the hardware's stop is set", False, Helper.OPERATOR),
         _K.CAMERA_SILENT: KindFacts("no picture came in time", True, Helper.AGAIN),
         _K.CAMERA_BLIND: KindFacts("pictures come, but they are dark or stand still", True, Helper.AGAIN),

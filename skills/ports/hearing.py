@@ -139,9 +139,9 @@ class Entrance(Generic[M]):
         if stamp is None:
             return True
         last = self._last.get(key)
-        if last is not None and last.boot == stamp.boot and stamp.seconds < last.seconds:
+        if last is not None and last.is_after(stamp):
             row = self._older.setdefault(key, [])  # of keys in _last only
-            if row and (row[-1].boot != stamp.boot or stamp.seconds < row[-1].seconds):
+            if row and row[-1].is_after(stamp) is not False:
                 row.clear()
             row.append(stamp)
             if len(row) < OUTVOTED:

@@ -29,9 +29,57 @@ class Message(BaseModel):
 class RobotTime(Message):
     """A moment on the robot's clock.
 
-    ``boot`` names the start of the hardware that counts the seconds: two times of different boots
-    can't be compared.
+    ``boot`` names the start of the hardware that counts the seconds. Two moments of different boots can't be
+    compared: what asks for it gets None, and ``<`` and ``-`` don't exist. ``seconds`` alone is for telling
+    people and for the wire; reckoning with it outside of this class is an error
+    (``tests/architecture/test_robot_time.py``). Timers read ``skills.ports.clocks.robot_seconds`` instead.
     """
 
     boot: str
     seconds: float
+
+    def since(self, earlier: RobotTime) -> float | None:
+        """Return the seconds that this is after ``earlier`` (negative: before), or None: another boot."""
+        return self.seconds - earlier.seconds if self.boot == earlier.boot else None
+
+    def is_after(self, other: RobotTime) -> bool | None:
+        """Say whether this is later than the other, or None: another boot."""
+        return self.seconds > other.seconds if self.boot == other.boot else None
+
+    def is_fresh(self, now: RobotTime, within: float) -> bool:
+        """Say whether this lies at most so many seconds before ``now``; what is of another boot does not."""
+        return self.boot == now.boot and now.seconds - self.seconds <= within
+
+    def plus(self, seconds: float) -> RobotTime:
+        """Return the moment so many seconds later, of the same boot."""
+        return RobotTime(boot=self.boot, seconds=self.seconds + seconds)
+
+
+class RobotTimer:
+    """Counts robot seconds on over boots, out of stamps: a timer's reading, which never falls.
+
+    What passes between the last stamp of one boot and the first of the next is not counted. Readings are for
+    taking differences of, and say nothing about stamps.
+
+    Args:
+        start: the reading at the first stamp; that stamp's own seconds unless given.
+    """
+
+    def __init__(self, start: float | None = None) -> None:
+        self._reading = start
+        self._origin: RobotTime | None = None
+        self._at_origin = 0.0
+
+    @property
+    def reading(self) -> float:
+        """The last reading; 0.0 before the first stamp, unless it starts elsewhere."""
+        return self._reading or 0.0
+
+    def read(self, stamp: RobotTime) -> float:
+        """Return the reading at a stamp; one from before the last, of the same boot, changes nothing."""
+        passed = None if self._origin is None else stamp.since(self._origin)
+        if passed is None:
+            self._at_origin = stamp.seconds if self._reading is None else self._reading
+            self._origin, passed = stamp, 0.0
+        self._reading = max(self.reading, self._at_origin + passed)
+        return self._reading

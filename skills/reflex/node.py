@@ -7,6 +7,7 @@ from typing import Final
 from skills.ports.actions.bimanual import CROSSING, Crossing
 from skills.ports.bus import Bus
 from skills.ports.keys import JOINT_STATES, Latest
+from skills.ports.message import RobotTime
 from skills.ports.world import SCENE
 from skills.reflex.watch import ArmsWatch
 
@@ -29,15 +30,15 @@ class CrossingReflex:
     def __init__(self, bus: Bus, watch: ArmsWatch) -> None:
         self._bus, self._watch = bus, watch
         self._joints, self._scene = Latest(bus, JOINT_STATES), Latest(bus, SCENE, depth=4)
-        self._looked_at: float | None = None
+        self._looked_at: RobotTime | None = None
         self._told: Crossing | None = None
 
     def step(self) -> bool:
         """Look at the newest joints, if they are new, and tell when it is time or the verdict has changed."""
         joints, scene = self._joints.refresh(), self._scene.refresh()
-        if joints is None or joints.stamp.seconds == self._looked_at:
+        if joints is None or joints.stamp == self._looked_at:
             return False
-        self._looked_at = joints.stamp.seconds
+        self._looked_at = joints.stamp
         seen = self._watch.look(joints, scene)
         message = Crossing(
             stamp=joints.stamp,
@@ -59,11 +60,7 @@ class CrossingReflex:
 
     def _due(self, message: Crossing, *, moving: bool) -> bool:
         told = self._told
-        if (
-            told is None
-            or (told.risk, told.near) != (message.risk, message.near)
-            or told.stamp.boot != message.stamp.boot
-        ):
+        passed = None if told is None else message.stamp.since(told.stamp)
+        if told is None or passed is None or (told.risk, told.near) != (message.risk, message.near):
             return True
-        period = MOVING_PERIOD if moving else RESTING_PERIOD
-        return message.stamp.seconds - told.stamp.seconds >= period - 1e-6
+        return passed >= (MOVING_PERIOD if moving else RESTING_PERIOD) - 1e-6

@@ -251,6 +251,7 @@ class MockRobot:
     def tell(self) -> None:
         """Publish all beliefs."""
         stamp = self.now
+        self.world = self.world.model_copy(update={"stamp": stamp})
         WORLD.publish(self.bus, self.world)
         scene = PlanningScene(stamp=stamp, version=self.world.version, objects=self._clutter)
         SCENE.publish(self.bus, scene)
@@ -377,7 +378,7 @@ class MockRobot:
     def _look(self, goal: LookGoal) -> Outcome[LookResult]:
         looks = self.calls_of(LOOK.name)
         seen = self._items if looks >= self._seen_at_look else {}
-        stamp = self.world.stamp
+        stamp = self.now
         sightings = tuple(
             Sighting(
                 item=item,

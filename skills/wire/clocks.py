@@ -7,7 +7,7 @@ import time
 from skills.ports.bus import Bus
 from skills.ports.hardware import Clock
 from skills.ports.keys import CLOCK, Latest
-from skills.ports.message import RobotTime
+from skills.ports.message import RobotTime, RobotTimer
 
 
 class ProcessClocks:
@@ -16,14 +16,23 @@ class ProcessClocks:
     def __init__(self, bus: Bus) -> None:
         """Subscribe to the hardware's clock."""
         self._clock = Latest(bus, CLOCK, depth=1024)
+        self._timer = RobotTimer(0.0)
 
     def refresh(self) -> list[Clock]:
         """Take in what the hardware's clock said; return the ticks that are new, oldest first."""
-        return self._clock.take()
+        ticks = self._clock.take()
+        now = self.robot()
+        if now is not None:
+            self._timer.read(now)
+        return ticks
 
     def robot(self) -> RobotTime | None:
         """Return the hardware's last time, or None before it was heard."""
         return None if self._clock.value is None else self._clock.value.stamp
+
+    def passed(self) -> float:
+        """Return the robot seconds that have passed since the hardware was first heard."""
+        return self._timer.reading
 
     def monotonic(self) -> float:
         """Return seconds of the host's monotonic clock."""
@@ -43,6 +52,7 @@ class SteppedClocks:
         self.seconds = 0.0
         self.wall = 0.0
         """Seconds by which the wall clock is wrong."""
+        self._booted_at = 0.0
         self._unheard: float | None = None
 
     def advance(self, seconds: float, *, heard: bool = True) -> None:
@@ -53,10 +63,17 @@ class SteppedClocks:
             self._unheard = self.seconds
         self.seconds = round(self.seconds + seconds, 9)
 
+    def reboot(self, boot: str) -> None:
+        """Count the robot's time from zero, under another boot: its hardware has started anew."""
+        self.boot, self._booted_at, self._unheard = boot, self.seconds, None
+
     def robot(self) -> RobotTime | None:
-        """Return the simulated time, or that at which the hardware was last heard."""
-        seconds = self.seconds if self._unheard is None else self._unheard
-        return RobotTime(boot=self.boot, seconds=seconds)
+        """Return the simulated time since the boot, or that at which the hardware was last heard."""
+        return RobotTime(boot=self.boot, seconds=round(self.passed() - self._booted_at, 9))
+
+    def passed(self) -> float:
+        """Return the simulated seconds during which the hardware was heard, or could have been."""
+        return self.seconds if self._unheard is None else self._unheard
 
     def monotonic(self) -> float:
         """Return the simulated seconds."""

@@ -244,7 +244,9 @@ class MemoryBus:
         return bool(self.hub.listeners(key))
 
     def announce(self, name: str) -> None:
-        """Show that ``name`` is alive until ``close``."""
+        """Show that ``name`` is alive until ``close``; twice is once."""
+        if name in self._announced:
+            return
         self.hub.names[name] = None
         self._announced.append(name)
 

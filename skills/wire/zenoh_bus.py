@@ -324,7 +324,9 @@ class ZenohBus:
         return bool(getattr(status, "matching", status))
 
     def announce(self, name: str) -> None:
-        """Show that this process is alive as ``name`` until its session ends."""
+        """Show that this process is alive as ``name`` until its session ends; twice is once."""
+        if name in self._own:
+            return
         self._tokens.append(self._session.liveliness().declare_token(f"{self._prefix}/alive/{name}"))
         self._own.append(name)
 

@@ -143,7 +143,7 @@ class Beliefs:
         fact = self._items.get(number)
         if fact is None or self.hand_of(number) is not None:
             return False
-        if fact.seen.boot == stamp.boot and fact.seen.seconds >= stamp.seconds:
+        if stamp.is_after(fact.seen) is False:
             return False
         return self.forget(number)
 
@@ -181,21 +181,22 @@ class Beliefs:
             if name not in taken:
                 return name
 
-    def wake(self, boot: str) -> None:
-        """Take in which boot of the hardware this is.
+    def wake(self, boot: str) -> tuple[Side, ...]:
+        """Take in which boot of the hardware this is; return the hands that were full before it.
 
         Nobody knows what happened in the room while the hardware was off, so nothing that stood about is
         believed any more, placed items included: the camera sees them again. What is in a hand stays
-        believed, because the hand itself says when it is empty.
+        believed until the hand tells that it is empty.
         """
         if boot == self._boot:
-            return
+            return ()
         held = {each.item for each in self._held.values()}
         self._items = {number: fact for number, fact in self._items.items() if number in held}
         self._placed.clear()
         self._removed.clear()
         self._clutter, self._boot = (), boot
         self.version += 1
+        return tuple(sorted(self._held))
 
     def add(self, number: int) -> None:
         """Make the item an obstacle where it was last seen."""
@@ -284,9 +285,9 @@ class Beliefs:
 
     def _better(self, sighting: Sighting) -> bool:
         old = self._items.get(sighting.item)
-        if old is None or old.seen.boot != sighting.stamp.boot:
+        age = None if old is None else sighting.stamp.since(old.seen)
+        if old is None or age is None:  # what was seen in another boot is older, whatever its seconds say
             return True
-        age = sighting.stamp.seconds - old.seen.seconds
         if age < 0.0:
             return False
         before, after = (item_box(tag, old.size).pose for tag in (old.tag_in_map, sighting.tag_in_map))

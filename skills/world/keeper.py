@@ -17,6 +17,9 @@ from skills.world.journal import Journal
 
 log = logging.getLogger(__name__)
 
+SURE_AFTER: Final = 0.5
+"""Robot seconds for which a hand must tell that it holds nothing: longer than the watch over it needs to
+judge what it presses on (0.2 s) after the first message of a boot."""
 REPEAT: Final = 1.0
 """Robot seconds between two publications when nothing changes."""
 TRY_AGAIN: Final = 1.0
@@ -28,6 +31,9 @@ class Keeper:
     """A ``Node``: merges what perception tells, and publishes on each change and every second.
 
     It also publishes when somebody comes: an executive that is started again waits for the world.
+
+    After another start of the hardware a hand that was full may be empty. Until each such hand has told,
+    nothing is published: what is not known is not told.
 
     A hand that tells EMPTY has lost what it is believed to hold, if it was attached before: then nobody knows
     where that is.
@@ -48,6 +54,8 @@ class Keeper:
         self._clutter = Latest(bus, CLUTTER)
         self._hands = {side: Latest(bus, hand_status(side)) for side in SIDES}
         self._attached: dict[Side, RobotTime] = {}
+        self._unsure: dict[Side, RobotTime | None] = {}
+        """Hands that were full before this boot, and when each first told that it holds nothing."""
         self._published, self._there = 0, frozenset[str]()
         self._published_at: RobotTime | None = None
         self._unkept_since: float | None = None
@@ -62,7 +70,7 @@ class Keeper:
         """Take in what was seen and what the hands tell; publish what changed."""
         now = self._clocks.robot()
         if now is not None:
-            self.beliefs.wake(now.boot)
+            self._unsure.update(dict.fromkeys(self.beliefs.wake(now.boot)))
         self._see()
         for side, hand in self._hands.items():
             for status in hand.take():
@@ -89,14 +97,34 @@ class Keeper:
         self._attached[side] = now
 
     def _watch(self, side: Side, status: HandStatus) -> None:
+        if side in self._unsure:
+            self._make_sure(side, status)
+            return
         held, since = self.beliefs.in_hand(side), self._attached.get(side)
         if held is None or status.state is not HandState.EMPTY:
             return
-        if since is not None and since.boot == status.stamp.boot and status.stamp.seconds <= since.seconds:
+        if since is not None and status.stamp.is_after(since) is False:
             return
         log.warning("item %d fell out of the %s hand at %.2f s", held.item, side, status.stamp.seconds)
         self.beliefs.detach(held.item, None, None, status.stamp)
         self._keep_if_possible()
+
+    def _make_sure(self, side: Side, status: HandStatus) -> None:
+        """Hear from a hand that was full before this boot; one that does not press for a while is empty."""
+        now, held, first = self._clocks.robot(), self.beliefs.in_hand(side), self._unsure[side]
+        if now is None or now.since(status.stamp) is None:
+            return  # told before this boot
+        if held is None or status.state is HandState.HOLDING:
+            del self._unsure[side]
+            return
+        if first is None:
+            self._unsure[side] = first = status.stamp
+        passed = status.stamp.since(first)
+        if passed is not None and passed >= SURE_AFTER:
+            log.warning("item %d is lost: since a new boot the %s hand is empty", held.item, side)
+            del self._unsure[side]
+            self.beliefs.detach(held.item, None, None, status.stamp)
+            self._keep_if_possible()
 
     def keep(self, *, synced: bool = True) -> None:
         """Write what is believed to the journal, before anybody hears of it.
@@ -121,7 +149,8 @@ class Keeper:
         """Publish, if something changed, a second has passed, or somebody has come."""
         now, there = self._clocks.robot(), self._bus.alive()
         came, self._there = not there <= self._there, there
-        if now is None or not (self.beliefs.version != self._published or came or self._due(now)):
+        news = self.beliefs.version != self._published or came
+        if now is None or self._unsure or not (news or self._due(now)):
             return
         WORLD.publish(self._bus, self.beliefs.state(now))
         SCENE.publish(self._bus, self.beliefs.scene(now))
@@ -136,4 +165,5 @@ class Keeper:
 
     def _due(self, now: RobotTime) -> bool:
         last = self._published_at
-        return last is None or last.boot != now.boot or now.seconds >= last.seconds + REPEAT
+        passed = None if last is None else now.since(last)
+        return passed is None or passed >= REPEAT

@@ -15,6 +15,7 @@ MAY_SUBSCRIBE: Final = {
     "skills/ports/keys.py": "Latest, which checks",
     "skills/ports/hearing.py": "Heard, which checks",
     "skills/testing/faulty_bus.py": "a bus around a bus",
+    "skills/scoped_bus.py": "a bus around a bus",
     "sim/line.py": "a bus around a bus",
     "executive/campaigns/crash_points.py": "a bus around a bus",
     "skills/ports/serving.py": "documents that are put instead of asked: served, so checked as questions are",

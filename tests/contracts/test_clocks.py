@@ -79,6 +79,31 @@ def test_a_new_start_of_the_hardware_shows_in_the_boot() -> None:
     assert heard.clocks.robot() == RobotTime(boot="second", seconds=0.01)
 
 
+def test_a_timer_counts_on_when_the_hardware_starts_anew() -> None:
+    heard = Heard()
+    heard.advance(5.0)
+    before = robot_seconds(heard.clocks)
+    heard.boot, heard.told = "second", 0.0
+    heard.advance(0.01)
+    heard.advance(2.0)
+    assert robot_seconds(heard.clocks) == pytest.approx(before + 2.0)
+    stepped = SteppedClocks("first")
+    stepped.advance(5.0)
+    stepped.reboot("second")
+    stepped.advance(2.0)
+    assert stepped.robot() == RobotTime(boot="second", seconds=2.0)
+    assert robot_seconds(stepped) == 7.0
+
+
+def test_a_timer_does_not_jump_when_the_hardware_is_first_heard() -> None:
+    heard = Heard()
+    assert robot_seconds(heard.clocks) == 0.0
+    heard.advance(500.0)
+    assert robot_seconds(heard.clocks) == 0.0
+    heard.advance(1.0)
+    assert robot_seconds(heard.clocks) == 1.0
+
+
 def test_stepped_seconds_do_not_drift() -> None:
     clocks = SteppedClocks()
     for _ in range(100_000):

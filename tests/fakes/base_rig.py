@@ -103,6 +103,6 @@ def make_rig(
     rig = Rig(robot, assemble(bus, clocks, described, site), bus)
     rig.wait(0.5)
     if localised:
-        assert rig.base.localiser.initialise(robot.truth, rig.now, (0.03, 0.02))
+        assert rig.base.localiser.initialise(robot.truth, robot.clocks.robot(), (0.03, 0.02))
         rig.wait(0.5)
     return rig

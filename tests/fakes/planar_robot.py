@@ -62,6 +62,9 @@ class PlanarClocks:
     def robot(self) -> RobotTime:
         return RobotTime(boot=BOOT, seconds=self.seconds)
 
+    def passed(self) -> float:
+        return self.seconds
+
     def monotonic(self) -> float:
         return self.seconds
 

@@ -35,7 +35,7 @@ def rise(context: TreeContext, board: HandBoard, where: str) -> Behaviour:
         if board.safe or board.held(context):
             return True
         fact, now = board.fact(context), context.clocks.robot()
-        return fact is not None and now is not None and now.seconds - fact.seen.seconds < LATELY
+        return fact is not None and now is not None and fact.seen.is_fresh(now, LATELY)
 
     return Selector(
         f"{who}: above what is not seen",

@@ -16,7 +16,7 @@ from skills.kinematics.proximity import Proximity
 from skills.kinematics.transforms import Array
 from skills.ports.actions.approach import approach_status
 from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
+from skills.ports.clocks import Clocks
 from skills.ports.failure import Failure
 from skills.ports.geometry import FloorPose, floor_distance
 from skills.ports.hardware import JointStates
@@ -151,11 +151,12 @@ class Live:
 
     def other_goal(self) -> Vector3 | None:
         """Return the other arm's goal in the base, if it approaches one."""
+        now = self._clocks.robot()
         for latest in self._others:
             told = latest.refresh()
-            if told is None or not told.active:
+            if told is None or now is None or not told.active:
                 continue
-            if robot_seconds(self._clocks) - told.stamp.seconds <= GOAL_AGE:
+            if told.stamp.is_fresh(now, GOAL_AGE):
                 return told.goal_in_base
         return None
 

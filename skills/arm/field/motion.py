@@ -13,6 +13,7 @@ from skills.arm.field.parts import Parts
 from skills.arm.field.record import Record
 from skills.arm.field.reference import State, Stepper, standing
 from skills.kinematics.transforms import Array
+from skills.ports.clocks import robot_seconds
 from skills.ports.hardware import CancelMotion, SetPoint
 from skills.ports.keys import group_cancel, group_setpoint
 
@@ -71,20 +72,19 @@ class Motion:
         self.begun += 1
         self.dried = False
         self.state = standing(self._live.measured()[0])
-        now = self._clocks.robot()
-        self._at, self._owed = None if now is None else now.seconds, 0
+        self._at, self._owed = robot_seconds(self._clocks), 0
         self._sent.clear()
         self.record.add(self.state.q, 0.0)
 
     def ticks(self) -> int:
         """Return how many periods have passed since something was sent; 0 within the same period."""
-        now = self._clocks.robot()
-        if now is None:
+        if self._clocks.robot() is None:
             return 0
+        now = robot_seconds(self._clocks)
         if self._at is None:
-            self._at = now.seconds
+            self._at = now
             return 1
-        passed = int((now.seconds - self._at) / PERIOD + 1e-6)
+        passed = int((now - self._at) / PERIOD + 1e-6)
         if passed < 1:
             return 0
         self._at += passed * PERIOD

@@ -7,7 +7,7 @@ from typing import Final
 from skills.arm.field.record import Record
 from skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
 from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
+from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.message import Vector3
 from skills.ports.world import Side
 
@@ -42,12 +42,12 @@ class Teller:
         at: int,
     ) -> None:
         """Tell, if there is something new or it is time."""
-        now = self._clocks.robot()
-        if now is None or (phase is self._told and now.seconds - self._told_at < PERIOD - 1e-6):
+        stamp, now = self._clocks.robot(), robot_seconds(self._clocks)
+        if stamp is None or (phase is self._told and now - self._told_at < PERIOD - 1e-6):
             return
-        self._told, self._told_at = phase, now.seconds
+        self._told, self._told_at = phase, now
         status = ApproachStatus(
-            stamp=now,
+            stamp=stamp,
             side=self._side,
             active=True,
             phase=phase,

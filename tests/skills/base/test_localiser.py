@@ -43,11 +43,12 @@ def test_odometry_is_interpolated_the_short_way_round() -> None:
         buffer.add(
             Odometry(stamp=RobotTime(boot="b", seconds=seconds), base_in_odom=pose, linear=0, angular=0)
         )
-    found = buffer.at(1.5)
+    found = buffer.at(RobotTime(boot="b", seconds=1.5))
     assert found is not None
     assert found.x == pytest.approx(1.5)
     assert abs(found.yaw) == pytest.approx(math.pi)
-    assert buffer.at(2.5) is None
+    assert buffer.at(RobotTime(boot="b", seconds=2.5)) is None
+    assert buffer.at(RobotTime(boot="another", seconds=1.5)) is None
 
 
 def test_a_match_finds_the_pose_from_half_a_foot_away_although_something_unknown_stands_there() -> None:

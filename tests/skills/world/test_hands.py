@@ -85,3 +85,38 @@ def test_a_keeper_that_starts_again_believes_the_hand_rather_than_its_journal(tm
     assert holds(again)
     tell(again, HandState.EMPTY)
     assert not holds(again)
+
+
+@pytest.mark.parametrize("state", [HandState.OPEN, HandState.EMPTY])
+def test_after_another_boot_a_hand_that_holds_nothing_is_empty(tmp_path: Path, state: HandState) -> None:
+    """The simulation begins at its scenario's start; a real gripper may have let go without power."""
+    desk = after_another_boot(tmp_path)
+    tell(desk, HandState.EMPTY, boot="b")
+    assert desk.world.refresh() is None, "what was told before says nothing"
+    for count in range(8):
+        known = desk.world.refresh()
+        assert count > 5 or known is None, "what is not known is not told"
+        desk.clocks.advance(0.1)
+        tell(desk, state, boot="c")
+    assert not holds(desk)
+    again = Desk(tmp_path / "journal")
+    again.clocks.reboot("c")
+    again.step()
+    assert not holds(again), "it was written down"
+
+
+def test_after_another_boot_a_hand_that_presses_still_holds(tmp_path: Path) -> None:
+    desk = after_another_boot(tmp_path)
+    tell(desk, HandState.OPEN, boot="c")
+    desk.clocks.advance(0.1)
+    tell(desk, HandState.HOLDING, boot="c")
+    desk.step()
+    assert holds(desk)
+
+
+def after_another_boot(folder: Path) -> Desk:
+    holding(folder / "journal")
+    desk = Desk(folder / "journal")
+    desk.clocks.reboot("c")
+    desk.step()
+    return desk

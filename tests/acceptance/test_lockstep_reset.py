@@ -1,0 +1,51 @@
+"""``sim/reset`` under a whole system: another boot, and everything back where the scenario has it.
+
+A user would have seen every later picture called too old, arms that tell nothing, and a base that won't
+drive.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from sim.controls import RESET, ResetRequest
+from sim.scenario import load_scenario
+from skills.ports.geometry import FloorPose
+from skills.ports.tasks import TaskState
+from skills.ports.world import WorldState
+from tests.acceptance.course import Course, course
+
+pytestmark = pytest.mark.lockstep
+
+BEFORE_THE_TABLE = FloorPose(x=-0.55, y=0.50, yaw=0.0)
+
+
+def reset(run: Course) -> None:
+    answer = RESET.query(run.system.bus, ResetRequest(seed=2))
+    run.until(answer.done, within=1.0)
+
+
+def holds(world: WorldState | None) -> bool:
+    return world is not None and bool(world.held)
+
+
+def test_a_reset_in_the_middle_of_a_fetch_costs_that_fetch_at_the_most() -> None:
+    with course(load_scenario("Demo").starting_at(BEFORE_THE_TABLE)) as run:
+        task = run.ask(29)
+        run.until(lambda: holds(run.world()), within=150.0)
+        reset(run)
+        # It may go on from what is true now, or fail: but it ends.
+        first = run.caller.follow(task, within=300.0)
+        assert first.state in {TaskState.SUCCEEDED, TaskState.FAILED}, run.account()
+        assert run.delivered(29) == (first.state is TaskState.SUCCEEDED), run.account()
+        assert run.fetch(42).state is TaskState.SUCCEEDED, run.account()
+        assert run.delivered(42)
+
+
+def test_after_a_reset_at_rest_what_was_delivered_is_fetched_once_more() -> None:
+    with course(load_scenario("Demo").starting_at(BEFORE_THE_TABLE)) as run:
+        assert run.fetch(29).state is TaskState.SUCCEEDED, run.account()
+        reset(run)
+        assert not run.delivered(29)
+        assert run.fetch(29).state is TaskState.SUCCEEDED, run.account()
+        assert run.delivered(29)
