@@ -12,6 +12,7 @@ from rich.console import Console
 from executive.cli.arguments import OwnEndpoint
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
+from executive.cli.restart_command import restart
 from executive.cli.telling import told
 
 if TYPE_CHECKING:
@@ -43,6 +44,7 @@ def add_to(app: typer.Typer) -> None:
     campaigns.command("fetch")(fetch)
     campaigns.command("recovery")(recovery)
     campaigns.command("crash")(crash)
+    campaigns.command("restart")(restart)
     campaigns.command("fuzz")(fuzz)
     campaigns.command("soak")(soak)
     app.add_typer(campaigns, name="campaign")
@@ -177,8 +179,8 @@ def _tell_recovery(run: RecoveryRun, console: Console) -> None:
         console.print(f"         {struck}", markup=False)
     for each in run.tried:
         took = f"{each.recovery}, time {each.times}" if each.recovery else "given up"
-        at = 0.0 if each.at is None else each.at.seconds
-        console.print(f"         {at:.2f} s {each.failure.where}: {each.failure.kind}: {took}", markup=False)
+        at = "" if each.at is None else f"{each.at.seconds:.1f} s"
+        console.print(f"         {at}  {each.failure.where}: {each.failure.kind}: {took}", markup=False)
 
 
 def _tell(run: FetchRun, console: Console) -> None:

@@ -47,6 +47,7 @@ SERVES = {
     "skills/ports/serving.py",  # the one mechanism
     "executive/campaigns/crash_points.py",  # buses around a bus
     "sim/line.py",
+    "skills/scoped_bus.py",
     "skills/testing/faulty_bus.py",
     "skills/wire/zenoh_bus.py",  # the bus itself
 }
@@ -93,6 +94,7 @@ def test_truth_is_read_by_tests_and_reports_only() -> None:
         "executive/report.py",
         "executive/compose.py",
         "executive/campaigns/crash_physics.py",
+        "executive/campaigns/hardware_restart.py",
         "executive/campaigns/oracle.py",
     }
 
