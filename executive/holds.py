@@ -112,6 +112,12 @@ class Holds:
         self._causes[kind] = _Cause(task, failure, wait, now)
         return same
 
+    def asked(self, kind: str) -> None:
+        """Note that somebody asks for a task of a kind: it need not wait long for the next try."""
+        cause = self._causes.get(kind)
+        if cause is not None:
+            cause.wait = min(cause.wait, FIRST_TRY)
+
     def _cause(self, kind: str) -> str:
         cause = self._causes.get(kind)
         if cause is None:

@@ -166,6 +166,7 @@ class Executive:
         for task in self._intake.step():
             status = self.book.get(task)
             if status is not None and status.state is TaskState.QUEUED:
+                self._holds.asked(status.kind)
                 self._tell(status)
         more = self._verbs.step()
         for late in self.book.expire(self._clocks.robot()):

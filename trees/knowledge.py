@@ -86,6 +86,10 @@ class Knowledge:
         """The keeper's facts, or None before they came."""
         return self._current(self._world.value)
 
+    def may_hold(self, side: Side) -> bool:
+        """Whether there may be something in a hand: unless it is known to be empty."""
+        return self.world is None or self.world.in_hand(side) is not None
+
     @property
     def scene(self) -> PlanningScene | None:
         """What stands around, or None before it came; read when asked for, which is seldom."""

@@ -44,6 +44,7 @@ from skills.ports.tasks import (
 
 M = TypeVar("M", bound=Message)
 S = TaskState
+ENDS: Final = tuple(state for state in TaskState if state.terminal)
 IN_HAND: Final = "put down"
 """A leaf of the fetch that begins with the item in the hand."""
 WITHIN: Final = 60.0
@@ -70,10 +71,18 @@ class Scene:
     run: str
     wrong: list[str] = field(default_factory=list)
     tasks: list[str] = field(default_factory=list)
+    names: int = 0
+    """Names of requests that were used up."""
+    taken: bool = True
+    """Whether the verb was."""
 
     def ask(self, **more: JsonValue) -> str:
         """Ask for a fetch; return its id."""
-        named: dict[str, JsonValue] = {**FETCH, "id": f"{self.run}-{len(self.tasks)}"[-60:], **more}
+        named: dict[str, JsonValue] = {
+            **FETCH,
+            "id": f"{self.run}-{self.names + len(self.tasks)}"[-60:],
+            **more,
+        }
         answer = self.rig.request(named, meanwhile=self.reaper.step)
         if not answer.accepted:
             raise StuckError(f"{named} was refused: {answer.problems}")
@@ -110,22 +119,43 @@ class Scene:
 
     def expect(self, task: str, *states: TaskState) -> TaskStatus:
         """Wait until a task has ended, and note it if it should have ended otherwise."""
-        found = self.until(task, *(state for state in TaskState if state.terminal or state in states))
+        found = self.until(task, *ENDS, *states)
         if found.state not in states:
             self.wrong.append(f"{task} is {found.state} and should be {' or '.join(states)}: {found.failure}")
         return found
 
-    def pause(self, task: str) -> None:
-        """Have a task pause wherever it is."""
-        self.until(task, S.RUNNING)
-        self.must(TASK_PAUSE, NameTask(task=task))
-        self.until(task, S.PAUSED)
+    def running(self, **more: JsonValue) -> str:
+        """Return a fetch that runs; one that has ended before that was seen is asked for anew."""
+        for _ in range(TRIES):
+            task = self.ask(**more)
+            if self.until(task, S.RUNNING, *ENDS).state is S.RUNNING:
+                return task
+            self.begin_anew()
+        raise StuckError("each fetch had ended before it was seen to run")
 
-    def hold(self, task: str, node: str) -> None:
-        """Have a task stand before a node."""
-        self.until(task, S.RUNNING)
+    def paused(self, **more: JsonValue) -> str:
+        """Return a fetch that stands somewhere."""
+        for _ in range(TRIES):
+            task = self.running(**more)
+            self.say(TASK_PAUSE, NameTask(task=task))
+            if self.until(task, S.PAUSED, *ENDS).state is S.PAUSED:
+                return task
+            self.begin_anew()
+        raise StuckError("each fetch had ended before it could be paused")
+
+    def held(self, node: str, **more: JsonValue) -> str:
+        """Return a fetch that stands before a node."""
+        task = self.paused(**more)
         self.must(TASK_BREAKPOINT, Breakpoint(task=task, node=node))
-        self.until(task, S.PAUSED)
+        self.must(TASK_RESUME, NameTask(task=task))
+        self.expect(task, S.PAUSED)
+        return task
+
+    def begin_anew(self) -> None:
+        """Forget the last task, which has ended, and have everything where it was at first."""
+        self.tasks.pop()
+        self.names += 1
+        self.rig.reset()
 
     def stands(self) -> None:
         """See that the robot begins nothing for a while."""
@@ -174,7 +204,7 @@ class Case:
 
 
 def _cancel_before(at: Scene) -> None:
-    at.hold(at.ask(on_cancel="put_down"), IN_HAND)
+    at.held(IN_HAND, on_cancel="put_down")
 
 
 def _cancel(at: Scene) -> None:
@@ -204,22 +234,23 @@ def _second_after(at: Scene) -> None:
 
 
 def _pause_before(at: Scene) -> None:
-    at.until(at.ask(), S.RUNNING)
+    at.running()
 
 
 def _pause(at: Scene) -> None:
-    at.must(TASK_PAUSE, NameTask(task=at.tasks[0]))
+    at.taken = at.say(TASK_PAUSE, NameTask(task=at.tasks[0])).accepted
 
 
 def _pause_after(at: Scene) -> None:
-    at.until(at.tasks[0], S.PAUSED)
-    at.stands()
-    at.must(TASK_RESUME, NameTask(task=at.tasks[0]))
+    if at.taken:  # else it had ended before
+        at.expect(at.tasks[0], S.PAUSED)
+        at.stands()
+        at.must(TASK_RESUME, NameTask(task=at.tasks[0]))
     at.expect(at.tasks[0], S.SUCCEEDED)
 
 
 def _paused(at: Scene) -> None:
-    at.pause(at.ask())
+    at.paused()
 
 
 def _resume(at: Scene) -> None:
@@ -258,7 +289,7 @@ def _break_after(at: Scene) -> None:
 
 
 def _test_run(at: Scene) -> None:
-    at.pause(at.ask(test_run=True))
+    at.paused(test_run=True)
 
 
 def _force(at: Scene) -> None:
@@ -290,10 +321,10 @@ def _rank_after(at: Scene) -> None:
 
 
 def _asked(at: Scene) -> None:
-    at.until(at.ask(on_restart="ask"), S.RUNNING)
+    at.running(on_restart="ask")
     at.rig.kill("executive")
     at.rig.start("executive", crash_at=at.rig.crash_at)
-    at.until(at.tasks[0], S.PAUSED)
+    at.expect(at.tasks[0], S.PAUSED)
 
 
 def _answer(at: Scene) -> None:
@@ -305,10 +336,15 @@ def _answered(at: Scene) -> None:
 
 
 def _silent(at: Scene) -> None:
-    at.until(at.ask(), S.RUNNING)
-    at.rig.kill("mock")
-    at.rig.pass_seconds(1.0, at.reaper.step)
-    at.must(TASK_CANCEL, CancelTask(task=at.tasks[0]))
+    for _ in range(TRIES):
+        task = at.running()
+        at.rig.kill("mock")
+        at.rig.pass_seconds(1.0, at.reaper.step)
+        if at.say(TASK_CANCEL, CancelTask(task=task)).accepted:
+            return
+        at.rig.start("mock")
+        at.begin_anew()
+    raise StuckError("each fetch had ended before the hardware was silent")
 
 
 def _abandon(at: Scene) -> None:
@@ -439,7 +475,7 @@ def _end_all(at: Scene) -> tuple[TaskStatus, ...]:
                 at.rig.start("mock")
             if not at.status(task).state.terminal:
                 at.say(TASK_CANCEL, CancelTask(task=task))
-            found.append(at.until(task, *(state for state in TaskState if state.terminal)))
+            found.append(at.until(task, *ENDS))
         except StuckError as stuck:
             at.wrong.append(str(stuck))
     return tuple(found)

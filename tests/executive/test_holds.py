@@ -188,6 +188,19 @@ def test_a_task_that_is_tried_in_vain_waits_again_ever_longer(here: Surroundings
     assert here.cancel(second).accepted
 
 
+def test_a_new_request_does_not_wait_longer_for_a_try_than_the_first(here: Surroundings) -> None:
+    here.ask({"task": "failing"})
+    second = here.ask({"task": "failing"}).task
+    here.step(10)
+    here.step(20, seconds=LAST_TRY)
+    begun = status(here, second).begun
+    here.step(10)
+    here.ask({"task": "failing"})
+    here.step(1, seconds=1.1 * FIRST_TRY)
+    here.step(5)
+    assert status(here, second).begun == begun + 1
+
+
 def test_another_failure_of_the_one_that_is_tried_is_its_own(here: Surroundings) -> None:
     here.ask({"task": "failing"})
     second = here.ask({"task": "failing", "kind": "ITEM_GONE"}).task

@@ -10,10 +10,5 @@ from trees.context import TreeContext
 
 
 def hand_full(name: str, context: TreeContext, side: Callable[[], Side]) -> Check:
-    """Return the condition "the hand of this side is believed to hold something"."""
-
-    def holds() -> bool:
-        world = context.knowledge.world
-        return world is not None and world.in_hand(side()) is not None
-
-    return Check(name, holds)
+    """Return the condition "the hand of this side may hold something": unless it is known to be empty."""
+    return Check(name, lambda: context.knowledge.may_hold(side()))

@@ -38,7 +38,7 @@ def choose_arm(
             choice.side = holding
             return f"the {holding} hand holds it already"
         may = boards[0].site_item(context).hands if wanted is None else (wanted,)
-        free = [board for board in boards if board.side in may and not _full(context, board.side)]
+        free = [board for board in boards if board.side in may and not context.knowledge.may_hold(board.side)]
         if not free:
             return Failure(
                 kind=FailureKind.HAND_FULL,
@@ -61,8 +61,3 @@ def _nearest(context: TreeContext, free: list[HandBoard], choice: Choice) -> str
     able.sort(key=lambda board: -point[1] if board.side == "left" else point[1])
     choice.side = able[0].side
     return f"{choice.side} arm: item {free[0].item} is in {zone} at y = {point[1]:.2f} m"
-
-
-def _full(context: TreeContext, side: Side) -> bool:
-    world = context.knowledge.world
-    return world is not None and world.in_hand(side) is not None

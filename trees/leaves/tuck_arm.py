@@ -17,9 +17,7 @@ def tuck_arm(
     """Return the leaf: the arm goes to its posture ``carry`` with something in the hand, else ``home``."""
 
     def goal() -> MoveGoal:
-        world = context.knowledge.world
-        holds = world is not None and world.in_hand(side()) is not None
-        return MoveGoal(posture="carry" if holds else "home")
+        return MoveGoal(posture="carry" if context.knowledge.may_hold(side()) else "home")
 
     return Act(
         name,

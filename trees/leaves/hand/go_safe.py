@@ -24,9 +24,7 @@ def go_safe(what: str, context: TreeContext, board: HandBoard) -> Move:
         return MoveGoal(candidates=candidates, frame="base") if candidates else MoveGoal(posture=_posture())
 
     def _posture() -> str:
-        world = context.knowledge.world
-        full = world is not None and world.in_hand(board.side) is not None
-        return "carry" if full else "home"
+        return "carry" if context.knowledge.may_hold(board.side) else "home"
 
     def judge(_: MoveResult) -> Failure | None:
         board.safe = True
