@@ -77,6 +77,7 @@ class Rig(Surroundings):
 
     def hold_before(self, node: str, **more: object) -> str:
         task = self.ask({**FETCH, **more}).task
+        self.until(task, S.RUNNING)
         assert self.say(TASK_BREAKPOINT, Breakpoint(task=task, node=node)).accepted
         self.until(task, S.PAUSED)
         return task
@@ -183,6 +184,7 @@ def test_a_forced_node_is_forced_after_a_crash(rig: Rig) -> None:
 
 def test_a_step_ends_after_one_leaf_although_the_executive_crashed_in_it(rig: Rig) -> None:
     task = rig.ask(FETCH).task
+    rig.until(task, S.RUNNING)
     rig.verb(TASK_PAUSE, task)
     rig.until(task, S.PAUSED)
     assert rig.say(TASK_STEP, StepTask(task=task)).accepted
