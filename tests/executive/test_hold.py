@@ -189,8 +189,8 @@ def test_a_wind_down_has_its_time(here: Surroundings) -> None:
 
 
 def test_with_the_hardwares_stop_set_nothing_is_wound_down(here: Surroundings, skill: Skill) -> None:
-    STOP_STATE.publish(here.bus, StopState(stopped=True, by="operator"))
     task = here.ask(WINDING).task
+    STOP_STATE.publish(here.bus, StopState(stopped=True, by="operator"))
     here.cancel(task)
     here.step(5)
     skill.step()
