@@ -132,7 +132,7 @@ class Executive:
         self._last_tree = TreeSnapshot(task="", kind="", tick=0, root=_NO_TREE)
         self._intake = Intake(bus, clocks, self.book, self._kinds, site, bounds=bounds)
         self._control = Control(self.book, clocks, lambda: self._turn, self._tell)
-        self._control.changed = self._changed
+        self._control.changed = self._changed_by_verb
         own = cancel_of_own(self.book.find, self._control.cancel)
         self._verbs = Verbs(bus, clocks, self._control.verbs(), self._keep, (own,))
         self._album = Album(bus, clocks)
@@ -351,6 +351,11 @@ class Executive:
         self._task_log.note(status)
         TASK_STATUS.publish(self._bus, status)
         task_status(status.task).publish(self._bus, status)
+
+    def _changed_by_verb(self, turn: Turn) -> None:
+        """Tell what a verb has changed, and have it on disk, whichever key it came by: its answer is next."""
+        self._changed(turn)
+        self._keep()
 
     def _changed(self, turn: Turn) -> None:
         turn.remember()

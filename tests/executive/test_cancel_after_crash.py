@@ -5,6 +5,7 @@ Over the bus in memory, with mocked skills and the ledger on disk.
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ from skills.ports.geometry import Pose, from_axes
 from skills.ports.hardware import Clock
 from skills.ports.keys import CLOCK
 from skills.ports.tasks import (
+    REQUEST,
     TASK_BREAKPOINT,
     TASK_CANCEL,
     TASK_FORCE,
@@ -23,10 +25,13 @@ from skills.ports.tasks import (
     TASK_STEP,
     Breakpoint,
     CancelTask,
+    ControlAnswer,
     ForceNode,
     StepTask,
+    TaskAnswer,
     TaskState,
     TaskStatus,
+    by_client,
 )
 from skills.site import load
 from skills.testing.mock_robot import MockRobot
@@ -149,6 +154,26 @@ def test_a_second_cancel_holds_after_a_crash(rig: Rig) -> None:
     rig.restart()
     ended = rig.until(task, S.CANCELED)
     assert ended.failure is None
+    assert 29 in rig.robot.hands.values(), "it was to be held"
+
+
+def test_a_second_cancel_of_a_named_client_holds_too(rig: Rig) -> None:
+    """It comes by a key of the client's own, and is on disk before it is answered like any other verb."""
+    pending = rig.bus.query(by_client("ann", REQUEST), json.dumps(FETCH).encode())
+    rig.step()
+    task = TaskAnswer.model_validate_json(pending.poll() or b"").task
+    rig.until(task, S.RUNNING)
+    assert rig.say(TASK_BREAKPOINT, Breakpoint(task=task, node="put down")).accepted
+    rig.until(task, S.PAUSED)
+    rig.cancel(task)
+    rig.step(30)
+    pending = rig.bus.query(
+        by_client("ann", TASK_CANCEL.key), CancelTask(task=task).model_dump_json().encode()
+    )
+    rig.executive._verbs.step()
+    assert ControlAnswer.model_validate_json(pending.poll() or b"").accepted
+    rig.restart()
+    assert rig.until(task, S.CANCELED).failure is None
     assert 29 in rig.robot.hands.values(), "it was to be held"
 
 
