@@ -5,9 +5,10 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from skills.perception.snapshot import Snapshots, to_jpeg
+from skills.perception.snapshot import Snapshots
 from skills.ports.actions.perception import PICTURE
 from skills.ports.geometry import Pose
+from skills.ports.hearing import Reason
 from skills.ports.image import RgbdImage
 from skills.ports.keys import RGBD
 from skills.ports.message import RobotTime
@@ -52,6 +53,14 @@ def test_a_silent_camera_gives_nothing_within_its_time() -> None:
     assert ask(Stage(painter, camera_works=False), seconds=1.1) == b""
 
 
-def test_what_is_no_picture_gives_nothing() -> None:
-    assert to_jpeg(b"\x01\x00\x00\x00{") == b""
-    assert to_jpeg(b"") == b""
+def test_what_is_no_picture_is_not_taken_for_the_next_one() -> None:
+    stage = Stage(painter, camera_works=False)
+    node = Snapshots(stage.bus, stage.clocks, InlineCompute(stage.clocks))
+    pending = stage.bus.query(PICTURE, b"")
+    node.step()
+    for payload in (b"", b"\x01\x00\x00\x00{", b"\xff" * 100):
+        stage.bus.publish(RGBD, payload)
+        stage.step()
+        node.step()
+        assert pending.poll() is None
+    assert stage.bus.ear.refused[(RGBD, Reason.MALFORMED)] == 3
