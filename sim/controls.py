@@ -19,7 +19,7 @@ from skills.ports.endpoint import Call, answering, endpoint
 from skills.ports.geometry import Pose
 from skills.ports.hardware import Answer
 from skills.ports.keys import Service, Topic
-from skills.ports.message import Message, RobotTime, RobotTimer, Vector3
+from skills.ports.message import MOST, Message, RobotTime, RobotTimer, Vector3
 from skills.ports.serving import Endpoints
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ Pixels = Annotated[int, Field(ge=16, le=2048)]
 class ResetRequest(Message):
     """Begin anew with a seed; without a scenario, with the one that runs."""
 
-    seed: Annotated[int, Field(ge=0)]
+    seed: Annotated[int, Field(ge=0, le=MOST)]
     scenario: Scenario | None = None
 
 

@@ -11,7 +11,7 @@ from typing import Annotated, Final, Literal
 from pydantic import Field, model_validator
 
 from sim.things import Angle, BoxShape, Colour, Coordinate, Friction, Name, Shape
-from skills.ports.message import Message, RobotTime
+from skills.ports.message import Count, Message, RobotTime
 
 Side = Literal["left", "right"]
 Tag = Annotated[int, Field(ge=0, le=586)]
@@ -141,7 +141,7 @@ class JointStall(_Lasting):
     kind: Literal["joint_stall"] = "joint_stall"
     group: Name | None = None
     """Without it: the arm of the event, whichever that is."""
-    joint: str | int | None = None
+    joint: str | Count | None = None
     """Its name, or its place in the group (0 is the first); without it: all of the group."""
     limp: bool = False
 
@@ -314,7 +314,7 @@ class FaultEvent(Message):
     """A fault began, ended, or could not be made (``refused``)."""
 
     stamp: RobotTime
-    number: int
+    number: Count
     """Since the boot: those of the scenario first, in order, from 0; then those that were asked for."""
     kind: str
     phase: Literal["began", "ended", "refused"]

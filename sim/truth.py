@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 from sim.scene import item_name, support_height
 from skills.ports.geometry import Pose
 from skills.ports.keys import Nothing, Service
-from skills.ports.message import Message, RobotTime
+from skills.ports.message import Count, Message, RobotTime
 from skills.ports.site import Site
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ class TrueBody(Message):
 
     name: str
     pose: Pose
-    tag: int | None = None
+    tag: Count | None = None
 
 
 class TrueContact(Message):

@@ -13,6 +13,7 @@ from typing import Final, Literal
 from executive.security.holders import Holder
 from executive.security.rights import Rights, rights_of
 from skills.ports.delivery import KEPT
+from skills.ports.keys import TRAJECTORY
 from skills.ports.message import MAX_REQUEST_BYTES, Message
 
 Flow = Literal["ingress", "egress"]
@@ -76,7 +77,14 @@ MESSAGES: Final[Mapping[str, Mapping[Flow, tuple[Kind, ...]]]] = {
 }
 """What each right means in zenoh's messages, as the router sees them."""
 ROUTER_LETS_THROUGH: Final = 4 * MAX_REQUEST_BYTES
-"""Bytes of a client's document that reach the executive at the most."""
+"""Bytes of a client's document that reach anybody at the most."""
+ROUTER_LETS_THROUGH_OF_ALL: Final = 4 * TRAJECTORY.bytes
+"""Of any query: the largest documents are trajectories."""
+ROUTER_LETS_THROUGH_OF_STREAMS: Final = 64 * 1024 * 1024
+"""Of anything that is put: a picture of 3840 x 2160 with its depth has 42 MB."""
+SMALL_QUERIES: Final = ("task/**", "tree/**", "world/**", "skill/**", "sim/**", "hw/stop/**", "hw/gripper/**")
+"""Keys whose documents are small."""
+PUT_BY_CLIENTS: Final = ("task/request", "task/by/**")
 _DECLARATIONS: Final[tuple[Kind, ...]] = ("declare_subscriber", "declare_queryable")
 
 
@@ -103,17 +111,27 @@ def access_control(holders: Iterable[Holder], prefix: str) -> AccessControl:
 
 
 def low_pass_filter(prefix: str) -> tuple[dict[str, object], ...]:
-    """Return zenoh's bound on what clients' documents weigh: much heavier ones end at the router.
+    """Return zenoh's bounds on what a message weighs: much heavier ones end at the router.
 
-    Those that are a little too heavy get through, to be told by the executive what is wrong with them.
+    Those that are a little too heavy get through, to be told what is wrong with them. Where
+    several bounds name a key, the smallest holds. zenoh applies a bound to the messages whose own key
+    expression lies within the bound's: a query of ``**`` has the bound of ``**`` alone.
     """
-    return (
-        {
-            "messages": ["put", "query"],
+
+    def bound(messages: list[str], keys: Iterable[str], size: int) -> dict[str, object]:
+        return {
+            "messages": messages,
             "flows": ["ingress"],
-            "key_exprs": [f"{prefix}/task/request", f"{prefix}/task/by/**"],
-            "size_limit": ROUTER_LETS_THROUGH,
-        },
+            "key_exprs": [*keys],
+            "size_limit": size,
+        }
+
+    here = [f"{prefix}/{area}" for area in SMALL_QUERIES]
+    return (
+        bound(["query"], ["**"], ROUTER_LETS_THROUGH_OF_ALL),
+        bound(["query"], here, ROUTER_LETS_THROUGH),
+        bound(["put"], [f"{prefix}/{key}" for key in PUT_BY_CLIENTS], ROUTER_LETS_THROUGH),
+        bound(["put"], ["**"], ROUTER_LETS_THROUGH_OF_STREAMS),
     )
 
 

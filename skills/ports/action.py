@@ -13,7 +13,7 @@ from pydantic import JsonValue
 from skills.ports.failure import Failure
 from skills.ports.keys import Service, Topic
 from skills.ports.lease import Leased
-from skills.ports.message import Message, RobotTime
+from skills.ports.message import Count, Message, RobotTime
 from skills.ports.skill import Command
 
 
@@ -73,7 +73,7 @@ class GoalStatus(Message):
 
     goal_id: str
     state: GoalState
-    sequence: int
+    sequence: Count
     stamp: RobotTime | None = None
     feedback: dict[str, JsonValue] | None = None
     result: dict[str, JsonValue] | None = None

@@ -9,7 +9,7 @@ from typing import Final
 
 from pydantic import Field
 
-from skills.ports.message import Message
+from skills.ports.message import Message, Whole
 
 
 class FailureKind(StrEnum):
@@ -145,7 +145,7 @@ class Failure(Message):
     kind: FailureKind
     message: str
     where: str = ""
-    evidence: dict[str, str | float | int | bool] = Field(default_factory=dict)
+    evidence: dict[str, str | float | Whole | bool] = Field(default_factory=dict)
     causes: tuple[Failure, ...] = ()
 
     def chain(self) -> tuple[Failure, ...]:

@@ -11,7 +11,7 @@ from typing import Final
 
 from skills.ports.geometry import Pose, about, add, compose, invert, multiply, rotate, scale
 from skills.ports.grasping import AWAY, PITCHES, UP, face, grasp, tag_of_item
-from skills.ports.message import Message, Vector3
+from skills.ports.message import Count, Message, Vector3
 from skills.ports.site import GraspPoint
 
 FACES: Final = 4
@@ -34,7 +34,7 @@ _UP: Final[Vector3] = (0.0, 0.0, 1.0)
 class HandGrasp(Message):
     """One way to take hold: which face of the item (quarter turns from the tagged one), and how."""
 
-    face: int
+    face: Count
     pitch: float
     tool_in_item: Pose
 

@@ -11,7 +11,7 @@ from pydantic import Field, model_validator
 
 from skills.ports.geometry import FloorPose
 from skills.ports.lease import Leased
-from skills.ports.message import Message, RobotTime, Vector3
+from skills.ports.message import Count, Message, RobotTime, Vector3
 
 Positive = Annotated[float, Field(gt=0.0)]
 
@@ -80,8 +80,8 @@ class CameraSensor(Message):
 
     name: str
     frame: str
-    width: int
-    height: int
+    width: Count
+    height: Count
     horizontal_fov: Positive
     """Radians."""
 
@@ -92,7 +92,7 @@ class LaserSensor(Message):
     frame: str
     angle_min: float
     angle_step: Positive
-    beams: int
+    beams: Count
     range_min: float
     range_max: float
     period: Positive
@@ -194,7 +194,7 @@ class Clock(Message):
     """
 
     stamp: RobotTime
-    tick: int
+    tick: Count
     waits: bool = False
 
 

@@ -16,7 +16,7 @@ from typing import Annotated, Final
 
 from pydantic import Field
 
-from skills.ports.message import Message
+from skills.ports.message import Count, Message
 
 MAX_EPOCH: Final = 2**53 - 1
 """The largest whole number that every reader of JSON keeps exactly."""
@@ -114,7 +114,7 @@ class Leases(Message):
 
     boot: str
     held: tuple[Held, ...] = ()
-    refused: int = 0
+    refused: Count = 0
     """Commands of this boot that were refused or dropped for their lease."""
 
     def of(self, role: str) -> Held | None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Annotated, Final
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, Field
 
 Vector3 = tuple[float, float, float]
 """x, y, z in metres (or N, rad/s, ... as the field says)."""
@@ -14,8 +14,12 @@ Quaternion = tuple[float, float, float, float]
 
 MAX_REQUEST_BYTES: Final = 64 * 1024
 """What a client's document may weigh at the most."""
-
-
+MOST: Final = 2**53 - 1
+"""The largest whole number that JSON carries everywhere (RFC 8259, section 6); SQLite and numpy hold it."""
+Count = Annotated[int, Field(ge=0, le=MOST)]
+"""A whole number of a message: every one has bounds, and these unless it says others."""
+Whole = Annotated[int, Field(ge=-MOST, le=MOST)]
+"""Likewise, of either sign."""
 PLAIN_TEXT: Final = r"^[^\x00-\x1f\x7f-\x9f\u2028\u2029]*$"
 """Text without control characters and line breaks, as a pattern."""
 

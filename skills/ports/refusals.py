@@ -8,9 +8,9 @@ from pydantic import Field
 
 from skills.ports.hearing import KINDS, Ear, Reason
 from skills.ports.keys import Topic
-from skills.ports.message import Message
+from skills.ports.message import MOST, Message
 
-Count = Annotated[int, Field(ge=1, le=1 << 53)]
+Count = Annotated[int, Field(ge=1, le=MOST)]
 
 
 class Refused(Message):

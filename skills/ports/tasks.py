@@ -10,7 +10,7 @@ from pydantic import Field, JsonValue
 from skills.ports.failure import Failure
 from skills.ports.keys import Nothing, Service, Topic
 from skills.ports.limits import Limits
-from skills.ports.message import Message, RobotTime
+from skills.ports.message import Count, Message, RobotTime
 
 
 class TaskState(StrEnum):
@@ -85,7 +85,7 @@ class Attempt(Message):
     failure: Failure
     recovery: str = ""
     """The recovery that took it, by the name of its node; empty when none did."""
-    times: int = 0
+    times: Count = 0
     """How often that recovery has been tried by now, this time included."""
     picture: str = ""
     """Number of the camera's picture of that moment, asked for with ``task/picture``; empty without."""
@@ -109,13 +109,13 @@ class TaskStatus(Message):
     ended_at: float | None = None
     """UTC seconds of its end."""
     client_id: str = ""
-    priority: int = 0
+    priority: Annotated[int, Field(ge=-100, le=100)] = 0
     """The higher one is taken first."""
     not_before: float | None = None
     """UTC seconds of its earliest start."""
     expires: float | None = None
     """UTC seconds of its latest start."""
-    begun: int = 0
+    begun: Count = 0
     """How often its tree has begun: more than once after a restart, or when another task took over."""
     running: tuple[str, ...] = ()
     """The leaves of its tree that run, by their names."""
@@ -129,7 +129,7 @@ class TaskStatus(Message):
 
 PAGE: Final = 100
 """Tasks of one answer: some 120 KB, which take a few milliseconds to write."""
-Place = Annotated[int, Field(ge=0, le=2**53 - 1)]
+Place = Count
 """A task's place in the order of arrival; 0 stands for none."""
 
 
@@ -270,7 +270,7 @@ class TreeSnapshot(Message):
 
     task: str
     kind: str
-    tick: int
+    tick: Count
     stamp: RobotTime | None = None
     root: TreeNode
 
@@ -283,7 +283,7 @@ class ExecutiveInfo(Message):
     tasks: tuple[str, ...]
     """The kinds of request that are taken."""
     running: str = ""
-    queued: int = 0
+    queued: Count = 0
     waits_for: str = ""
     """What the first of the queued tasks waits for while none runs, in words."""
 
@@ -293,7 +293,7 @@ class Times(Message):
 
     bounds: tuple[float, ...]
     """Seconds; the upper edge of each class but the last, which has none."""
-    counts: tuple[int, ...]
+    counts: tuple[Count, ...]
     """How many fell into each class; one more than there are bounds."""
     total: float
     """Seconds, all of them together."""
@@ -302,7 +302,7 @@ class Times(Message):
 class ExecutivePulse(Message):
     """Told once a second, for who watches over the executive."""
 
-    queued: int
+    queued: Count
     running: str = ""
     """The task that runs, or nothing."""
     ticks: Times
@@ -336,7 +336,7 @@ TASK_FORCE: Final = Service("task/force", ForceNode, ControlAnswer)
 TASK_HISTORY: Final = Service("task/history", AskHistory, History, reads=True, limits=Limits(per_step=1))
 TASK_PICTURE: Final = "task/picture"
 """Asked with an AskPicture; answered with a JPEG, or with nothing when there is none."""
-TASK_LIST: Final = Service("task/list", AskTasks, TaskList, reads=True, limits=Limits(per_step=4))
+TASK_LIST: Final = Service("task/list", AskTasks, TaskList, reads=True, limits=Limits(per_step=2))
 TASK_INFO: Final = Service("task/info", Nothing, ExecutiveInfo, reads=True)
 TASK_PULSE: Final = Topic("task/pulse", ExecutivePulse)
 TREE: Final = Topic("tree/snapshot", TreeSnapshot)

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from skills.ports.geometry import FloorPose, Pose
 from skills.ports.keys import Topic
-from skills.ports.message import Message, RobotTime
+from skills.ports.message import Count, Message, RobotTime
 
 Side = Literal["left", "right"]
 SIDES: Final[tuple[Side, Side]] = ("left", "right")
@@ -35,7 +35,7 @@ class RobotPose(Message):
 class Sighting(Message):
     """A tag in a picture; owner: perception."""
 
-    item: int
+    item: Count
     stamp: RobotTime
     """When the picture was taken."""
     tag_in_map: Pose
@@ -54,7 +54,7 @@ class Sightings(Message):
 
     stamp: RobotTime
     sightings: tuple[Sighting, ...]
-    absent: tuple[int, ...] = ()
+    absent: tuple[Count, ...] = ()
     """Items that were believed in view, where the depth shows that nothing is."""
 
 
@@ -86,7 +86,7 @@ class SceneObject(Message):
     name: str
     kind: Literal["furniture", "clutter", "item"]
     box: Box
-    item: int | None = None
+    item: Count | None = None
     attached_to: Side | None = None
 
 
@@ -94,14 +94,14 @@ class PlanningScene(Message):
     """What arms must not hit; owner: the keeper. On each change and every second."""
 
     stamp: RobotTime
-    version: int
+    version: Count
     objects: tuple[SceneObject, ...]
 
 
 class ItemFact(Message):
     """What is believed of an item. ``size``: full edges (m) in the item's frame, whose z is up at rest."""
 
-    item: int
+    item: Count
     size: tuple[Size, Size, Size]
     tag_in_map: Pose
     """The tag's face last seen; meaningless while held."""
@@ -114,16 +114,16 @@ class ItemFact(Message):
 class Placed(Message):
     """An item that was put down in a slot of a depot."""
 
-    item: int
+    item: Count
     depot: str
-    slot: int
+    slot: Count
 
 
 class HeldItem(Message):
     """What is in a hand, and how: the item's centre frame in the hand's tool frame."""
 
     side: Side
-    item: int
+    item: Count
     item_in_tool: Pose
 
 
@@ -131,7 +131,7 @@ class WorldState(Message):
     """The keeper's facts, all of them; on each change and every second."""
 
     stamp: RobotTime
-    version: int
+    version: Count
     items: tuple[ItemFact, ...] = ()
     held: tuple[HeldItem, ...] = ()
     placed: tuple[Placed, ...] = ()

@@ -22,6 +22,9 @@ NEVER_WAITS: Final = (
 """What the router does with all that passes, whoever sent it: it drops what a reader has no room for. Of
 large payloads one at a time may wait for room, beside the others' way."""
 
+MOST_AT_ONCE: Final = 64 * 1024 * 1024
+"""Bytes of one message that a router takes in; zenoh would keep up to 1 GB of one while its parts come."""
+
 
 def client_config(
     endpoint: str, patience: float = 2.0, credentials: Credentials | None = None
@@ -53,6 +56,7 @@ def router_config(
     """
     entries: dict[str, object] = {
         "mode": "router",
+        "transport/link/rx/max_message_size": MOST_AT_ONCE,
         "listen": {"endpoints": list(endpoints), "exit_on_failure": True},
     }
     entries["qos/network"] = [

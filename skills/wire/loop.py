@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from typing import Final
 
 from skills.ports.keys import Topic
-from skills.ports.message import Message
+from skills.ports.message import Count, Message
 from skills.ports.node import Node
 from skills.wire.clocks import ProcessClocks
 from skills.wire.zenoh_bus import ZenohBus
@@ -24,7 +24,7 @@ class Followed(Message):
     """A follower is through with the hardware's tick."""
 
     follower: str
-    tick: int
+    tick: Count
 
 
 FOLLOW: Final = Topic("sim/follow", Followed)

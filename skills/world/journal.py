@@ -18,7 +18,7 @@ from typing import Final
 from pydantic import ValidationError
 
 from skills.journal_file import JournalFile
-from skills.ports.message import Message
+from skills.ports.message import Count, Message
 from skills.ports.world import Box, HeldItem, ItemFact, Placed
 
 COMPACT_AFTER: Final = 1000
@@ -35,12 +35,12 @@ class Remembered(Message):
     held: tuple[HeldItem, ...] = ()
     placed: tuple[Placed, ...] = ()
     items: tuple[ItemFact, ...] = ()
-    removed: tuple[int, ...] = ()
+    removed: tuple[Count, ...] = ()
     """Items that are no obstacles."""
     clutter: tuple[tuple[str, Box], ...] = ()
     boot: str = ""
     """Of the hardware: what stood about before another boot is not believed."""
-    openings: int = 0
+    openings: Count = 0
     """How often the journal has been opened: versions of the facts rise over a new start, too."""
 
 

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from skills.ports.message import Message
 
-Count = Annotated[int, Field(gt=0)]
+Count = Annotated[int, Field(gt=0, le=1_000_000)]
 
 
 class PlannerName(StrEnum):
@@ -38,7 +38,7 @@ class PlannerSettings(Message):
     """After so many a planner that improves its path stops."""
     slice_checks: Count = 50
     """Between two chances to be stopped."""
-    shortcut_rounds: Annotated[int, Field(ge=0)] = 30
-    shortcut_checks: Annotated[int, Field(ge=0)] = 600
+    shortcut_rounds: Annotated[int, Field(ge=0, le=1_000_000)] = 30
+    shortcut_checks: Annotated[int, Field(ge=0, le=1_000_000)] = 600
     shortcut_misses: Count = 8
     """Shortcutting ends when so many in a row brought nothing."""

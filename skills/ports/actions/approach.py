@@ -9,7 +9,7 @@ from pydantic import Field
 
 from skills.ports.geometry import Pose
 from skills.ports.keys import Topic
-from skills.ports.message import Message, RobotTime, Vector3
+from skills.ports.message import MOST, Count, Message, RobotTime, Vector3
 from skills.ports.skill import ActionType
 from skills.ports.world import Side
 
@@ -26,7 +26,7 @@ class ApproachGoal(Message):
     item moves.
     """
 
-    item: Annotated[int, Field(ge=0)]
+    item: Annotated[int, Field(ge=0, le=MOST)]
     grasps: Annotated[tuple[Pose, ...], Field(min_length=1)]
     radius: Annotated[float, Field(gt=0.0, le=0.5)] = GOAL_RADIUS
     hand_width: Annotated[float, Field(ge=0.0)] | None = None
@@ -62,18 +62,18 @@ class ApproachFeedback(Message):
 class ApproachResult(Message):
     """Where it ended: which grasp, how far off, and what it took."""
 
-    grasp: int
+    grasp: Count
     positions: tuple[float, ...]
     error: float
     item_in_map: Pose
     """The item's centre frame in which the grasp is told: another of its faces may have been seen since."""
     duration: float
     """Robot seconds."""
-    escapes: int = 0
+    escapes: Count = 0
     """How often an escape point was turned to."""
-    planned: int = 0
+    planned: Count = 0
     """How often a stuck field was given to the planner."""
-    stops: int = 0
+    stops: Count = 0
     """How often the coordination stopped it."""
 
 
@@ -94,9 +94,9 @@ class ApproachStatus(Message):
     """The item's centre."""
     goal_positions: tuple[float, ...] = ()
     """Of the group's joints, in its order, where it will end as things are; none before that is known."""
-    recorded: int = 0
+    recorded: Count = 0
     """Samples of the record (002, Algorithm 3), thinned by phi: the safe start is sample 0."""
-    at: int = 0
+    at: Count = 0
     """The sample at which the arm stands or to which it goes back."""
 
 

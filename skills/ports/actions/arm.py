@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from skills.ports.geometry import FloorPose, Pose
 from skills.ports.keys import Topic
-from skills.ports.message import Message, RobotTime, Vector3
+from skills.ports.message import MOST, Count, Message, RobotTime, Vector3
 from skills.ports.skill import ActionType
 
 
@@ -64,13 +64,13 @@ class MoveGoal(Message):
     up: Annotated[float, Field(gt=0.0, le=0.5)] | None = None
     frame: Literal["map", "base"] = "map"
     straight: bool = False
-    touch_item: int | None = None
+    touch_item: Count | None = None
     touch_support: bool = False
     hand_width: Annotated[float, Field(ge=0.0)] | None = None
     """Metres between the pads of an empty hand that are planned with; as they are unless given."""
     speed: Annotated[float, Field(gt=0.0, le=1.0)] = 1.0
     """Share of the joints' limits."""
-    follows_item: Annotated[int, Field(ge=0)] | None = None
+    follows_item: Annotated[int, Field(ge=0, le=MOST)] | None = None
     """The item that the goal was made for: when it turns out to be elsewhere, the move stops and fails."""
     follow_tolerance: Annotated[float, Field(gt=0.0)] = 0.03
     """Metres by which that item may be found to have moved since the plan was made."""
@@ -106,12 +106,12 @@ class MoveFeedback(Message):
 class MoveResult(Message):
     """Where it ended."""
 
-    candidate: int = 0
+    candidate: Count = 0
     """Index of the candidate taken."""
     positions: tuple[float, ...]
     error: float
     """Metres (candidates) or largest radians (joints, posture) between what was asked and reached."""
-    planning_steps: int
+    planning_steps: Count
     """Slices that planning took."""
     duration: float
     """Robot seconds of the motion."""
@@ -125,23 +125,23 @@ class SurveyGoal(Message):
 
     bases: Annotated[tuple[FloorPose, ...], Field(min_length=1, max_length=100)]
     candidates: Annotated[tuple[Candidate, ...], Field(min_length=1)]
-    touch_item: int | None = None
+    touch_item: Count | None = None
     touch_support: bool = False
     hand_width: Annotated[float, Field(ge=0.0)] | None = None
-    enough: Annotated[int, Field(ge=1)] = 4
+    enough: Annotated[int, Field(ge=1, le=MOST)] = 4
 
 
 class SurveyFeedback(Message):
     """Bases looked at, and found good."""
 
-    looked_at: int
-    found: int
+    looked_at: Count
+    found: Count
 
 
 class SurveyResult(Message):
     """Indices of the bases from which it can be done, in the order of the goal; none is a result too."""
 
-    bases: tuple[int, ...]
+    bases: tuple[Count, ...]
 
 
 def survey(group: str) -> ActionType[SurveyGoal, SurveyFeedback, SurveyResult]:

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from skills.ports.geometry import FloorPose
 from skills.ports.keys import Topic
-from skills.ports.message import Message, RobotTime
+from skills.ports.message import Count, Message, RobotTime
 from skills.ports.skill import ActionType
 
 ARM_MARGIN: Final = 0.04
@@ -30,7 +30,7 @@ class BaseStatus(Message):
 
     stamp: RobotTime
     state: BaseState
-    serves_item: int | None = None
+    serves_item: Count | None = None
 
 
 class DriveGoal(Message):
@@ -42,7 +42,7 @@ class DriveGoal(Message):
     poses: Annotated[tuple[FloorPose, ...], Field(min_length=1)]
     position_tolerance: Annotated[float, Field(gt=0.0)] = 0.03
     yaw_tolerance: Annotated[float, Field(gt=0.0)] = 0.04
-    serves_item: int | None = None
+    serves_item: Count | None = None
 
 
 class DriveFeedback(Message):
@@ -57,11 +57,11 @@ class DriveFeedback(Message):
 class DriveResult(Message):
     """Where it stopped. ``pose``: index of the goal pose taken."""
 
-    pose: int
+    pose: Count
     base_in_map: FloorPose
     position_error: float
     yaw_error: float
-    replans: int = 0
+    replans: Count = 0
 
 
 class RotateGoal(Message):

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from skills.ports.geometry import Pose
 from skills.ports.keys import Topic
-from skills.ports.message import Message, RobotTime, Vector3
+from skills.ports.message import MOST, Count, Message, RobotTime, Vector3
 from skills.ports.skill import ActionType
 from skills.ports.world import Side
 
@@ -49,7 +49,7 @@ class ArmOrder(Message):
 
     side: Side
     order: Order
-    sample: Annotated[int, Field(ge=0)] = 0
+    sample: Annotated[int, Field(ge=0, le=MOST)] = 0
 
 
 class RightOfWay(Message):
@@ -60,7 +60,7 @@ class RightOfWay(Message):
     """
 
     stamp: RobotTime
-    episode: int
+    episode: Count
     """Counts the stops; 0 before the first."""
     open: bool = False
     """Whether somebody is held or sent back."""
@@ -92,7 +92,7 @@ class CoordinateGoal(Message):
 class CoordinateFeedback(Message):
     """How often they were stopped, who leads, and whether both are safe."""
 
-    episode: int
+    episode: Count
     leader: Side | None = None
     left_safe: bool = True
     right_safe: bool = True
@@ -101,7 +101,7 @@ class CoordinateFeedback(Message):
 class CoordinateResult(Message):
     """How often the arms were stopped (for when it ends without a cancel; it does not today)."""
 
-    episodes: int
+    episodes: Count
 
 
 class TwoHands(StrEnum):
@@ -123,7 +123,7 @@ class TwoHandsGoal(Message):
     """
 
     do: TwoHands
-    item: Annotated[int, Field(ge=0)]
+    item: Annotated[int, Field(ge=0, le=MOST)]
     to: Pose | None = None
     force: Annotated[float, Field(gt=0.0)] | None = None
     apart: Annotated[float, Field(ge=0.0)] = 0.10

@@ -6,7 +6,7 @@ from typing import Annotated, Final
 
 from pydantic import Field
 
-from skills.ports.message import Message, Vector3
+from skills.ports.message import MOST, Count, Message, Vector3
 from skills.ports.skill import ActionType
 from skills.ports.world import Sighting
 
@@ -20,7 +20,7 @@ class LookGoal(Message):
     arm must know what it may meet.
     """
 
-    item: int | None = None
+    item: Count | None = None
     at: Vector3 | None = None
     tilts: tuple[float, ...] = (-0.45,)
     pictures: Annotated[int, Field(ge=1, le=20)] = 1
@@ -33,8 +33,8 @@ class LookGoal(Message):
 class LookFeedback(Message):
     """Pictures taken so far, and items seen so far."""
 
-    pictures: int
-    seen: tuple[int, ...]
+    pictures: Count
+    seen: tuple[Count, ...]
 
 
 class LookResult(Message):
@@ -42,7 +42,7 @@ class LookResult(Message):
 
     found: bool
     sightings: tuple[Sighting, ...]
-    clutter: int = 0
+    clutter: Count = 0
     """Boxes of clutter measured."""
 
 
@@ -53,14 +53,14 @@ class TrackGoal(Message):
     looks for what is gone of it; between its motions only, pictures are read. Without, it stays as it stands.
     """
 
-    items: tuple[Annotated[int, Field(ge=0)], ...] = ()
-    gaze: tuple[Annotated[int, Field(ge=0)], ...] = ()
+    items: tuple[Annotated[int, Field(ge=0, le=MOST)], ...] = ()
+    gaze: tuple[Annotated[int, Field(ge=0, le=MOST)], ...] = ()
 
 
 class TrackResult(Message):
     """How many pictures were read (for when it ends without a cancel; it does not today)."""
 
-    pictures: int
+    pictures: Count
 
 
 PICTURE: Final = "skill/perception/picture"

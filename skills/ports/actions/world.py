@@ -6,7 +6,7 @@ from enum import StrEnum
 from typing import Final, Literal
 
 from skills.ports.geometry import Pose
-from skills.ports.message import Message
+from skills.ports.message import Count, Message
 from skills.ports.skill import ActionType
 
 
@@ -32,12 +32,12 @@ class EditGoal(Message):
     """
 
     edit: SceneEdit
-    item: int
+    item: Count
     side: Literal["left", "right"] | None = None
     item_in_tool: Pose | None = None
     item_in_map: Pose | None = None
     depot: str | None = None
-    slot: int | None = None
+    slot: Count | None = None
 
 
 class EditFeedback(Message):
@@ -47,7 +47,7 @@ class EditFeedback(Message):
 class EditResult(Message):
     """The scene's version after the edit."""
 
-    version: int
+    version: Count
 
 
 EDIT: Final = ActionType("world/edit", EditGoal, EditFeedback, EditResult, timeout=5.0)
