@@ -9,7 +9,7 @@ STAMP := $(VENV)/.installed
 setup: $(STAMP)
 
 $(STAMP): pyproject.toml constraints.txt
-	@$(PYTHON) -c 'import sys; sys.exit(0 if sys.version_info >= (3, 11) else "Python 3.11 or newer was expected; name one: make PYTHON=python3.12 demo")'
+	@$(PYTHON) -c 'import sys; sys.path.insert(0, "."); from executive.cli.start import unsupported; sys.exit(unsupported(sys.version_info[:2]) or 0)'
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[dev]'
 	@touch $(STAMP)

@@ -13,14 +13,14 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
 
-from executive.provenance import PACKAGES, installed, processor
+from executive.provenance import installed_packages, processor
 
 _PROC: Final = Path("/proc")
 
 
 def describe() -> str:
     """Return processor, cores, system, versions and load in one line."""
-    versions = ", ".join(f"{name} {installed(name)}" for name in PACKAGES)
+    versions = ", ".join(f"{name} {version}" for name, version in installed_packages().items())
     load = os.getloadavg()[0]
     return (
         f"{processor()}, {os.cpu_count()} cores, load average {load:.1f} before; {platform.system()} "

@@ -18,6 +18,7 @@ PACKAGES: Final = (
     "tandem-executive",
     "py-trees",
     "pybullet",
+    "pybullet-arm64",
     "ompl",
     "eclipse-zenoh",
     "pydantic",
@@ -70,7 +71,7 @@ def provenance(words: Sequence[str], utc: float) -> Provenance:
         machine=f"{processor()}, {os.cpu_count()} cores, {platform.system()} {platform.machine()}",
         load=round(os.getloadavg()[0], 2),
         python=platform.python_version(),
-        packages={name: installed(name) for name in PACKAGES},
+        packages=installed_packages(),
     )
 
 
@@ -80,6 +81,11 @@ def installed(package: str) -> str:
         return version(package)
     except PackageNotFoundError:
         return ""
+
+
+def installed_packages() -> dict[str, str]:
+    """Return the versions of those of ``PACKAGES`` that are installed: of pybullet's two builds, one is."""
+    return {name: there for name in PACKAGES if (there := installed(name))}
 
 
 def processor() -> str:

@@ -14,7 +14,7 @@ from typing import Final, Literal
 
 from pydantic import Field, JsonValue
 
-from executive.provenance import PACKAGES, installed
+from executive.provenance import installed_packages
 from skills.ports.bus import Bus
 from skills.ports.clocks import Clocks, robot_seconds
 from skills.ports.failure import Failure
@@ -249,7 +249,7 @@ class Recorder:
             processes=dict(processes) or {"all": os.getpid()},
             machine=f"{platform.system()} {platform.release()} {platform.machine()}, {os.cpu_count()} cores",
             python=sys.version.split()[0],
-            packages={name: installed(name) for name in PACKAGES},
+            packages=installed_packages(),
         )
 
 

@@ -14,10 +14,10 @@ import typer
 from executive.cli.arguments import connects
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
+from executive.cli.start import unsupported
 from executive.isolation import isolated, python
 from executive.options import BusOptions
 
-PYTHON: Final = (3, 11)
 PACKAGES: Final = (
     ("eclipse-zenoh", "zenoh", "the bus between processes"),
     ("pydantic", "pydantic", "messages"),
@@ -28,7 +28,7 @@ PACKAGES: Final = (
     ("pin", "pinocchio", "kinematics"),
     ("coal", "coal", "collision checks"),
     ("ruckig", "ruckig", "jerk-limited motion"),
-    ("pybullet", "pybullet", "the simulated robot"),
+    ("pybullet" if sys.version_info < (3, 12) else "pybullet-arm64", "pybullet", "the simulated robot"),
     ("pyyaml", "yaml", "site and scenario files"),
 )
 ROBOT_FILE: Final = "package://example-robot-data/robots/tiago_description/robots/tiago_dual.urdf"
@@ -80,9 +80,9 @@ def doctor(
 def _machine() -> list[Finding]:
     python = sys.version.split()[0]
     system = f"{platform.system()} {platform.release()} {platform.machine()}, {os.cpu_count()} cores"
-    fits = sys.version_info >= PYTHON
+    reason = unsupported((sys.version_info[0], sys.version_info[1]))
     return [
-        Finding("python", fits, python if fits else f"{python}; 3.11 or newer is needed"),
+        Finding("python", not reason, reason or python),
         Finding("machine", sys.platform == "linux", system, vital=False),
     ]
 
