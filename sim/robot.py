@@ -84,6 +84,7 @@ def compose_robot() -> RobotModel:
     document.weld([*(hand.mount_link for hand in hands), "casters_link"])
     frames = {link: (link, np.eye(4)) for link in document.links()} | document.welded
     _draw_collision_shapes(document)
+    document.check()
     physics_urdf = document.text()
     for name, (link, at) in sorted(document.welded.items()):
         document.add_frame(name, link, at)

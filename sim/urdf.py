@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from skills.ports.urdf_check import SEVERAL_NUMBERS, UrdfError, check, mimics
+
 Array = npt.NDArray[np.float64]
 
 
@@ -234,6 +236,22 @@ class UrdfDocument:
         write_origin(joint, at)
         ET.SubElement(joint, "parent", link=parent)
         ET.SubElement(joint, "child", link=name)
+
+    def check(self) -> None:
+        """Refuse what the physics would not move as the URDF says.
+
+        Raises:
+            UrdfError: naming a joint that can't be right, that mimics another (the physics would move it by
+                itself), or that is of several numbers (the physics has no motor for it).
+        """
+        check(self.root)
+        for name, mimic in mimics(self.root).items():
+            raise UrdfError(
+                f"joint {name!r} mimics {mimic.source!r}; the simulation moves each joint by itself"
+            )
+        for joint in self.joints():
+            if joint.get("type") in SEVERAL_NUMBERS:
+                raise UrdfError(f"joint {joint.get('name')!r} is {joint.get('type')}; no motor moves that")
 
     def text(self) -> str:
         """Return the document."""

@@ -16,6 +16,7 @@ import pinocchio as pin
 from skills.kinematics.transforms import Array, to_pose
 from skills.ports.geometry import Pose
 from skills.ports.packages import resolve
+from skills.ports.urdf_check import SEVERAL_NUMBERS, Mimic, UrdfError, mimics, parsed
 
 
 class UnknownNameError(KeyError):
@@ -32,25 +33,25 @@ class Limits:
 
 
 def plain_urdf(urdf: str) -> str:
-    """Return the URDF with the collision meshes' paths resolved, no visuals and no endless joints.
+    """Return the URDF with the collision meshes' paths resolved, no visuals, and each joint one number.
 
-    An endless joint becomes one of [-pi, pi], so that each joint is one number: wheels are not moved
-    here, and an arm's endless joint loses nothing but a second way round.
+    An endless joint becomes one of [-pi, pi]: wheels are not moved here, and an arm's endless joint loses
+    nothing but a second way round. A floating or planar joint is fixed where the URDF has it: it is what
+    moves the whole robot (which is not told here: the base stands still), or a thing that nobody drives.
 
     Raises:
-        ValueError: the text is no URDF.
+        UrdfError: the text is no URDF, or a joint of it can't be right.
         FileNotFoundError: a mesh is missing.
     """
-    try:
-        root = ET.fromstring(urdf)  # noqa: S314 - the robot's own description
-    except ET.ParseError as error:
-        raise ValueError(f"the robot's description is no XML: {error}") from error
+    root = parsed(urdf)
     for link in root.iter("link"):
         for visual in link.findall("visual"):
             link.remove(visual)
     for mesh in root.iter("mesh"):
         mesh.set("filename", str(resolve(mesh.get("filename", ""))))
-    for joint in root.iter("joint"):
+    for joint in root.findall("joint"):
+        if joint.get("type") in SEVERAL_NUMBERS:
+            joint.set("type", "fixed")
         if joint.get("type") == "continuous":
             joint.set("type", "revolute")
             limit = joint.find("limit")
@@ -63,25 +64,44 @@ def plain_urdf(urdf: str) -> str:
 class RobotKinematics:
     """The whole robot, its base fixed.
 
+    A joint that mimics another one stands where that puts it, and is in no group; nor is the one that it
+    mimics: a chain that moved it would have to move both.
+
     Args:
         urdf: the text; meshes as ``package://`` addresses.
         groups: joints by the group's name.
 
     Raises:
-        ValueError: the text is no URDF.
+        UrdfError: the text is no URDF, a joint of it can't be right, or a group names one that is not of one
+            number or does not move alone.
         UnknownNameError: a group names a joint that is not there.
     """
 
     def __init__(self, urdf: str, groups: Mapping[str, Sequence[str]]) -> None:
+        document = parsed(urdf)
+        self._mimics = mimics(document)
+        _refuse_groups(document, self._mimics, groups)
         self.urdf = plain_urdf(urdf)
         self.model = pin.buildModelFromXML(self.urdf)
         self.joints: tuple[str, ...] = tuple(self.model.names)[1:]
-        self._index = {name: i for i, name in enumerate(self.joints)}
+        self._index = {name: self._place(name) for name in self.joints}
         self._frames = {frame.name: i for i, frame in enumerate(self.model.frames)}
         self.groups = {name: tuple(joints) for name, joints in groups.items()}
         for name, joints in self.groups.items():
             if missing := [joint for joint in joints if joint not in self._index]:
                 raise UnknownNameError(f"group {name!r} names {missing}; the URDF has {self.joints[:40]}")
+
+    def _place(self, joint: str) -> int:
+        """Return the joint's place in a configuration.
+
+        It is pinocchio's ``idx_q``, which is its number less one only because each joint is one number:
+        ``plain_urdf`` sees to that, and all that counts joints (chains, columns of Jacobians) rests on it.
+        """
+        number = self.model.getJointId(joint)
+        place = int(self.model.joints[number].idx_q)
+        if self.model.joints[number].nq != 1 or place != number - 1:
+            raise UrdfError(f"joint {joint!r}: a joint of one number was expected")
+        return place
 
     def joint_index(self, joint: str) -> int:
         """Return the joint's place in a full configuration."""
@@ -98,7 +118,13 @@ class RobotKinematics:
             raise UnknownNameError(f"no frame {frame!r} among the {len(self._frames)} of the robot") from None
 
     def limits(self, joints: Sequence[str]) -> Limits:
-        """Return the URDF's limits of the joints, in their order."""
+        """Return the URDF's limits of the joints, in their order.
+
+        Raises:
+            UrdfError: one of them mimics another and has none of its own.
+        """
+        if following := [joint for joint in joints if joint in self._mimics]:
+            raise UrdfError(f"joint {following[0]!r} mimics {self._mimics[following[0]].source!r}")
         rows = [self.joint_index(joint) for joint in joints]
         return Limits(
             np.array(self.model.lowerPositionLimit)[rows],
@@ -109,8 +135,8 @@ class RobotKinematics:
     def configuration(self, positions: Mapping[str, float]) -> Array:
         """Return the full configuration (n,) of joint positions by name.
 
-        What is not named stands at zero, or at the limit nearest to it. Names that the model does not
-        have (the hardware may tell more) are left out.
+        What is not named stands at zero, or at the limit nearest to it; what mimics another and is not named,
+        where that puts it. Names that the model does not have (the hardware may tell more) are left out.
         """
         full = np.clip(
             np.zeros(len(self.joints)), self.model.lowerPositionLimit, self.model.upperPositionLimit
@@ -118,6 +144,10 @@ class RobotKinematics:
         for name, value in positions.items():
             if name in self._index:
                 full[self._index[name]] = value
+        for name, mimic in self._mimics.items():
+            if name in self._index and name not in positions:
+                source = full[self._index[mimic.source]] if mimic.source in self._index else 0.0
+                full[self._index[name]] = mimic.multiplier * source + mimic.offset
         return full
 
     def pose(self, frame: str, positions: Mapping[str, float]) -> Pose:
@@ -135,6 +165,23 @@ class RobotKinematics:
     def chain(self, joints: Sequence[str], positions: Mapping[str, float]) -> Chain:
         """Return the kinematics of some joints while all others stand at ``positions``."""
         return Chain(self, joints, positions)
+
+
+def _refuse_groups(
+    document: ET.Element, following: Mapping[str, Mimic], groups: Mapping[str, Sequence[str]]
+) -> None:
+    """Raise UrdfError for a group with a joint that can't be moved as one number of its own."""
+    kinds = {joint.get("name", ""): joint.get("type", "") for joint in document.findall("joint")}
+    followed = {mimic.source: name for name, mimic in following.items()}
+    for name, joints in groups.items():
+        for joint in joints:
+            who = f"group {name!r}: joint {joint!r}"
+            if kinds.get(joint) in SEVERAL_NUMBERS:
+                raise UrdfError(f"{who} is {kinds[joint]}; joints of one number were expected")
+            if joint in following:
+                raise UrdfError(f"{who} mimics {following[joint].source!r} and can't be moved by itself")
+            if joint in followed:
+                raise UrdfError(f"{who} moves {followed[joint]!r} too, which mimics it; no chain knows that")
 
 
 class Chain:

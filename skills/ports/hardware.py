@@ -30,12 +30,28 @@ class JointLimit(Message):
     jerk: Positive
     effort: Positive
 
+    @model_validator(mode="after")
+    def _ordered(self) -> JointLimit:
+        if self.lower > self.upper:
+            raise ValueError(
+                f"joint {self.joint!r}: a lower limit of at most the upper one was expected, "
+                f"found {self.lower:g} and {self.upper:g}"
+            )
+        return self
+
 
 class JointGroup(Message):
     """Joints that are moved together, in the order of every message about them."""
 
     name: str
     limits: tuple[JointLimit, ...]
+
+    @model_validator(mode="after")
+    def _each_once(self) -> JointGroup:
+        twice = sorted({joint for joint in self.joints if self.joints.count(joint) > 1})
+        if twice:
+            raise ValueError(f"group {self.name!r}: each joint once was expected, twice there: {twice}")
+        return self
 
     @property
     def joints(self) -> tuple[str, ...]:

@@ -1,0 +1,143 @@
+"""Robots with joints that not every robot has: floating, planar, mimicking, endless, wrongly limited.
+
+A user would have seen an arm with another joint's limits, fingers that don't follow each other, or an arm
+that never finds a way. Right is the right number, or a refusal with the joint's name. The robot's description
+comes from its hardware alone, so no file or key of tests/outside reaches this.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from pydantic import ValidationError
+
+from skills.kinematics.model import RobotKinematics
+from skills.ports.hardware import JointGroup, JointLimit
+from skills.ports.urdf_check import UrdfError
+from tests.fakes.arm_rig import panda
+
+ARM = ("shoulder", "elbow")
+LIMITS = {"shoulder": (-1.0, 2.0, 1.5), "elbow": (-0.5, 0.25, 0.7)}
+
+
+def joint(name: str, parent: str, child: str, kind: str = "revolute", inside: str = "") -> str:
+    low, high, fast = LIMITS.get(name, (-0.1, 0.1, 0.3))
+    limit = f'<limit lower="{low}" upper="{high}" velocity="{fast}" effort="5"/>'
+    if kind in {"fixed", "floating"}:
+        limit = ""
+    return (
+        f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>'
+        f'<origin xyz="0 0 0.5"/><axis xyz="0 0 1"/>{inside or limit}</joint>'
+    )
+
+
+def robot(*joints: str) -> str:
+    links = ("world", "base", "upper", "lower", "finger", "thumb")
+    return f'<robot name="odd">{"".join(f"<link name={name!r}/>" for name in links)}{"".join(joints)}</robot>'
+
+
+def armed(first: str, *more: str, elbow: str = "") -> str:
+    return robot(
+        joint("root", "world", "base", first),
+        joint("shoulder", "base", "upper"),
+        joint("elbow", "upper", "lower", inside=elbow),
+        *more,
+    )
+
+
+FINGERS = (
+    joint("finger_joint", "lower", "finger", "prismatic"),
+    joint(
+        "thumb_joint",
+        "lower",
+        "thumb",
+        "prismatic",
+        '<limit lower="-1" upper="1" velocity="1" effort="1"/>'
+        '<mimic joint="finger_joint" multiplier="-2" offset="0.01"/>',
+    ),
+)
+
+
+@pytest.mark.parametrize("first", ["fixed", "floating", "planar", "revolute", "continuous"])
+def test_the_limits_are_those_of_the_joints_whatever_comes_before(first: str) -> None:
+    limits = RobotKinematics(armed(first, *FINGERS), {"arm": ARM}).limits(ARM)
+    assert limits.lower == pytest.approx([-1.0, -0.5])
+    assert limits.upper == pytest.approx([2.0, 0.25])
+    assert limits.velocity == pytest.approx([1.5, 0.7])
+
+
+@pytest.mark.parametrize("first", ["fixed", "floating", "planar"])
+def test_the_hand_is_where_the_joints_put_it_whatever_comes_before(first: str) -> None:
+    plain = RobotKinematics(armed("fixed", *FINGERS), {"arm": ARM})
+    odd = RobotKinematics(armed(first, *FINGERS), {"arm": ARM})
+    at = {"shoulder": 0.3, "elbow": 0.2}
+    assert odd.pose("lower", at) == plain.pose("lower", at)
+    chain = odd.chain(ARM, {})
+    assert chain.pose(np.array([0.3, 0.2]), "lower") == odd.pose("lower", at)
+    assert chain.jacobian(np.array([0.3, 0.2]), "lower")[5] == pytest.approx([1.0, 1.0])
+
+
+def test_a_joint_that_mimics_stands_where_that_puts_it() -> None:
+    odd = RobotKinematics(armed("fixed", *FINGERS), {"arm": ARM})
+    _, _, z = odd.pose("thumb", {"finger_joint": 0.05}).position
+    _, _, still = odd.pose("thumb", {"finger_joint": 0.05, "thumb_joint": 0.0}).position
+    assert z - still == pytest.approx(-2 * 0.05 + 0.01)
+
+
+@pytest.mark.parametrize(
+    ("urdf", "group", "said"),
+    [
+        (armed("floating"), ("root", "shoulder"), "joint 'root' is floating"),
+        (armed("planar"), ("root", "shoulder"), "joint 'root' is planar"),
+        (armed("fixed", *FINGERS), ("thumb_joint",), "joint 'thumb_joint' mimics 'finger_joint'"),
+        (armed("fixed", *FINGERS), ("finger_joint",), "joint 'finger_joint' moves 'thumb_joint' too"),
+        (
+            armed("fixed", elbow='<limit lower="1" upper="-1" velocity="1" effort="1"/>'),
+            ARM,
+            "joint 'elbow': a lower limit of at most the upper one was expected, found 1 and -1",
+        ),
+        (armed("fixed", elbow='<limit lower="nan" velocity="1" effort="1"/>'), ARM, "joint 'elbow': a lower"),
+        (armed("fixed", elbow='<limit lower="-1" upper="1" effort="1"/>'), ARM, "joint 'elbow': velocity"),
+        (armed("fixed", elbow="<axis/>"), ARM, "joint 'elbow': a revolute joint needs a <limit>"),
+        (armed("ball"), ARM, "joint 'root': a type out of continuous, fixed"),
+        (armed("fixed", joint("elbow", "lower", "finger")), ARM, "joint 'elbow' is there 2 times"),
+        (armed("fixed", joint("wrist", "lower", "palm")), ARM, "joint 'wrist': a child link that is there"),
+        (
+            armed("fixed", joint("wrist", "lower", "finger", inside='<limit velocity="1" effort="1"/>'
+                                 '<mimic joint="knuckle"/>')),
+            ARM,
+            "joint 'wrist': it mimics 'knuckle', and there is no such joint",
+        ),
+        ("<robot", ARM, "no XML"),
+    ],
+)  # fmt: skip
+def test_what_can_not_be_right_is_refused_by_name(urdf: str, group: tuple[str, ...], said: str) -> None:
+    with pytest.raises(UrdfError) as caught:
+        RobotKinematics(urdf, {"arm": group})
+    assert said in str(caught.value)
+
+
+def test_limits_of_a_joint_that_mimics_are_refused() -> None:
+    with pytest.raises(UrdfError, match="'thumb_joint' mimics 'finger_joint'"):
+        RobotKinematics(armed("fixed", *FINGERS), {"arm": ARM}).limits(("thumb_joint",))
+
+
+def test_a_real_robot_with_a_mimicking_finger_is_taken() -> None:
+    description = panda()
+    known = RobotKinematics(description.urdf, {"arm": description.group("arm").joints})
+    left, right = (
+        known.pose(f"panda_{side}finger", {"panda_finger_joint1": 0.03}).position
+        for side in ("left", "right")
+    )
+    hand = known.pose("panda_hand", {}).position
+    assert math.dist(left, hand) == pytest.approx(math.dist(right, hand))
+
+
+def test_the_description_takes_no_limits_the_wrong_way_round_and_no_joint_twice() -> None:
+    good = JointLimit(joint="j", lower=-1, upper=1, velocity=1, acceleration=1, jerk=1, effort=1)
+    with pytest.raises(ValidationError, match="joint 'j': a lower limit of at most the upper one"):
+        JointLimit.model_validate({**good.model_dump(), "lower": 2.0})
+    with pytest.raises(ValidationError, match="group 'arm': each joint once"):
+        JointGroup(name="arm", limits=(good, good))
