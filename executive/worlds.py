@@ -15,7 +15,7 @@ from skills.ports.hardware import StopState
 from skills.ports.keys import STOP_STATE
 from skills.ports.message import Vector3
 from skills.ports.site import Site
-from skills.ports.world import SIDES, HeldItem, Placed
+from skills.ports.world import SIDES, HeldItem, ItemFact, Placed
 from skills.site import load
 from skills.testing.mock_robot import STRETCHED, TUCKED, MockRobot
 from skills.testing.mock_skill import Fault
@@ -23,6 +23,7 @@ from skills.testing.mock_skill import Fault
 ITEM: Final = 29
 OTHER: Final = 42
 TAG: Final = Pose(position=(0.9, 0.1, 0.74), orientation=from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0)))
+DOUBLE: Final = Pose(position=(0.9, 0.9, 0.74), orientation=TAG.orientation)
 STEP: Final = 0.05
 NEVER: Final = 10**6
 AFTER_ONE_SPOT: Final = 28
@@ -57,6 +58,7 @@ def fetch_worlds(site: Site | None = None) -> Mapping[str, Make]:
             "depot full": partial(world, begin=partial(_fill, range(len(slots)))),
             "a slot taken": partial(world, begin=partial(_clutter, slots[:1])),
             "all slots taken": partial(world, begin=partial(_clutter, slots)),
+            "two of that number": partial(world, localised=True, begin=_double),
             "stop is set": partial(world, begin=stop),
             "dropped on the way": partial(world, events={"drive to slot": _Once(_drop)}),
             "dropped again and again": partial(world, events={"drive to slot": _drop}),
@@ -248,6 +250,21 @@ def _full(robot: MockRobot) -> None:
 
 def _placed(robot: MockRobot) -> None:
     robot.believe(placed=(Placed(item=ITEM, depot="depot", slot=0),))
+
+
+def _double(robot: MockRobot) -> None:
+    one, other = (
+        ItemFact(
+            item=ITEM,
+            size=(0.06, 0.06, 0.06),
+            tag_in_map=tag,
+            seen=robot.now,
+            quality=1.0,
+            position_sigma=0.002,
+        )
+        for tag in (TAG, DOUBLE)
+    )
+    robot.believe(items=(one,), doubles=(other,))
 
 
 def _fill(slots: range, robot: MockRobot) -> None:

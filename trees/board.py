@@ -5,13 +5,24 @@ py_trees' own blackboard is one for the whole process and untyped; a task's boar
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
+from typing import Final
 
 from skills.ports.geometry import FloorPose, Pose
 from skills.ports.grasping import FINGER_ROOM, Grasp, Place, face_towards
 from skills.ports.site import Depot, SiteItem, Slot
 from skills.ports.world import ItemFact, Side
 from trees.context import TreeContext
+
+NEAR: Final = 0.5
+"""Metres: a thing that far from the point that a request names is still meant. It is half a table, about what
+an arm reaches from one stand. Of two of a kind within it, the one nearer to the point is meant."""
+
+
+def is_meant(tag_in_map: Pose, near: tuple[float, float]) -> bool:
+    """Say whether a thing stands where a request locates it."""
+    return math.dist(tag_in_map.position[:2], near) <= NEAR
 
 
 @dataclass(eq=False)
@@ -47,6 +58,8 @@ class FetchBoard:
     """Where the item stood when it was picked up."""
     putting_back: bool = False
     """Whether the item goes back to where it stood."""
+    near: tuple[float, float] | None = None
+    """x, y in the map (m): of several things with the item's number, the one there is meant."""
 
     def chosen_side(self) -> Side:
         """Return the arm; the request's leaves have bound it before anything moves."""
@@ -98,6 +111,11 @@ class FetchBoard:
         return self.site_item(context).size[1] + 2 * FINGER_ROOM
 
     def fact(self, context: TreeContext) -> ItemFact | None:
-        """Return what is believed of the item, or None."""
+        """Return what is believed of the item, or None; with ``near``, of the one that is meant."""
         world = context.knowledge.world
-        return None if world is None else world.item(self.item)
+        fact = None if world is None else world.item(self.item)
+        if world is None or self.near is None or (fact is not None and fact.held is not None):
+            return fact
+        near = self.near
+        meant = [each for each in world.those(self.item) if is_meant(each.tag_in_map, near)]
+        return min(meant, key=lambda each: math.dist(each.tag_in_map.position[:2], near), default=None)

@@ -27,8 +27,10 @@ CAUSES: Final = 8
 
 
 def _taken_in(world: WorldState, sighting: Sighting) -> bool:
-    fact = world.item(sighting.item)
-    return fact is not None and (fact.held is not None or sighting.stamp.is_after(fact.seen) is False)
+    return any(
+        fact.held is not None or sighting.stamp.is_after(fact.seen) is False
+        for fact in world.those(sighting.item)
+    )
 
 
 @dataclass(eq=False)

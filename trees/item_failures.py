@@ -2,9 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.grasping import upright_in_map
-from skills.ports.world import ItemFact, Side
+from skills.ports.world import ItemFact, Side, Sighting
+from trees.context import TreeContext
+
+
+def ambiguous(context: TreeContext, item: int, sightings: Iterable[Sighting] = ()) -> Failure | None:
+    """Return the failure of an item of which several are known or have just been seen, or None for one."""
+    world = context.knowledge.world
+    known = () if world is None else world.those(item)
+    if any(fact.held is not None for fact in known):
+        return None
+    seen = [each.tag_in_map for each in sightings if each.item == item]
+    tags = max(seen, [fact.tag_in_map for fact in known], key=len)
+    if len(tags) < 2:  # noqa: PLR2004 - one is no choice
+        return None
+    places = ", ".join(f"({tag.position[0]:.2f}, {tag.position[1]:.2f})" for tag in tags)
+    return Failure(
+        kind=FailureKind.ITEM_AMBIGUOUS,
+        message=f"{len(tags)} things carry number {item}, at {places}; `near` of a fetch says which",
+        evidence={"item": item, "things": len(tags)},
+    )
 
 
 def fallen_over(fact: ItemFact) -> Failure | None:

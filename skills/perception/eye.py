@@ -147,6 +147,19 @@ class Eye:
                 boxes.append((number, Box(size=item.size, pose=stands)))
         return tuple(boxes)
 
+    def doubles(self, sightings: Iterable[Sighting] = ()) -> tuple[Box, ...]:
+        """Return the boxes of all upright things whose number ``standing`` tells only one of."""
+        world = self._world.refresh()
+        tags = [(each.item, each.tag_in_map) for each in sightings]
+        tags += [(each.item, each.tag_in_map) for each in (() if world is None else world.doubles)]
+        boxes = []
+        for number, tag_in_map in tags:
+            item = self._site.item(number)
+            stands = None if item is None else standing_in_map(tag_in_map, item.size)
+            if item is not None and stands is not None:
+                boxes.append(Box(size=item.size, pose=stands))
+        return tuple(boxes)
+
     def _placed(
         self, view: View, header: RgbdHeader, payload: bytes
     ) -> Generator[LookFeedback | Slice, Command, Shot]:

@@ -87,6 +87,7 @@ class Look:
         self._aim, self._arms, self._lens = Aim(description), Arms(description), description.camera
         self._eye = Eye(bus, description, site, compute)
         self._body_radius = description.footprint_radius
+        self._sizes = {each.item: each.size for each in site.items}
         self._furniture = tuple(box.box() for each in site.furniture for box in each.boxes)
         self._stop, self._scene = Latest(bus, STOP_STATE), Latest(bus, SCENE, depth=4)
 
@@ -185,7 +186,7 @@ class Look:
             missed.extend(found.absent)
             session.pictures += 1
             looking.stamp = stamp
-        view = merge(seen)
+        view = merge(seen, self._sizes)
         looking.sightings.extend(view)
         session.seen = tuple(sorted({each.item for each in looking.sightings}))
         assert looking.stamp is not None
@@ -222,7 +223,10 @@ class Look:
         """Gather what explains points: furniture, items seen now or before, and the robot."""
         return clutter.Known(
             furniture=self._furniture,
-            items=tuple(box for _, box in self._eye.standing(looking.sightings)),
+            items=(
+                *(box for _, box in self._eye.standing(looking.sightings)),
+                *self._eye.doubles(looking.sightings),
+            ),
             segments=self._arms.segments(looking.positions()),
             body_radius=self._body_radius,
         )
@@ -234,6 +238,6 @@ class Look:
     def _result(self, looking: _Looking) -> LookResult:
         return LookResult(
             found=looking.goal.item is None or looking.found(),
-            sightings=merge(looking.sightings),
+            sightings=merge(looking.sightings, self._sizes),
             clutter=looking.boxes,
         )

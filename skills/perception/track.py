@@ -10,6 +10,7 @@ camera's pictures smear, and its stamp and that of the joints never agree wholly
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Generator
 from dataclasses import dataclass, field
@@ -22,6 +23,7 @@ from skills.perception.frames import JointHistory, RobotPoseHistory
 from skills.perception.gaze import Gaze
 from skills.perception.head import SETTLE, Head
 from skills.perception.jobs import Shot, TagsFound
+from skills.perception.merge import things
 from skills.perception.session import Canceled, LookError, Session
 from skills.ports.actions.perception import TRACK, LookFeedback, TrackGoal, TrackResult
 from skills.ports.bus import Bus
@@ -31,7 +33,7 @@ from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import angle_between, compose, to_pose
 from skills.ports.hardware import RobotDescription
 from skills.ports.keys import STOP_STATE, Latest
-from skills.ports.message import Quaternion, RobotTime, RobotTimer
+from skills.ports.message import Quaternion, RobotTime, RobotTimer, Vector3
 from skills.ports.site import Site
 from skills.ports.skill import ActionType, Command, Run, Slice, canceled, failed
 from skills.ports.world import SIGHTINGS, Sighting, Sightings
@@ -85,6 +87,7 @@ class Track:
         self._bus, self._clocks, self._site = bus, clocks, site
         self._eye, self._stop = Eye(bus, description, site, compute), Latest(bus, STOP_STATE)
         self._faces: dict[int, Quaternion] = {}
+        self._places: dict[int, Vector3] = {}
         self._aim, self._lens = Aim(description), description.camera
         self._surfaces = tuple(box.box() for each in site.furniture for box in each.boxes)
 
@@ -108,7 +111,7 @@ class Track:
 
     def run(self, goal: TrackGoal, goal_id: str) -> Run[LookFeedback, TrackResult]:
         """Read one picture after the other."""
-        self._faces = {}
+        self._faces, self._places = {}, {}
         view = _Tracking(
             session=Session(self._clocks, self._stop),
             camera=Camera(self._bus),
@@ -193,10 +196,13 @@ class Track:
         """Return what is seen of each item's face that was told last, unless another is seen much better.
 
         An item that stands edgewise shows two faces about equally well; told in turns, it would seem to spin.
+        Of several things with one number the one nearest to where it was told last is told so, and then the
+        others by their best face.
         """
-        told = {}
+        told, doubles = dict[int, Sighting](), list[Sighting]()
         for item in sorted({each.item for each in sightings}):
-            faces = [each for each in sightings if each.item == item]
+            faces, *others = self._things(item, sightings)
+            doubles += [max(other, key=lambda each: each.quality) for other in others]
             best = max(faces, key=lambda each: each.quality)
             last = self._faces.get(item)
             near = best if last is None else min(faces, key=lambda each: _between(each, last))
@@ -204,7 +210,20 @@ class Track:
         self._faces = {item: each.tag_in_map.orientation for item, each in told.items()} | {
             item: face for item, face in self._faces.items() if item not in told
         }
-        return [told[item] for item in sorted(told)]
+        self._places |= {item: each.tag_in_map.position for item, each in told.items()}
+        return [*(told[item] for item in sorted(told)), *doubles]
+
+    def _things(self, number: int, sightings: tuple[Sighting, ...]) -> list[list[Sighting]]:
+        """Return a number's sightings by thing, first that which was followed so far."""
+        item = self._site.item(number)
+        assert item is not None, "only tags of the site's items are read"
+        found = things([each for each in sightings if each.item == number], item.size)
+        last = self._places.get(number)
+        if last is None:
+            return found
+        return sorted(
+            found, key=lambda thing: min(math.dist(each.tag_in_map.position, last) for each in thing)
+        )
 
     def _tell(self, view: _Tracking, stamp: RobotTime, found: TagsFound) -> None:
         """Publish what was asked for."""

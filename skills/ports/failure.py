@@ -30,6 +30,7 @@ class FailureKind(StrEnum):
     NOT_LOCALISED = "NOT_LOCALISED"
     ITEM_UNKNOWN = "ITEM_UNKNOWN"
     ITEM_NOT_FOUND = "ITEM_NOT_FOUND"
+    ITEM_AMBIGUOUS = "ITEM_AMBIGUOUS"
     ITEM_GONE = "ITEM_GONE"
     ITEM_UNREACHABLE = "ITEM_UNREACHABLE"
     DESTINATION_UNKNOWN = "DESTINATION_UNKNOWN"
@@ -95,6 +96,9 @@ KINDS: Final = MappingProxyType(
         _K.NOT_LOCALISED: KindFacts("the robot does not know where it is", True, Helper.AGAIN),
         _K.ITEM_UNKNOWN: KindFacts("the site file knows no such item", False, Helper.CLIENT),
         _K.ITEM_NOT_FOUND: KindFacts("all search spots seen, the tag was not", False, Helper.OPERATOR),
+        _K.ITEM_AMBIGUOUS: KindFacts(
+            "several things carry the item's number; say which with `near`", False, Helper.CLIENT
+        ),
         _K.ITEM_GONE: KindFacts("the item is not where it was last seen", True, Helper.LOOK),
         _K.ITEM_UNREACHABLE: KindFacts("seen, but out of reach or fallen over", False, Helper.OPERATOR),
         _K.DESTINATION_UNKNOWN: KindFacts("the site file knows no such depot", False, Helper.CLIENT),

@@ -50,7 +50,7 @@ class Sighting(Message):
 
 
 class Sightings(Message):
-    """All tags of one picture (perhaps none)."""
+    """All tags of one picture (perhaps none). An item that is here twice is two things of one number."""
 
     stamp: RobotTime
     sightings: tuple[Sighting, ...]
@@ -135,6 +135,13 @@ class WorldState(Message):
     items: tuple[ItemFact, ...] = ()
     held: tuple[HeldItem, ...] = ()
     placed: tuple[Placed, ...] = ()
+    doubles: tuple[ItemFact, ...] = ()
+    """Further things that carry the number of one of ``items``, seen apart from it: two of a kind are told as
+    two. Arms keep clear of them; ``world/edit`` (SELECT) says which one is the item."""
+
+    def those(self, number: int) -> tuple[ItemFact, ...]:
+        """Return all things known of a number: the item first, then its doubles."""
+        return tuple(fact for fact in (*self.items, *self.doubles) if fact.item == number)
 
     def item(self, number: int) -> ItemFact | None:
         """Return what is known of the item, or None."""

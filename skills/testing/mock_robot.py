@@ -8,6 +8,7 @@ Give it faults by action and number of the call, run any tree against it, and se
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, Protocol, TypeVar
@@ -458,6 +459,8 @@ class MockRobot:
         )
 
     def _edit(self, goal: EditGoal) -> Outcome[EditResult]:
+        if goal.edit is SceneEdit.SELECT and goal.near is not None:
+            return self._select(goal.item, goal.near)
         held = {hand.item: hand for hand in self.world.held}
         placed = {each.item: each for each in self.world.placed}
         if goal.edit is SceneEdit.ATTACH and goal.side is not None:
@@ -474,6 +477,14 @@ class MockRobot:
             if fact.item != forgotten
         )
         self.believe(items=items, held=tuple(held.values()), placed=tuple(placed.values()))
+        return succeeded(EditResult(version=self.world.version))
+
+    def _select(self, item: int, near: tuple[float, float]) -> Outcome[EditResult]:
+        there = self.world.those(item)
+        first, *others = sorted(there, key=lambda fact: math.dist(fact.tag_in_map.position[:2], near))
+        items = tuple(first if fact.item == item else fact for fact in self.world.items)
+        strangers = tuple(fact for fact in self.world.doubles if fact.item != item)
+        self.believe(items=items, doubles=(*strangers, *others))
         return succeeded(EditResult(version=self.world.version))
 
 

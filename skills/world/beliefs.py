@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -23,6 +24,7 @@ from skills.ports.world import (
     WorldState,
 )
 from skills.world import clutter, recorder
+from skills.world.doubles import Doubles, matched
 from skills.world.journal import Remembered
 
 MOVED: Final = 0.02
@@ -50,6 +52,7 @@ class Saved:
     held: dict[Side, HeldItem]
     placed: dict[int, Placed]
     removed: set[int]
+    doubles: tuple[ItemFact, ...]
 
 
 class Beliefs:
@@ -68,6 +71,7 @@ class Beliefs:
         self._held: dict[Side, HeldItem] = {held.side: held for held in kept.held}
         self._placed: dict[int, Placed] = {placed.item: placed for placed in kept.placed}
         self._removed: set[int] = set(kept.removed)
+        self._doubles = Doubles(kept.doubles)
         self._clutter: tuple[tuple[str, Box], ...] = kept.clutter
         self._clutter_named = 0
         self._boot = kept.boot
@@ -79,7 +83,9 @@ class Beliefs:
 
     def saved(self) -> Saved:
         """Return what ``restore`` takes back."""
-        return Saved(dict(self._items), dict(self._held), dict(self._placed), set(self._removed))
+        return Saved(
+            dict(self._items), dict(self._held), dict(self._placed), set(self._removed), self._doubles.facts
+        )
 
     def restore(self, saved: Saved) -> None:
         """Have what was edited since ``saved`` not have happened.
@@ -88,6 +94,7 @@ class Beliefs:
         """
         self._items, self._held = dict(saved.items), dict(saved.held)
         self._placed, self._removed = dict(saved.placed), set(saved.removed)
+        self._doubles = Doubles(saved.doubles)
         self.version += 1
 
     def item(self, number: int) -> ItemFact | None:
@@ -121,15 +128,7 @@ class Beliefs:
         item = self.site.item(sighting.item)
         if item is None or self.hand_of(sighting.item) is not None or not self._better(sighting):
             return False
-        fact = ItemFact(
-            item=sighting.item,
-            size=item.size,
-            tag_in_map=sighting.tag_in_map,
-            seen=sighting.stamp,
-            quality=sighting.quality,
-            position_sigma=sighting.position_sigma,
-        )
-        self._items = recorder.update(self._items, {sighting.item: fact})
+        self._items = recorder.update(self._items, {sighting.item: _fact(sighting, item.size)})
         box = item_box(sighting.tag_in_map, item.size)
         self._removed.discard(sighting.item)
         self._clutter = clutter.without_item(self._clutter, box)
@@ -138,19 +137,74 @@ class Beliefs:
         self.version += 1
         return True
 
+    def see_together(self, sightings: Sequence[Sighting]) -> bool:
+        """Take in what one message tells of one number, best first; say whether it changed anything.
+
+        Each sighting is that of the nearest thing known. Those that are left over are doubles.
+        """
+        number = sightings[0].item
+        item, mine, doubles = self.site.item(number), self._items.get(number), self._doubles.of(number)
+        if item is None or self.hand_of(number) is not None:
+            return False
+        if len(sightings) == 1 and not doubles:
+            return self.see(sightings[0])
+        if mine is None:
+            mine, doubles = (doubles[0], doubles[1:]) if doubles else (_fact(sightings[0], item.size), ())
+            self._items[number] = mine
+        known = [mine, *doubles]
+        places = [item_box(fact.tag_in_map, fact.size).pose.position for fact in known]
+        seen = [item_box(each.tag_in_map, item.size).pose.position for each in sightings]
+        which = matched(places, seen)
+        for index, sighting in enumerate(sightings):
+            if which.get(index) == 0:
+                self.see(sighting)
+                continue
+            known.append(_fact(sighting, item.size))
+            self._clutter = clutter.without_item(self._clutter, item_box(sighting.tag_in_map, item.size))
+        told_anew = set(which.values())
+        self._doubles.put(number, [each for at, each in enumerate(known) if at and at not in told_anew])
+        self.version += 1
+        return True
+
+    def those(self, number: int) -> tuple[ItemFact, ...]:
+        """Return all things known of a number: the item first, then its doubles."""
+        mine = self._items.get(number)
+        return (*(() if mine is None else (mine,)), *self._doubles.of(number))
+
+    def select(self, number: int, near: tuple[float, float]) -> None:
+        """Have the thing of that number which stands nearest to a point of the map (m) be the item."""
+        first, *others = sorted(
+            self.those(number), key=lambda fact: math.dist(fact.tag_in_map.position[:2], near)
+        )
+        self._items[number] = first
+        self._doubles.put(number, others)
+        self.version += 1
+
     def miss(self, number: int, stamp: RobotTime) -> bool:
-        """Forget where the item stands: a picture of ``stamp`` proves it gone. Say whether it was known."""
+        """Forget where the item stands: a picture of ``stamp`` proves it gone. Say whether it was known.
+
+        A double of it is the item then.
+        """
         fact = self._items.get(number)
         if fact is None or self.hand_of(number) is not None:
             return False
         if stamp.is_after(fact.seen) is False:
             return False
-        return self.forget(number)
+        doubles = self._doubles.of(number)
+        changed = self.forget(number)
+        if doubles:
+            self._items[number] = doubles[0]
+            self._doubles.put(number, doubles[1:])
+        return changed
 
     def forget(self, number: int) -> bool:
-        """Forget where the item stands; say whether it was known. What is in a hand stays there."""
+        """Forget where the item stands, and its doubles; say whether it was known.
+
+        What is in a hand stays there.
+        """
         if self.hand_of(number) is not None:
             return False
+        self._doubles.put(number, ())
         known = self._items.pop(number, None) is not None
         if self._placed.pop(number, None) is None and not known:
             return False
@@ -161,13 +215,15 @@ class Beliefs:
     def look(self, seen: Clutter) -> bool:
         """Take in the clutter of a look; say whether it changed anything."""
         measured: list[tuple[str, Box]] = []
-        standing = self._standing().values()
+        standing = [*self._standing().values(), *(box for _, box in self._doubled())]
         for box in seen.boxes:
             if any(clutter.contains(item, box.pose.position, clutter.ITEM_MARGIN) for item in standing):
                 continue
             measured.append((self._new_name({name for name, _ in (*self._clutter, *measured)}), box))
         after = clutter.after_look(self._clutter, seen.view, measured)
-        if after == self._clutter:
+        doubled = [box for _, box in self._doubled()]
+        forgotten = self._doubles.looked_through(seen.view, doubled, seen.stamp)
+        if after == self._clutter and not forgotten:
             return False
         self._clutter = after
         self.version += 1
@@ -194,6 +250,7 @@ class Beliefs:
         self._items = {number: fact for number, fact in self._items.items() if number in held}
         self._placed.clear()
         self._removed.clear()
+        self._doubles = Doubles()
         self._clutter, self._boot = (), boot
         self.version += 1
         return tuple(sorted(self._held))
@@ -251,11 +308,15 @@ class Beliefs:
             items=tuple(self._items[number] for number in sorted(self._items)),
             held=tuple(self._held[side] for side in sorted(self._held)),
             placed=tuple(self._placed.values()),
+            doubles=self._doubles.facts,
         )
 
     def scene(self, now: RobotTime) -> PlanningScene:
         """Return what arms must not hit."""
-        things = [SceneObject(name=name, kind="clutter", box=box) for name, box in self._clutter]
+        things = [
+            SceneObject(name=name, kind="clutter", box=box)
+            for name, box in (*self._clutter, *self._doubled())
+        ]
         for number, box in self._standing().items():
             if number not in self._removed:
                 things.append(SceneObject(name=f"item_{number}", kind="item", box=box, item=number))
@@ -280,6 +341,7 @@ class Beliefs:
             items=tuple(self._items[number] for number in sorted(self._items)),
             removed=tuple(sorted(self._removed)),
             clutter=self._clutter,
+            doubles=self._doubles.facts,
             boot=self._boot,
         )
 
@@ -308,11 +370,29 @@ class Beliefs:
         facts = recorder.scene(self._items, held)
         return {number: item_box(fact.tag_in_map, fact.size) for number, fact in facts.items()}
 
+    def _doubled(self) -> list[tuple[str, Box]]:
+        """Return the doubles' boxes with their names; no skill is to take one for the item."""
+        return [
+            (f"item_{fact.item}_double_{number}", item_box(fact.tag_in_map, fact.size))
+            for number, fact in enumerate(self._doubles.facts, start=1)
+        ]
+
     def _size(self, number: int) -> Vector3:
         item = self.site.item(number)
         if item is None:
             raise KeyError(f"no item {number} at site {self.site.name}")
         return item.size
+
+
+def _fact(sighting: Sighting, size: Vector3) -> ItemFact:
+    return ItemFact(
+        item=sighting.item,
+        size=size,
+        tag_in_map=sighting.tag_in_map,
+        seen=sighting.stamp,
+        quality=sighting.quality,
+        position_sigma=sighting.position_sigma,
+    )
 
 
 def item_box(tag_in_map: Pose, size: Vector3) -> Box:

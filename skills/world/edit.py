@@ -43,6 +43,7 @@ class Edit:
             SceneEdit.DETACH: self._check_detach,
             SceneEdit.REMOVE: self._check_in_no_hand,
             SceneEdit.FORGET: self._check_in_no_hand,
+            SceneEdit.SELECT: self._check_select,
         }
         return checks[goal.edit](goal)
 
@@ -79,6 +80,8 @@ class Edit:
             beliefs.remove(goal.item)
         elif goal.edit is SceneEdit.FORGET:
             beliefs.forget(goal.item)
+        elif goal.edit is SceneEdit.SELECT and goal.near is not None:
+            beliefs.select(goal.item, goal.near)
         elif goal.edit is SceneEdit.ATTACH and goal.side is not None and goal.item_in_tool is not None:
             beliefs.attach(goal.item, goal.side, goal.item_in_tool, now)
             self._keeper.attached(goal.side, now)
@@ -136,6 +139,13 @@ class Edit:
             message = f"slot {slot} of {name} holds item {other}"
             return _refusal(goal, FailureKind.DESTINATION_FULL, message, holds=other)
         return None
+
+    def _check_select(self, goal: EditGoal) -> Failure | None:
+        if goal.near is None:
+            return _refusal(goal, FailureKind.INVALID_GOAL, "select needs near")
+        if not self._keeper.beliefs.those(goal.item):
+            return _refusal(goal, FailureKind.NOT_READY, f"item {goal.item} has not been seen yet")
+        return self._check_in_no_hand(goal)
 
     def _check_in_no_hand(self, goal: EditGoal) -> Failure | None:
         side = self._keeper.beliefs.hand_of(goal.item)

@@ -38,6 +38,7 @@ class Remembered(Message):
     removed: tuple[Count, ...] = ()
     """Items that are no obstacles."""
     clutter: tuple[tuple[str, Box], ...] = ()
+    doubles: tuple[ItemFact, ...] = ()
     boot: str = ""
     """Of the hardware: what stood about before another boot is not believed."""
     openings: Count = 0

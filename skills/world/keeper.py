@@ -83,8 +83,8 @@ class Keeper:
     def _see(self) -> None:
         version, firm = self.beliefs.version, self.beliefs.firm
         for message in self._sightings.take():
-            for sighting in message.sightings:
-                self.beliefs.see(sighting)
+            for number in dict.fromkeys(each.item for each in message.sightings):
+                self.beliefs.see_together([each for each in message.sightings if each.item == number])
             for number in message.absent:
                 self.beliefs.miss(number, message.stamp)
         for look in self._clutter.take():

@@ -11,7 +11,7 @@ from executive.testing import TreeBench
 from skills.ports.actions.base import RotateGoal
 from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import IDENTITY, Pose, from_axes
-from skills.ports.world import HeldItem, Placed
+from skills.ports.world import HeldItem, ItemFact, Placed
 from skills.site import load
 from skills.testing.mock_skill import Fault
 
@@ -264,3 +264,48 @@ def test_an_item_that_has_fallen_over_is_told() -> None:
     assert failure is not None
     assert failure.kind is FailureKind.ITEM_UNREACHABLE
     assert "item 29 has fallen over" in failure.message
+
+
+OTHER_PLACE = Pose(position=(0.9, 0.9, 0.74), orientation=TAG.orientation)
+
+
+def with_two(first: Pose, second: Pose) -> TreeBench:
+    it = bench(localised=True)
+    one, other = (
+        ItemFact(
+            item=29,
+            size=(0.06, 0.06, 0.06),
+            tag_in_map=tag,
+            seen=it.robot.now,
+            quality=1.0,
+            position_sigma=0.002,
+        )
+        for tag in (first, second)
+    )
+    it.robot.believe(items=(one,), doubles=(other,))
+    return it
+
+
+def test_which_of_two_is_meant_is_not_guessed() -> None:
+    it = with_two(TAG, OTHER_PLACE)
+    assert it.run("fetch", {"item": 29}) is Status.FAILURE
+    failure = it.failure()
+    assert failure is not None
+    assert failure.kind is FailureKind.ITEM_AMBIGUOUS
+    assert "(0.90, 0.10), (0.90, 0.90)" in failure.message
+    assert it.robot.calls_of("gripper_left/grip") == it.robot.calls_of("gripper_right/grip") == 0
+
+
+def test_the_one_of_two_that_the_request_locates_is_fetched() -> None:
+    it = with_two(OTHER_PLACE, TAG)
+    assert it.run("fetch", {"item": 29, "near": (0.8, 0.3)}) is Status.SUCCESS
+    (left,) = it.robot.world.doubles
+    assert left.tag_in_map == OTHER_PLACE
+
+
+def test_one_that_is_in_view_elsewhere_is_not_the_one_that_is_located() -> None:
+    it = bench()
+    assert it.run("fetch", {"item": 29, "near": (-1.0, 2.7)}) is Status.FAILURE
+    assert it.context.failures[0].kind is FailureKind.ITEM_NOT_FOUND
+    assert "not within 0.5 m" in it.context.failures[0].message
+    assert it.robot.calls_of("gripper_left/grip") == 0

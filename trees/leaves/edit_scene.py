@@ -64,6 +64,15 @@ def forget(name: str, context: TreeContext, board: FetchBoard) -> Edit:
     return _edit(name, context, lambda: EditGoal(edit=SceneEdit.FORGET, item=board.item))
 
 
+def select(context: TreeContext, board: FetchBoard) -> Edit:
+    """Return the leaf: of several things with the item's number, the one that the request locates is it."""
+    return _edit(
+        "select the one meant",
+        context,
+        lambda: EditGoal(edit=SceneEdit.SELECT, item=board.item, near=board.near),
+    )
+
+
 def _nothing(_: EditResult) -> None:
     """Note nothing."""
 

@@ -8,6 +8,7 @@ from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookRe
 from skills.ports.failure import Failure, FailureKind
 from trees.behaviours.act import Act
 from trees.context import TreeContext
+from trees.item_failures import ambiguous
 
 TILT: Final = -0.9
 """Radians of the head: one picture spans a table from its near edge at 0.45 m to 1.05 m before the base."""
@@ -22,7 +23,7 @@ def look_at_table(
         there = [sighting.item for sighting in result.sightings]
         missing = [item for item in items if item not in there and not _held(context, item)]
         if not missing:
-            return None
+            return next(filter(None, (ambiguous(context, item, result.sightings) for item in items)), None)
         seen = ", ".join(map(str, there)) or "no tag"
         words = " and ".join(f"item {item}" for item in missing)
         return Failure(

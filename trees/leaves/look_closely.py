@@ -9,6 +9,7 @@ from skills.ports.failure import Failure, FailureKind
 from trees.behaviours.act import Act
 from trees.board import FetchBoard
 from trees.context import TreeContext
+from trees.item_failures import ambiguous
 
 PICTURES: Final = 3
 """Pictures whose tag poses are averaged before a grasp."""
@@ -28,6 +29,8 @@ def look_closely(
         return LookGoal(at=fact.tag_in_map.position, pictures=PICTURES, clutter=True, around=REACH)
 
     def judge(result: LookResult) -> Failure | None:
+        if board.near is None and (several := ambiguous(context, board.item, result.sightings)):
+            return several
         if any(sighting.item == board.item for sighting in result.sightings):
             return None
         return Failure(

@@ -13,13 +13,16 @@ from skills.ports.failure import Failure, FailureKind
 from skills.ports.geometry import FloorPose
 from trees.behaviours.again import Again
 from trees.behaviours.check import Check
+from trees.behaviours.decide import Decide
 from trees.behaviours.give_up import GiveUp
 from trees.behaviours.note import Note
 from trees.board import FetchBoard
 from trees.conditions.item_located import item_located
 from trees.conditions.kinds.unseen import unseen
 from trees.context import TreeContext
+from trees.item_failures import ambiguous
 from trees.leaves.drive import drive
+from trees.leaves.edit_scene import select
 from trees.leaves.look import look
 from trees.leaves.turn import turn
 from trees.subtrees.arms_in import free_and_tuck
@@ -29,7 +32,7 @@ TURNS = 12
 
 
 def search(context: TreeContext, board: FetchBoard) -> Behaviour:
-    """Return the subtree: SUCCESS when it is known where the item is."""
+    """Return the subtree: SUCCESS when it is known where the item is, and which one is meant."""
     spots = Again(
         "every spot",
         context,
@@ -50,7 +53,7 @@ def search(context: TreeContext, board: FetchBoard) -> Behaviour:
         memory=True,
         children=[free_and_tuck(context, "before search"), _around(context, board, "here")],
     )
-    return Selector(
+    found = Selector(
         "find item",
         memory=True,
         children=[
@@ -60,6 +63,16 @@ def search(context: TreeContext, board: FetchBoard) -> Behaviour:
             _not_found(context, board),
         ],
     )
+    if board.near is not None:
+        return Sequence("find the one meant", memory=True, children=[found, select(context, board)])
+    return Sequence("find the only one", memory=True, children=[found, _only_one(context, board)])
+
+
+def _only_one(context: TreeContext, board: FetchBoard) -> Decide:
+    def decide() -> str | Failure:
+        return ambiguous(context, board.item) or f"the only {board.item}"
+
+    return Decide("which one is meant?", context, decide)
 
 
 def _around(context: TreeContext, board: FetchBoard, where: str) -> Behaviour:

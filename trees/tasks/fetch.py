@@ -39,12 +39,23 @@ WITHIN: Final = 900.0
 """Robot seconds after which it is not."""
 
 
+Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0)]
+"""Metres; no site is larger."""
+
+
 class FetchRequest(Message):
     """Bring an item to a depot."""
 
     task: Literal["fetch"] = "fetch"
     item: Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
     to: Annotated[str, Field(max_length=64, description="name of the depot")] = "depot"
+    near: Annotated[
+        tuple[Coordinate, Coordinate] | None,
+        Field(
+            description="x, y in the map (m); of several things with that number, the one within 0.5 m of it "
+            "is meant"
+        ),
+    ] = None
     arm: Annotated[Side | None, Field(description="which arm; the robot chooses unless given")] = None
     on_cancel: Annotated[
         Literal["hold", "put_down"],
@@ -73,7 +84,7 @@ def problems(asked: FetchRequest, site: Site) -> tuple[Problem, ...]:
 
 def build(asked: FetchRequest, context: TreeContext) -> Behaviour:
     """Return the tree of one fetch."""
-    board = FetchBoard(item=asked.item, destination=asked.to, wanted_arm=asked.arm)
+    board = FetchBoard(item=asked.item, destination=asked.to, wanted_arm=asked.arm, near=asked.near)
     context.closing = lambda: where_all_is(context, board)
     if asked.on_cancel == "put_down":
         context.wind_down = put_back(context, board)

@@ -18,6 +18,7 @@ class SceneEdit(StrEnum):
     DETACH = "detach"
     REMOVE = "remove"
     FORGET = "forget"
+    SELECT = "select"
 
 
 class EditGoal(Message):
@@ -29,6 +30,7 @@ class EditGoal(Message):
     REMOVE: it is no obstacle any more.
     FORGET: where it stands is not believed any more, until it is seen again; what is in a hand can't be
     forgotten.
+    SELECT: of several things with that number, the one that stands nearest to ``near`` is the item.
     """
 
     edit: SceneEdit
@@ -38,6 +40,8 @@ class EditGoal(Message):
     item_in_map: Pose | None = None
     depot: str | None = None
     slot: Count | None = None
+    near: tuple[float, float] | None = None
+    """x, y in the map (m)."""
 
 
 class EditFeedback(Message):
