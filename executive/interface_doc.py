@@ -127,7 +127,8 @@ def _status_entries() -> list[Entry]:
     return [entry for module in _action_modules() for entry in _entries(module)]
 
 
-def _actions() -> list[ActionType[Message, Message, Message]]:
+def all_actions() -> list[ActionType[Message, Message, Message]]:
+    """Return every action; names in angle brackets stand for groups and sides."""
     found = []
     for module in _action_modules():
         for value in vars(module).values():
@@ -164,7 +165,7 @@ def _action_table() -> str:
             type_name(each.result),
             f"{each.timeout:g}",
         )
-        for each in _actions()
+        for each in all_actions()
     ]
     return _table(("action", "what it does", "goal", "feedback", "result", "time-out (robot s)"), rows)
 
@@ -243,7 +244,7 @@ def _all_models() -> set[type[Message | StrEnum]]:
     waiting: list[type[Message | StrEnum]] = [RgbdHeader, *(kind.request for kind in discover().values())]
     for entry in all_entries():
         waiting += [entry.model] if isinstance(entry, Topic) else [entry.asked, entry.answered]
-    for each in _actions():
+    for each in all_actions():
         waiting += [each.goal, each.feedback, each.result]
     found: set[type[Message | StrEnum]] = set()
     while waiting:

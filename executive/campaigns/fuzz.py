@@ -17,6 +17,7 @@ from hypothesis import HealthCheck, Phase, given, seed, settings
 from jsonschema import Draft202012Validator
 from pydantic import JsonValue
 
+from executive.campaigns.fuzz_all import AllCounts
 from executive.campaigns.fuzz_inputs import TASK_HERE, Input, inputs
 from executive.interface_doc import entries
 from executive.schemas import separate_schemas
@@ -48,6 +49,8 @@ class FuzzCounts(Message):
     questions_refused: int
     reasons: dict[str, int]
     """Of refused requests: what was expected, how often; the commonest fifty."""
+    everywhere: AllCounts | None = None
+    """What became of the inputs at every served key, in a whole system."""
     broken: str = ""
     """The input that was neither taken nor refused, and what happened; empty when there was none."""
 
@@ -135,10 +138,17 @@ def fuzz(count: int, start: int, say: Callable[[int], None] = lambda _: None) ->
         reasons += target.reasons
         target.close()
         say(fed)
-    names = ("accepted", "refused", "verbs_taken", "verbs_refused", "answered", "questions_refused")
-    told = dict(reasons.most_common(50))
     return FuzzCounts(
-        seed=start, inputs=fed, reasons=told, broken=broken, **{name: counts[name] for name in names}
+        seed=start,
+        inputs=fed,
+        accepted=counts["accepted"],
+        refused=counts["refused"],
+        verbs_taken=counts["verbs_taken"],
+        verbs_refused=counts["verbs_refused"],
+        answered=counts["answered"],
+        questions_refused=counts["questions_refused"],
+        reasons=dict(reasons.most_common(50)),
+        broken=broken,
     )
 
 

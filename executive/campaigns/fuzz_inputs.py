@@ -80,6 +80,11 @@ def inputs(kinds: Mapping[str, TaskType[Message]]) -> st.SearchStrategy[Input]:
     return st.sampled_from(halves).flatmap(lambda half: half)
 
 
+def documents_of(model: type[Message]) -> st.SearchStrategy[JsonValue]:
+    """Return documents for a message: such as its schema takes, and others that only look alike."""
+    return _documents(*_schema_of(model))
+
+
 def _schema_of(model: type[Message]) -> tuple[JsonValue, dict[str, JsonValue]]:
     schema = _ADAPTER.validate_python(model.model_json_schema())
     assert isinstance(schema, dict)

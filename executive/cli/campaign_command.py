@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from executive.campaigns.crash import CrashCampaign, CrashRun
     from executive.campaigns.crash_physics import PhysicsCampaign, PhysicsRun
     from executive.campaigns.fetch import FetchRun
+    from executive.campaigns.fuzz_all import AllCounts
     from executive.campaigns.recovery import RecoveryRun
 
 Runs = Annotated[int, typer.Option("--runs", min=1, max=10_000, help="How many.")]
@@ -140,27 +141,45 @@ def fuzz(
     seed: Seed = 1,
     report: ReportFile = None,
 ) -> None:
-    """Send drawn documents to an executive. Ends with 0 only when each was taken or refused with a reason."""
+    """Send drawn documents to every served key. Exits 0 only if all are answered or refused.
+
+    One half goes to the request interface of an executive, the other to all keys of a system in lockstep.
+    """
     try:
         from executive.campaigns.fuzz import fuzz as run_fuzz  # noqa: PLC0415
+        from executive.campaigns.fuzz_all import fuzz_all  # noqa: PLC0415
     except ModuleNotFoundError as error:
         raise CommandError(
             f"the fuzzing needs {error.name}, which comes with the development tools: "
             "pip install 'tandem-executive[dev]'"
         ) from error
     console = Console(highlight=False, soft_wrap=True)
-    counts = run_fuzz(inputs, seed, lambda fed: console.print(f"{fed} of {inputs}", end="\r"))
+    half = (inputs + 1) // 2
+    counts = run_fuzz(half, seed, lambda fed: console.print(f"{fed} of {inputs}", end="\r"))
+    if half < inputs and not counts.broken:
+        every = fuzz_all(
+            inputs - half, seed, lambda fed: console.print(f"{half + fed} of {inputs}", end="\r")
+        )
+        counts = counts.model_copy(update={"everywhere": every, "broken": every.broken})
     summary = [
         f"{counts.inputs} inputs (seed {seed})",
         f"requests: {counts.accepted} taken, {counts.refused} refused",
         f"verbs: {counts.verbs_taken} taken, {counts.verbs_refused} refused",
-        f"questions: {counts.answered} answered",
+        f"questions: {counts.answered} answered, {counts.questions_refused} refused",
+        *_everywhere(counts.everywhere),
         *(f"  {times:7d}  expected {reason}" for reason, times in counts.reasons.items()),
     ]
     told(console, report, summary, counts)
     if counts.broken:
         console.print(f"neither taken nor refused: {counts.broken}", style="red", markup=False)
     raise typer.Exit(ExitCode.TASK_FAILED if counts.broken else ExitCode.OK)
+
+
+def _everywhere(counts: AllCounts | None) -> list[str]:
+    if counts is None:
+        return []
+    how = f"{counts.answered} answered, {counts.refused} refused with an error, {counts.silent} unanswered"
+    return [f"at {len(counts.keys)} keys of all processes: {counts.inputs} inputs, {how}"]
 
 
 def _tell_recovery(run: RecoveryRun, console: Console) -> None:

@@ -11,6 +11,7 @@ from jsonschema import Draft202012Validator
 
 from executive.campaigns.from_schema import from_schema
 from executive.campaigns.fuzz import Target, fuzz
+from executive.campaigns.fuzz_all import fuzz_all
 from executive.campaigns.fuzz_inputs import TASK_HERE, Input
 from executive.schemas import separate_schemas
 from skills.ports.tasks import REQUEST
@@ -63,3 +64,14 @@ def test_values_drawn_from_a_schema_fit_it(data: st.DataObject) -> None:
     assert isinstance(definitions, dict)
     value = data.draw(from_schema({"$ref": SCHEMAS[name]["$ref"]}, definitions))
     Draft202012Validator(SCHEMAS[name]).validate(value)
+
+
+@pytest.mark.lockstep
+def test_every_served_key_of_every_process() -> None:
+    """`tandem campaign fuzz` sends 50,000 such inputs."""
+    counts = fuzz_all(600, 1)
+    assert counts.broken == ""
+    assert counts.inputs == 600
+    rooms = {key.split("/")[0] for key in counts.keys}
+    assert rooms >= {"hw", "sim", "skill", "task", "tree", "(a wildcard)"}
+    assert min(counts.answered, counts.refused, counts.silent) > 20
