@@ -145,6 +145,11 @@ class Supervisor:
         """Have a spare of a role from soon on, made by ``tidy``: the next start needs not load anything."""
         self._spare_at[role] = time.monotonic() + SPARE_AFTER
 
+    def spare(self, role: str) -> int | None:
+        """Return the process id of a role's spare; None while there is none."""
+        spare = self._spares.get(role)
+        return None if spare is None else spare.pid
+
     def _make_spares(self) -> None:
         now = time.monotonic()
         for role, at in self._spare_at.items():

@@ -24,6 +24,7 @@ from skills.ports.hardware import (
     TrajectoryGoal,
     Wrench,
 )
+from skills.ports.hearing import Reason
 from skills.ports.lease import Leased
 from skills.ports.message import RobotTime
 
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from sim.scenario import Noise
     from skills.ports.bus import Bus
     from skills.ports.hardware import BaseVelocity, EndEffector, JointGroup, LaserSensor
+    from skills.ports.hearing import Ear
     from skills.ports.lease import LeaseRefusal
 
 C = TypeVar("C", bound=Leased)
@@ -73,9 +75,18 @@ class Gate:
         refusal = self.refuse(command)
         return None if refusal is None else Answer(accepted=False, reason=refusal.reason)
 
-    def pass_on(self, streamed: Sequence[C]) -> list[C]:
-        """Return those of streamed commands that may be obeyed; the others are dropped."""
-        return [command for command in streamed if self.shut_to(command) is None]
+    def pass_on(self, streamed: Sequence[C], key: str, ear: Ear) -> list[C]:
+        """Return those of streamed commands that may be obeyed; the others are dropped, and counted."""
+        if self.stopped():
+            return []
+        passed = []
+        for command in streamed:
+            refusal = self.refuse(command)
+            if refusal is None:
+                passed.append(command)
+            else:
+                ear.refuse(key, Reason.FENCED, refusal.reason)
+        return passed
 
 
 class Part(Protocol):
@@ -126,7 +137,8 @@ class GroupPart:
 
     def listen(self) -> None:
         """Take set-points."""
-        for setpoint in self._gate.pass_on(self._setpoints.take()):
+        key = keys.group_setpoint(self._group.name).key
+        for setpoint in self._gate.pass_on(self._setpoints.take(), key, self._bus.ear):
             self.servos.controller.stream(setpoint)
 
     def _take(self, goal: TrajectoryGoal) -> Answer:
@@ -286,7 +298,7 @@ class BasePart:
 
     def listen(self) -> None:
         """Take the newest velocity command."""
-        commands = self._gate.pass_on(self._velocity.take())
+        commands = self._gate.pass_on(self._velocity.take(), keys.BASE_VELOCITY.key, self._bus.ear)
         if commands:
             self.controller.command(commands[-1])
 

@@ -20,6 +20,7 @@ from executive.systems import ProcessSystem, SystemFailure, wait_for
 from sim.controls import RESET, ResetRequest
 from sim.scenario import load_scenario
 from sim.truth import lies_on
+from skills.ports.clocks import robot_seconds
 from skills.ports.failure import FailureKind
 from skills.ports.message import Message
 from skills.ports.site import Site
@@ -34,6 +35,8 @@ NEXT: Final = 42
 DEPOT: Final = "depot"
 TASK_WITHIN: Final = 600.0
 """Robot seconds for a fetch: several times what the slowest one takes."""
+SETTLED_AFTER: Final = 2.0
+"""Robot seconds in which each node has told its state several times."""
 BACK_WITHIN: Final = 60.0
 """Host seconds in which killed hardware must be heard again: what processes have for their start."""
 MOMENTS: Final[tuple[str, ...]] = (
@@ -78,9 +81,13 @@ class RestartCampaign(Message):
 
 
 def restart_runs(
-    folder: Path, endpoint: str, runs: int, seed: int, *, first: int = 0, speed: float | None = 1.0
+    folder: Path, endpoint: str, runs: int, seed: int, *, first: int = 0, speed: float | None = None
 ) -> Iterator[RestartRun]:
-    """Yield runs; they go through the moments in turn."""
+    """Yield runs; they go through the moments in turn.
+
+    Unless given, the ``speed`` is as fast as the processes follow: on a busy machine real time lets the
+    renderer fall behind, and a fetch then fails for want of pictures, whatever was killed.
+    """
     options = RunOptions(
         bus=BusOptions(endpoint=endpoint, site="restart"),
         scenario=SCENARIO,
@@ -92,6 +99,7 @@ def restart_runs(
         for run in range(first, first + runs):
             if run != first:
                 _reset(system, seed + run)
+            _settle(system)
             yield _one_run(system, run, MOMENTS[run % len(MOMENTS)])
 
 
@@ -99,6 +107,13 @@ def _reset(system: ProcessSystem, seed: int) -> None:
     """Have all begin where the scenario has it: a new boot of hardware that lives."""
     if wait_for(system, RESET.query(system.bus, ResetRequest(seed=seed), timeout=10.0), 10.0) is None:
         raise SystemFailure("the sim was not reset")
+
+
+def _settle(system: ProcessSystem) -> None:
+    """Let the skills live through some seconds of this boot, so that there is something to lose."""
+    until = robot_seconds(system.clocks) + SETTLED_AFTER
+    while robot_seconds(system.clocks) < until:
+        system.advance()
 
 
 def _one_run(system: ProcessSystem, run: int, leaf: str) -> RestartRun:

@@ -51,6 +51,8 @@ class Reason(StrEnum):
     """It does not fit the robot's description or its key: other joints, another arm's, another camera's."""
     OLDER = "older"
     """Its stamp lies before that of the last one, of the same boot."""
+    FENCED = "fenced"
+    """Its sender holds no lease, or has been replaced (``skills.ports.lease``)."""
 
 
 class Ear:

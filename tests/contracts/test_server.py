@@ -16,6 +16,8 @@ from skills.ports.action import (
     result_service,
 )
 from skills.ports.failure import Failure, FailureKind
+from skills.ports.keys import LEASES
+from skills.ports.lease import Claim, Held, Lease, Leases
 from skills.ports.message import Message
 from skills.ports.skill import ActionType, Command, Run
 from skills.server import ActionServer
@@ -117,6 +119,43 @@ def test_a_goal_that_was_journalled_before_a_restart_is_not_started_again(tmp_pa
     assert not desk.server.busy
     desk.send("t/a/2")
     assert desk.server.busy
+
+
+def held(epoch: int) -> Leases:
+    """Return the table after the executive was replaced so often."""
+    claim = Claim("aa", epoch, 7, "there").text
+    return Leases(boot="boot", held=(Held(role="executive", epoch=epoch, claim=claim),))
+
+
+def test_goals_of_an_executive_that_was_replaced_are_refused_and_what_it_began_comes_to_rest() -> None:
+    desk = Desk()
+    LEASES.publish(desk.bus, held(1))
+    desk.bus.held = Lease(role="executive", boot="boot", epoch=1)
+    desk.send("t/a/1")
+    assert desk.server.busy
+    LEASES.publish(desk.bus, held(2))
+    desk.server.step()
+    assert not desk.server.busy, "its goal was cancelled"
+    late = goal_service("test/clumsy").query(desk.bus, SendGoal(goal_id="t/b/1", client="", goal={}))
+    desk.server.step()
+    status = GoalStatus.model_validate_json(late.poll() or b"")
+    assert status.state is GoalState.REJECTED
+    assert status.failure is not None
+    assert status.failure.kind is FailureKind.SUPERSEDED
+    assert "process 7 on there" in status.failure.message
+    assert not desk.server.busy
+
+    desk.bus.held = Lease(role="executive", boot="boot", epoch=2)
+    desk.send("u/a/1")
+    assert desk.server.busy
+    desk.bus.held = Lease(role="executive", boot="boot", epoch=1)
+    pause = GoalCommand(goal_id="u/a/1", command=Command.PAUSE)
+    refused = command_service("test/clumsy").query(desk.bus, pause)
+    desk.server.step()
+    assert GoalStatus.model_validate_json(refused.poll() or b"").state is GoalState.REJECTED
+    assert desk.ask("u/a/1").state is GoalState.RUNNING
+    desk.cancel("u/a/1")
+    assert not desk.server.busy, "coming to rest is always allowed"
 
 
 def test_a_goal_journal_that_grows_is_rewritten_with_the_newest_ids(tmp_path: Path) -> None:

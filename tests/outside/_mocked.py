@@ -86,8 +86,9 @@ class Mocked:
             process.kill()
             process.wait()
 
-    def start(self, role: str, **settings: object) -> None:
-        """Start a process."""
+    def start(self, role: str, *, name: str = "", **settings: object) -> None:
+        """Start a process, and know it by a ``name`` (its role's unless given)."""
+        name = name or role
         told: Mapping[str, object] = {
             "role": role,
             "endpoint": self.endpoint,
@@ -100,8 +101,8 @@ class Mocked:
         paths = [str(self.folder / "clock"), os.environ.get("PYTHONPATH", "")]
         shift = str(self.folder / "shift")
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(paths), "WALL_CLOCK_SHIFT": shift}
-        with (self.folder / f"{role}.log").open("ab") as log:
-            self._processes[role] = subprocess.Popen(
+        with (self.folder / f"{name}.log").open("ab") as log:
+            self._processes[name] = subprocess.Popen(
                 [sys.executable, "-m", "executive.worker", json.dumps(told)],
                 stdin=subprocess.DEVNULL,
                 stdout=log,
@@ -109,9 +110,19 @@ class Mocked:
                 env=environment,
             )
 
-    def signal(self, role: str, number: int) -> None:
+    def signal(self, name: str, number: int) -> None:
         """Send a process a signal."""
-        self._processes[role].send_signal(number)
+        self._processes[name].send_signal(number)
+
+    def code(self, name: str) -> int | None:
+        """Return a process's exit code, or None while it goes on."""
+        return self._processes[name].poll()
+
+    def alive(self, names: str) -> list[str]:
+        """Return the announced names that match a key expression, as a new session hears of them."""
+        with zenoh.open(self._config()) as session:
+            replies = session.liveliness().get(f"{self.site}/mock/alive/{names}", timeout=5.0)
+            return [str(reply.ok.key_expr) for reply in replies if reply.ok is not None]
 
     def crash(self, **settings: object) -> None:
         """Kill the executive as by kill -9, and start it again."""
@@ -155,12 +166,15 @@ class Mocked:
     def put(self, key: str, document: Mapping[str, object]) -> None:
         """Put a document on a key of the robot."""
         if self._session is None:
-            config = zenoh.Config()
-            config.insert_json5("mode", '"client"')
-            config.insert_json5("connect/endpoints", json.dumps([self.endpoint]))
-            config.insert_json5("scouting/multicast/enabled", "false")
-            self._session = zenoh.open(config)
+            self._session = zenoh.open(self._config())
         self._session.put(f"{self.site}/mock/{key}", json.dumps(document))
+
+    def _config(self) -> zenoh.Config:
+        config = zenoh.Config()
+        config.insert_json5("mode", '"client"')
+        config.insert_json5("connect/endpoints", json.dumps([self.endpoint]))
+        config.insert_json5("scouting/multicast/enabled", "false")
+        return config
 
     def hands(self) -> set[int | None]:
         """Return what the hands hold in truth."""

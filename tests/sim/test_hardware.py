@@ -9,7 +9,8 @@ import pytest
 
 from benchmarks.rig import GRASP, LIFT, Rig
 from skills.ports import keys
-from skills.ports.hardware import Answer, BaseVelocity, MotionState, Stop, StopRelease
+from skills.ports.hardware import Answer, BaseVelocity, CancelMotion, MotionState, Stop, StopRelease
+from skills.ports.lease import Claim, Lease, LeaseRequest
 
 
 @pytest.fixture
@@ -76,6 +77,41 @@ def test_the_stop_brings_all_to_rest_and_keeps_it_there(rig: Rig) -> None:
     keys.STOP_RELEASE.query(rig.bus, StopRelease(by="test"))
     rig.ticks(1)
     assert rig.send("arm_left", rig.goal("arm_left", LIFT, 1.5)).accepted
+
+
+def lease(rig: Rig, role: str, generation: int) -> Lease:
+    """Ask for the lease of a role as the so-manieth process of one parent."""
+    claim = Claim("aa", generation, 1, "host").text
+    pending = keys.LEASE.query(rig.bus, LeaseRequest(role=role, claim=claim))
+    rig.ticks(1)
+    granted = keys.LEASE.decode_answer(pending.poll() or b"").lease
+    assert granted is not None
+    return granted
+
+
+def test_whoever_was_replaced_moves_nothing_and_may_still_bring_all_to_rest(rig: Rig) -> None:
+    old, arm = lease(rig, "base", 1), lease(rig, "arm_left", 1)
+    base, later = lease(rig, "base", 2), lease(rig, "arm_left", 2)
+    assert (old.epoch, base.epoch) == (1, 2)
+    where = rig.body.base_pose()[0]
+    for command in (None, old, old.model_copy(update={"boot": "before"})):
+        keys.BASE_VELOCITY.publish(rig.bus, BaseVelocity(linear=0.3, angular=0.0, lease=command))
+        rig.ticks(20)
+    assert np.allclose(where, rig.body.base_pose()[0], atol=1e-3)
+    assert sum(rig.bus.ear.refused.values()) == 3
+    for command, said in ((None, "no lease"), (arm, "epoch 1 is over")):
+        goal = rig.goal("arm_left", LIFT, 1.0).model_copy(update={"lease": command})
+        answer = rig.send("arm_left", goal)
+        assert not answer.accepted
+        assert said in answer.reason
+    goal = rig.goal("arm_left", LIFT, 1.0).model_copy(update={"lease": later})
+    assert rig.send("arm_left", goal).accepted
+    both = rig.goal("arm_right", GRASP, 4.0).model_copy(update={"lease": lease(rig, "bimanual", 1)})
+    assert rig.send("arm_right", both).accepted, "roles don't share a lease"
+    rig.ticks(20)
+    keys.group_cancel("arm_left").query(rig.bus, CancelMotion(lease=arm))
+    rig.ticks(100)
+    assert rig.status("arm_left").state is MotionState.CANCELED
 
 
 def test_the_wheels_carry_the_base_as_odometry_says_and_it_stands_still(rig: Rig) -> None:
