@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Annotated, Final
+
+from pydantic import Field
 
 from executive.on_restart import OnRestart
 from executive.parts import LogFormat, Role
@@ -34,9 +36,9 @@ class WorkerSettings(Message):
     """What becomes of a task that was under way when the executive ended, unless its request says so."""
     died: str = ""
     """How the process whose place it takes ended, with its last words; empty: nobody knows, or it did not."""
-    lineage: str = ""
+    lineage: Annotated[str, Field(pattern="^[0-9a-z]{0,32}$")] = ""
     """Random name of who starts the role's processes one after the other; empty: one of its own."""
-    generation: int = 0
+    generation: Annotated[int, Field(ge=0, le=999_999_999)] = 0
     """Counts them: each takes the place of the one before, which is known to be dead."""
     stop: StopState | None = None
     """The hardware's: the stop that was set when the one before it died; it begins with it."""

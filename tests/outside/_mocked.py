@@ -63,6 +63,7 @@ class Mocked:
     site: str
     endpoint: str = field(default_factory=free_endpoint)
     _processes: dict[str, subprocess.Popen[bytes]] = field(default_factory=dict)
+    _started: int = 0
     _client: Client | None = None
     _session: zenoh.Session | None = None
 
@@ -95,9 +96,11 @@ class Mocked:
             "prefix": f"{self.site}/mock",
             "site": "lab",
             "data": str(self.folder),
-            "again": True,
+            "lineage": self.site.lower(),  # each process takes the place of the one before
+            "generation": self._started,
             **settings,
         }
+        self._started += 1
         paths = [str(self.folder / "clock"), os.environ.get("PYTHONPATH", "")]
         shift = str(self.folder / "shift")
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(paths), "WALL_CLOCK_SHIFT": shift}
