@@ -164,7 +164,12 @@ class Mocked:
     def until_state(self, task: str, *states: str) -> str:
         """Wait until a task is so, or has ended; return what it is."""
         ends = {"SUCCEEDED", "FAILED", "CANCELED", "EXPIRED", "REJECTED", "INTERRUPTED"}
-        return until(f"{task} is {states}", lambda: (s := self.state(task)) in {*states, *ends} and s) or ""
+        try:
+            return (
+                until(f"{task} is {states}", lambda: (s := self.state(task)) in {*states, *ends} and s) or ""
+            )
+        except AssertionError as late:
+            raise AssertionError(f"{late}; it is {self.client.status(task)}") from late
 
     def put(self, key: str, document: Mapping[str, object]) -> None:
         """Put a document on a key of the robot."""
