@@ -27,6 +27,8 @@ from skills.wire.memory import MemorySample
 from skills.wire.pulse import BEAT, SILENT_AFTER, Pulse
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
+PROCESS: Final = "process/"
+"""Before the name of a process that is ready, among the names that it announces."""
 PUBLISHERS: Final = 256
 """Keys whose publisher stays declared: a process has a few dozen, the executive one for each task."""
 
@@ -334,7 +336,7 @@ class ZenohBus:
         """Show that this process goes on, and tell what it refused; called once a turn by its loop alone."""
         if self._pulse.turn():
             self._publisher(BEAT, Delivery.CONTROL).put("\n".join(self._own))
-            refused = self._refusals.due(self._own[0] if self._own else "", time.monotonic())
+            refused = self._refusals.due(_process(self._own), time.monotonic())
             if refused is not None:
                 REFUSALS.publish(self, refused)
             for key, payload in self._kept.due():
@@ -415,6 +417,12 @@ class ZenohBus:
     def _on_beat(self, sample: zenoh.Sample) -> None:
         # Wakes nobody: who asks for it looks every turn.
         self._pulse.hear(sample.payload.to_string().split("\n"))
+
+
+def _process(names: Sequence[str]) -> str:
+    """Return the name of the process that is announced by these names."""
+    told = [name.removeprefix(PROCESS) for name in names if name.startswith(PROCESS)]
+    return next(iter((*told, *names)), "")
 
 
 def wait_until(bus: ZenohBus, condition: Pending, timeout: float) -> bytes | None:
