@@ -64,6 +64,7 @@ CONNECTS_NOWHERE: Final = {
     "campaign recovery",
     "campaign crash",
     "campaign fuzz",
+    "campaign restart",
     "campaign soak",
     "experiment uncoordinated",
     "experiment crossing",
