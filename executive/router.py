@@ -9,13 +9,19 @@ from __future__ import annotations
 import json
 import logging
 from pathlib import Path
+from typing import Final
 
 from executive.security.acl import access_control, low_pass_filter
 from executive.security.holders import LIST, KeysError, read_holders
 from executive.settings import RefusalError, WorkerSettings
 from skills.wire.configs import router_config
 from skills.wire.credentials import Credentials
+from skills.wire.linger import close_at_once
 from skills.wire.zenoh_bus import BusError, RouterSession
+
+LINGER_EVERY: Final = 10
+"""Steps between two looks at the connections; ten are a second in the router's process. A reader that stands
+still is given up after ten seconds."""
 
 _LOG = logging.getLogger(__name__)
 
@@ -37,9 +43,13 @@ class Router:
         self._list = None if settings.keys is None else Path(settings.keys) / LIST
         self._known = self._version()
         self._session = self._open()
+        self._steps = 0
 
     def step(self) -> None:
-        """Begin anew when somebody has been given a key, or has lost one."""
+        """Begin anew when somebody has been given a key, or has lost one; keep connections from lingering."""
+        self._steps += 1
+        if self._steps % LINGER_EVERY == 0:
+            close_at_once()
         version = self._version()
         if version == self._known:
             return

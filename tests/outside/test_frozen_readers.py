@@ -19,8 +19,9 @@ from tests.outside._up import client, until, up
 
 SITE: Final = "frozen"
 PREFIX: Final = f"{SITE}/tiago"
-FROZEN_FOR: Final = 7.0
-"""Seconds: a publisher that waits for a reader was held for 5 s, from the second picture on."""
+FROZEN_FOR: Final = 16.0
+"""Seconds: a publisher that waits for a reader was held for 5 s, from the second picture on. After 10 s zenoh
+gives such a reader up; a router that then waits for its connection to close was held for another 10 s."""
 BOUND: Final = 2.0
 """Seconds between two messages; 0.02 on an idle machine, and the machine of the tests is not idle."""
 
