@@ -139,7 +139,11 @@ class Mocked:
         self.client = hub.endpoint()
 
     def ask(self) -> None:
-        """Ask for a fetch of an item that was never seen."""
+        """Ask for a fetch of an item that was never seen, once the robot has told who and where it is."""
+        for _ in range(3):
+            self._clocks.advance(0.01)
+            self.executive.step()
+            self._robot.step()
         forget(self._robot)
         self.client.publish(REQUEST, FETCH)
 

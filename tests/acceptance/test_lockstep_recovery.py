@@ -60,4 +60,4 @@ def test_a_drawn_trouble_ends_as_it_must(tmp_path: Path, what: str, arguments: l
     program = f"import sys; sys.argv = {argv!r}; from executive.cli.main import run; run()"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
-    assert json.loads(report.read_text("utf-8"))[what] == 1
+    assert json.loads(report.read_text("utf-8"))["result"][what] == 1

@@ -26,5 +26,5 @@ def test_a_drawn_fetch_is_right_and_the_report_says_why(tmp_path: Path) -> None:
     done = subprocess.run(argv, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert "free places that were drawn are out of reach" in done.stdout
-    (run,) = json.loads(report.read_text("utf-8"))["runs"]
+    (run,) = json.loads(report.read_text("utf-8"))["result"]["runs"]
     assert (run["right"], run["state"], run["slot"], run["wrong"]) == (True, "SUCCEEDED", 0, [])
