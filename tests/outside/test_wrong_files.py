@@ -112,7 +112,7 @@ def test_a_wrong_scenario_is_refused(kind: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "command",
     [
-        ("up", "--lockstep", "--scenario"),
+        ("up", "--scenario"),
         ("demo", "--scenario"),
         ("campaign", "fetch", "--runs", "1", "--scenario"),
         ("campaign", "recovery", "--runs", "1", "--hopeless", "0", "--scenario"),
