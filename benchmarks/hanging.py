@@ -16,7 +16,8 @@ from executive.systems import ProcessSystem, wait_for
 from skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
 from skills.ports.actions.arm import MoveGoal, move
 from skills.ports.hardware import JointStates
-from skills.ports.keys import JOINT_STATES, Latest
+from skills.ports.keys import JOINT_STATES, LEASES, Latest
+from skills.ports.lease import Lease
 
 GROUP: Final = "arm_left"
 AT_REST: Final = 0.02
@@ -34,8 +35,10 @@ class Moving:
         self.joints = Latest(system.bus, JOINT_STATES)
         self._statuses: Latest[GoalStatus] = Latest(system.bus, status_topic(action.name))
         goal = MoveGoal(posture=posture).model_dump(mode="json")
-        sent = SendGoal(goal_id=goal_id, client="executive", goal=goal)
-        answer = wait_for(system, goal_service(action.name).query(system.bus, sent), 5.0)
+        lease = _executives(system)
+        sent = SendGoal(goal_id=goal_id, client="executive", goal=goal, lease=lease)
+        pending = system.bus.query(goal_service(action.name).key, sent.model_dump_json().encode())
+        answer = wait_for(system, pending, 5.0)
         assert answer is not None
         self._status = GoalStatus.model_validate_json(answer)
         assert self._status.state is GoalState.RUNNING, self._status
@@ -62,6 +65,17 @@ class Moving:
             return 0.0
         pairs = zip(joints.names, joints.velocities, strict=True)
         return max(abs(speed) for name, speed in pairs if name.startswith(GROUP))
+
+
+def _executives(system: ProcessSystem) -> Lease:
+    """Return the executive's lease, as the hardware tells it: this program speaks in the executive's name."""
+    leases = Latest(system.bus, LEASES)
+    while True:
+        told = leases.refresh()
+        held = None if told is None else told.of("executive")
+        if told is not None and held is not None:
+            return Lease(role="executive", boot=told.boot, epoch=held.epoch)
+        system.advance()
 
 
 def stands(moving: Moving) -> bool:

@@ -9,6 +9,8 @@ from typing import Final
 
 _HOST_AND_PORT: Final = re.compile(r"(?:tcp|tls|ws)/\[?(?P<host>[^\]/\s]+?)\]?:(?P<port>\d{1,5})")
 
+LAST_PORT: Final = 65535
+
 
 class TakenError(RuntimeError):
     """Another program listens there; the message names the endpoint, and what to do."""
@@ -31,6 +33,8 @@ def require_vacant(endpoint: str) -> None:
     found = _HOST_AND_PORT.fullmatch(endpoint)
     if found is None:
         return
+    if int(found["port"]) > LAST_PORT:  # some C libraries would take its lower 16 bits
+        raise EndpointError(f"{endpoint}: a port up to {LAST_PORT} was expected")
     try:
         addresses = socket.getaddrinfo(
             found["host"], int(found["port"]), type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.console import Console
 
-from executive.cli.arguments import Connect
+from executive.cli.arguments import OwnEndpoint
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
 
@@ -26,7 +26,7 @@ def restart(
     report: Annotated[
         Path | None, typer.Option("--report", metavar="FILE", help="Write the runs here (JSON).")
     ] = None,
-    connect: Connect = "tcp/127.0.0.1:7449",
+    connect: OwnEndpoint = "tcp/127.0.0.1:7449",
 ) -> None:
     """Kill the hardware under live skills, at rest and in each phase of a fetch.
 
