@@ -27,6 +27,7 @@ from skills.ports.keys import Service
 from skills.ports.message import Message
 from skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask, ControlAnswer, TaskAnswer
 from skills.site import load
+from skills.testing.mock_robot import MockRobot
 from skills.wire.clocks import SteppedClocks
 from skills.wire.memory import MemoryHub
 from trees.registry import discover
@@ -65,6 +66,12 @@ class Target:
         self._task = ""  # the last that was taken
         self._clocks, self._bus = SteppedClocks("fuzz"), hub.endpoint()
         self._executive = Executive(hub.endpoint(), self._clocks, load("lab"), self.kinds)
+        # A robot that tells who and where it is and then does nothing, so that a task begins and goes on.
+        robot = MockRobot(hub.endpoint(), self._clocks, load("lab"), items={}, localised=True)
+        for _ in range(3):
+            self._clocks.advance(0.01)
+            self._executive.step()
+            robot.step()
         self._services = {entry.key: entry for entry in entries()["clients"] if isinstance(entry, Service)}
         self._schema = Draft202012Validator(separate_schemas(self.kinds)["Request"])
 
