@@ -7,6 +7,7 @@ import pytest
 from executive.campaigns.oracle import Oracle, Verdict, misplaced
 from executive.campaigns.recovery import unstruck, wrong_in
 from executive.systems import LockstepSystem
+from sim.controls import MOVE, MoveRequest
 from sim.faults import BaseMoving, CameraDark, DepotTaken, Fault, FaultEvent, JointStall
 from sim.scenario import load_scenario
 from sim.truth import TrueBody, TrueContact, Truth
@@ -86,11 +87,13 @@ class Creeping:
 
 @pytest.mark.lockstep
 def test_the_robot_must_be_at_rest_at_home_and_have_pushed_nothing() -> None:
-    """The whole system, asked for nothing: it stands in a parcel, away from home, and one arm hangs limp."""
+    """The whole system, asked for nothing: somebody puts a parcel into it, and one arm hangs limp."""
     limp = JointStall(group="arm_left", limp=True, at=0.0)
-    start = FloorPose(x=-0.15, y=-1.35, yaw=0.0)
+    start = FloorPose(x=-0.15, y=-1.0, yaw=0.0)
     system = LockstepSystem(load_scenario("Demo").starting_at(start).with_faults((limp,)), 1)
     try:
+        MOVE.query(system.bus, MoveRequest(name="left_parcel", pose=Pose(position=(-0.15, -1.3, 0.2))))
+        system.advance()
         oracle = Oracle(system, SITE, 29, "depot")
         placed = (Placed(item=29, depot="depot", slot=3),)
         WORLD.publish(system.bus, WorldState(stamp=STAMP, version=1, placed=placed))
@@ -103,7 +106,7 @@ def test_the_robot_must_be_at_rest_at_home_and_have_pushed_nothing() -> None:
     assert "does not lie in the depot" in still.misplaced[0]
     assert "left_parcel falls over" in still.moved[0]
     assert still.untouched == ()
-    assert "the base is 2.6" in still.not_home[0]
+    assert "the base is 2.29 m" in still.not_home[0]
     assert "arm_left is" in still.not_home[1]
     assert len(still.not_home) == 2, "the right arm is where it belongs"
     assert not any("the base" in each for each in still.restless)
