@@ -37,6 +37,8 @@ WAIT, WAY, GRASP = "get: wait until it is back", "get: another way", "get: grasp
 ROWS = (
     Row(K.INVALID_GOAL, "drive to item", "", K.INVALID_GOAL),
     Row(K.ITEM_UNKNOWN, "look here", "", K.ITEM_UNKNOWN),
+    Row(K.ITEM_AMBIGUOUS, "look closely at item", "", K.ITEM_AMBIGUOUS),
+    Row(K.SUPERSEDED, "drive to item", "", K.SUPERSEDED),
     Row(K.HARDWARE_STOPPED, "drive to item", "", K.HARDWARE_STOPPED),
     Row(K.DESTINATION_UNKNOWN, "detach", "", K.DESTINATION_UNKNOWN),
     Row(K.DESTINATION_FULL, "detach", "", K.DESTINATION_FULL),
