@@ -44,6 +44,8 @@ $(FIGURES)/crash.json:
 	-$(TANDEM) campaign crash --runs 200 --seed 1 --report $@
 $(FIGURES)/crash-physics.json:
 	-$(TANDEM) campaign crash --physics --seed 1 --report $@
+$(FIGURES)/restart.json:
+	-$(TANDEM) campaign restart --runs 10 --seed 1 --report $@
 $(FIGURES)/soak.json:
 	-$(TANDEM) campaign soak --tasks 2000 --report $@
 $(FIGURES)/fuzz.json:

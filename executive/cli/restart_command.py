@@ -11,6 +11,7 @@ from rich.console import Console
 from executive.cli.arguments import OwnEndpoint
 from executive.cli.errors import CommandError
 from executive.cli.exit_codes import ExitCode
+from executive.cli.telling import told
 
 if TYPE_CHECKING:
     from executive.campaigns.hardware_restart import RestartRun
@@ -47,11 +48,8 @@ def restart(
         except RefusedError as error:
             raise CommandError(str(error)) from error
     right = sum(not run.wrong for run in done)
-    console.print(f"{right} of {runs} right (seed {seed})")
-    if report is not None:
-        report.parent.mkdir(parents=True, exist_ok=True)
-        campaign = RestartCampaign(seed=seed, right=right, runs=tuple(done))
-        report.write_text(campaign.model_dump_json(indent=2) + "\n", encoding="utf-8")
+    campaign = RestartCampaign(seed=seed, right=right, runs=tuple(done))
+    told(console, report, [f"{right} of {runs} right (seed {seed})"], campaign)
     raise typer.Exit(ExitCode.OK if right == runs else ExitCode.TASK_FAILED)
 
 

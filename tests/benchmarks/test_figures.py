@@ -80,3 +80,10 @@ def test_every_block_of_figures_is_made_by_make_figures(page: Path) -> None:
     makefile = (ROOT / "Makefile").read_text("utf-8")
     made = set(re.findall(r"^\$\(FIGURES\)/([\w-]+)\.json:", makefile, re.MULTILINE))
     assert set(names(page.read_text("utf-8"))) <= made
+
+
+@pytest.mark.parametrize("name", ["campaign_command", "experiment_command", "restart_command"])
+def test_no_campaign_writes_a_report_past_the_shared_form(name: str) -> None:
+    source = (ROOT / "executive" / "cli" / f"{name}.py").read_text("utf-8")
+    assert "told(console, report" in source
+    assert "report.write_text" not in source
