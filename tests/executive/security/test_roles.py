@@ -251,7 +251,8 @@ def test_states_are_asked_for_again_by_those_who_may_hear_them(bus: Secured) -> 
     skills, liar = bus.sessions["skills"], bus.sessions["viewer"]
     skills.publish("world/state", b"believed")
     liar.publish("world/state", b"a lie")
-    asking = {who: session for who, session in bus.sessions.items() if who in EVERYBODY and who != "skills"}
+    # A session's own questions reach its own desk by no router, so neither of the two that tell is asked.
+    asking = {who: bus.sessions[who] for who in EVERYBODY if who not in {"skills", "viewer"}}
     answers: dict[str, bytes | None] = {}
 
     def ask() -> bool:
@@ -270,7 +271,6 @@ def test_states_are_asked_for_again_by_those_who_may_hear_them(bus: Secured) -> 
     assert {who for who, answer in answers.items() if answer is not None} == {
         "executive",
         "supervisor",
-        "viewer",
         "requester",
         "requester-2",
         "operator",
