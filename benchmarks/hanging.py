@@ -37,10 +37,7 @@ class Moving:
         goal = MoveGoal(posture=posture).model_dump(mode="json")
         lease = _executives(system)
         sent = SendGoal(goal_id=goal_id, client="executive", goal=goal, lease=lease)
-        pending = system.bus.query(goal_service(action.name).key, sent.model_dump_json().encode())
-        answer = wait_for(system, pending, 5.0)
-        assert answer is not None
-        self._status = GoalStatus.model_validate_json(answer)
+        self._status = GoalStatus.model_validate_json(_sent(system, goal_service(action.name).key, sent))
         assert self._status.state is GoalState.RUNNING, self._status
 
     def state(self) -> GoalState:
@@ -65,6 +62,15 @@ class Moving:
             return 0.0
         pairs = zip(joints.names, joints.velocities, strict=True)
         return max(abs(speed) for name, speed in pairs if name.startswith(GROUP))
+
+
+def _sent(system: ProcessSystem, key: str, goal: SendGoal) -> bytes:
+    """Send a goal until it is answered: a query may get lost, and the same id starts once."""
+    for _ in range(TIMES):
+        answer = wait_for(system, system.bus.query(key, goal.model_dump_json().encode()), 5.0)
+        if answer is not None:
+            return answer
+    raise TimeoutError(f"nobody answers at {key}")
 
 
 def _executives(system: ProcessSystem) -> Lease:

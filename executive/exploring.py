@@ -63,6 +63,7 @@ WRONGS: Final = (
             FailureKind.NO_IK,
             FailureKind.BASE_BLOCKED,
             FailureKind.ITEM_GONE,
+            FailureKind.ITEM_HIDDEN,
             FailureKind.GRASP_LOST,
             FailureKind.NOT_LOCALISED,
             FailureKind.CAMERA_SILENT,

@@ -13,6 +13,7 @@ from skills.ports.failure import Failure, FailureKind
 from trees.conditions.kinds.another_grasp_helps import another_grasp_helps
 from trees.conditions.kinds.another_slot_helps import another_slot_helps
 from trees.conditions.kinds.another_stand_helps import another_stand_helps
+from trees.conditions.kinds.another_view_helps import another_view_helps
 from trees.conditions.kinds.another_way_helps import another_way_helps
 from trees.conditions.kinds.fetching_again_helps import fetching_again_helps
 from trees.conditions.kinds.localising_helps import localising_helps
@@ -25,6 +26,7 @@ _STEPS: Final[tuple[tuple[Callable[[Failure], bool], str], ...]] = (
     (waiting_helps, "wait until it is back"),
     (localising_helps, "find out where I am"),
     (another_way_helps, "another way: wait, then other stands"),
+    (another_view_helps, "look at it from another stand"),
     (looking_again_helps, "look around again"),
     (another_grasp_helps, "draw back, grasp another way"),
     (searching_again_helps, "go home and search again"),

@@ -42,6 +42,12 @@ MIN_VOXELS: Final = 4
 """In a cluster; fewer are noise."""
 STANDS_WITHIN: Final = 0.06
 """Metres above a surface up to which a box is lengthened downwards: what is near the surface was cut off."""
+NEARER: Final = 0.03
+"""Metres before the nearest point of a box from which on something covers it: four deviations of the depth at
+2.2 m."""
+COVERED: Final = 0.1
+"""Share of a box's points that must be covered: two of fifteen, an upright edge of it. A tag
+on that side has lost its border then and is not read."""
 _NEIGHBOURS: Final = tuple(step for step in product((-1, 0, 1), repeat=3) if step != (0, 0, 0))
 
 
@@ -210,6 +216,15 @@ def seen_through(image: RgbdImage, camera_in_map: Pose, box: Box) -> bool:
         return False
     expected, measured = seen
     return bool(np.mean(measured > expected + 0.03) > 0.9)  # noqa: PLR2004
+
+
+def covered(image: RgbdImage, camera_in_map: Pose, box: Box) -> bool:
+    """Say whether something nearer than the box hides enough of it for a tag not to be read."""
+    seen = _depths(image, camera_in_map, box)
+    if seen is None:
+        return False
+    expected, measured = seen
+    return bool(np.mean((measured > 0.0) & (measured < float(expected.min()) - NEARER)) >= COVERED)
 
 
 def _shown(image: RgbdImage, camera_in_map: Pose, box: Box) -> bool:

@@ -38,12 +38,13 @@ class TagsFound:
     """The picture's tags, and the items believed in it that are not where they were.
 
     ``absent``: the depth shows that nothing is there. ``unread``: something is, but their tag, which would be
-    in plain view, is not.
+    in plain view, is not. ``hidden``: something nearer covers the place, which proves nothing.
     """
 
     sightings: tuple[Sighting, ...]
     absent: tuple[int, ...]
     unread: tuple[int, ...] = ()
+    hidden: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -97,7 +98,12 @@ def find_tags(job: TagJob) -> TagsFound:
         if item not in absent
         and in_the_open(image, camera_in_map, tag_of_item(box.pose, box.size[0]), sizes[item])
     )
-    return TagsFound(tuple(found), absent, unread)
+    hidden = tuple(
+        item
+        for item, box in missing
+        if item not in (*absent, *unread) and clutter.covered(image, camera_in_map, box)
+    )
+    return TagsFound(tuple(found), absent, unread, hidden)
 
 
 def warm_up(edge: int) -> int:

@@ -46,6 +46,8 @@ class _Looking(View):
     shown: list[Box] = field(default_factory=list)
     boxes: int = 0
     stamp: RobotTime | None = None
+    hidden: set[int] = field(default_factory=set)
+    """Items whose place the last view that showed it showed covered."""
     heads: list[tuple[float, ...]] = field(default_factory=list)
     """Positions of the head from which a picture was taken."""
 
@@ -184,6 +186,8 @@ class Look:
             found = yield from self._eye.read(looking, shot, standing)
             seen.extend(found.sightings)
             missed.extend(found.absent)
+            looking.hidden.difference_update((*found.absent, *found.unread))
+            looking.hidden.update(found.hidden)
             session.pictures += 1
             looking.stamp = stamp
         view = merge(seen, self._sizes)
@@ -236,8 +240,10 @@ class Look:
         return () if scene is None else tuple(each.box for each in scene.objects if each.kind == "clutter")
 
     def _result(self, looking: _Looking) -> LookResult:
+        seen = {each.item for each in looking.sightings}
         return LookResult(
             found=looking.goal.item is None or looking.found(),
             sightings=merge(looking.sightings, self._sizes),
+            hidden=tuple(sorted(looking.hidden - seen)),
             clutter=looking.boxes,
         )

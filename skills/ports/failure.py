@@ -32,6 +32,7 @@ class FailureKind(StrEnum):
     ITEM_NOT_FOUND = "ITEM_NOT_FOUND"
     ITEM_AMBIGUOUS = "ITEM_AMBIGUOUS"
     ITEM_GONE = "ITEM_GONE"
+    ITEM_HIDDEN = "ITEM_HIDDEN"
     ITEM_UNREACHABLE = "ITEM_UNREACHABLE"
     DESTINATION_UNKNOWN = "DESTINATION_UNKNOWN"
     DESTINATION_FULL = "DESTINATION_FULL"
@@ -100,6 +101,7 @@ KINDS: Final = MappingProxyType(
             "several things carry the item's number; say which with `near`", False, Helper.CLIENT
         ),
         _K.ITEM_GONE: KindFacts("the item is not where it was last seen", True, Helper.LOOK),
+        _K.ITEM_HIDDEN: KindFacts("something stands between the camera and the item", True, Helper.BASE),
         _K.ITEM_UNREACHABLE: KindFacts("seen, but out of reach or fallen over", False, Helper.OPERATOR),
         _K.DESTINATION_UNKNOWN: KindFacts("the site file knows no such depot", False, Helper.CLIENT),
         _K.DESTINATION_FULL: KindFacts("no slot of the depot is free", False, Helper.OPERATOR),

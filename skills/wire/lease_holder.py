@@ -32,6 +32,10 @@ BACK_WITHIN: Final = 5.0
 """Host seconds for which a process waits for hardware that is silent, or for a router that it has lost,
 before it goes on without a lease; it still asks for one."""
 
+GONE_WITHIN: Final = 10.0
+"""Host seconds in which the hardware notices that a holder is gone whom the router no longer knows. It takes
+10 ms, and the second for which ``lease.KEPT_UNSEEN`` spares a holder that has just been granted its lease."""
+
 _LOG = logging.getLogger(__name__)
 
 
@@ -51,6 +55,7 @@ class LeaseHolder:
         self._asked_at = float("-inf")
         self._turned_at = self._unsettled_since = clocks.monotonic()
         self._away = False
+        self._refused_since: float | None = None
         self._told: Leases | None = None
         self.settled = False
         """Whether the process may go on: it holds the lease, or nobody grants any."""
@@ -123,13 +128,22 @@ class LeaseHolder:
             _LOG.warning("the answer on %s is no lease: %r", LEASE.key, payload[:200])
             return
         if answer.lease is None:
-            raise RivalError(self._presence.role, Claim.read(answer.holder), f" ({answer.reason})")
+            self._bear(answer)
+            return
         if answer.lease != self._bus.held:
             _LOG.info(
                 "lease of %s: epoch %d of boot %s", answer.lease.role, answer.lease.epoch, answer.lease.boot
             )
         self._bus.held = answer.lease
-        self.settled, self._away = True, False
+        self.settled, self._away, self._refused_since = True, False, None
+
+    def _bear(self, refused: LeaseAnswer) -> None:
+        """Ask again when the holder has gone and the hardware has not noticed yet; else give up."""
+        now, holder = self._clocks.monotonic(), Claim.read(refused.holder)
+        since = now if self._refused_since is None else self._refused_since
+        if now - since >= GONE_WITHIN or holder is None or self._presence.shows(holder):
+            raise RivalError(self._presence.role, holder, f" ({refused.reason})")
+        self._refused_since, self.settled = since, False
 
     def _go_on_without(self) -> None:
         """Nobody serves leases: no hardware is there yet, or one that grants none."""

@@ -84,6 +84,10 @@ class Presence:
             raise
         self._bus.announce(claim_name(self.role, self.claim))
 
+    def shows(self, claim: Claim | None) -> bool:
+        """Ask the router whether another's claim is there; blocks for at most ``LOOK_WITHIN``."""
+        return claim is not None and any(seen.claim == claim for seen in self._look())
+
     def rival(self) -> Claim | None:
         """Return another player that is announced, of another parent, or a later one of the same."""
         for text in sorted(present_claims(self._bus.alive(), self.role)):

@@ -15,6 +15,7 @@ import sys
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
 
@@ -27,8 +28,9 @@ from tests.outside._up import client, until, up
 SITE: Final = "strangers"
 PREFIX: Final = f"{SITE}/tiago"
 MAY_GAP: Final = 1.0
-"""Seconds between two beats. `tandem bench limits` measures them; on a machine that others use, too, a gap of
-0.15 s says nothing about us. It was 1.6 and 7.9 s."""
+"""Seconds between two beats beyond the longest gap of a process that nobody asks anything: on a machine
+that others use, too, every process is late. `tandem bench limits` measures gaps. They were 1.6 and 7.9 s."""
+BESIDE: Final = "process/keeper"
 FETCH: Final = {"task": "fetch", "item": 29}
 COMMANDS: Final = (
     *("goal", "command", "cancel", "release", "stop", "reset", "request"),
@@ -55,6 +57,9 @@ class Robot:
     endpoint: str
     session: zenoh.Session
     beats: list[float] = field(default_factory=list)
+    """When the executive was heard to go on."""
+    beside: list[float] = field(default_factory=list)
+    """When the process was that nobody asks anything."""
 
     def get(self, selector: str, payload: bytes | None = None, within: float = 5.0) -> list[zenoh.Reply]:
         return list(self.session.get(selector, payload=payload, timeout=within))
@@ -69,10 +74,10 @@ class Robot:
                     return json.loads(told)
         raise AssertionError(f"nobody answers at {key}")
 
-    @property
-    def gap(self) -> float:
-        """The longest time between two beats of the executive so far."""
-        return max(later - one for one, later in zip(self.beats, self.beats[1:], strict=False))
+
+def gap(beats: list[float]) -> float:
+    """The longest time between two beats."""
+    return max(later - one for one, later in pairwise(beats))
 
 
 @pytest.fixture(scope="module")
@@ -82,8 +87,11 @@ def robot(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Robot]:
         made = Robot(endpoint, session)
 
         def beat(sample: zenoh.Sample) -> None:
-            if "executive" in sample.payload.to_string().split("\n"):
+            names = sample.payload.to_string().split("\n")
+            if "executive" in names:
                 made.beats.append(time.monotonic())
+            if BESIDE in names:
+                made.beside.append(time.monotonic())
 
         session.declare_subscriber(f"{PREFIX}/beat", beat)
         # With the stop set no task starts: what is asked for here waits, and nothing moves.
@@ -185,6 +193,7 @@ def test_lists_of_many_tasks_and_a_huge_document_stop_nobody(robot: Robot) -> No
             robot.session.put(f"{PREFIX}/task/request", body)
     until(lambda: time.monotonic() - robot.beats[-1] < 0.2, 10.0)
     robot.beats.clear()
+    robot.beside.clear()
     asked = [robot.session.get(f"{PREFIX}/task/list", timeout=10.0) for _ in range(120)]
     answers = [reply.ok for each in asked for reply in each if reply.ok is not None]
     pages = [json.loads(answer.payload.to_bytes()) for answer in answers]
@@ -195,4 +204,4 @@ def test_lists_of_many_tasks_and_a_huge_document_stop_nobody(robot: Robot) -> No
         [sys.executable, "-c", _HUGE, robot.endpoint, f"{PREFIX}/task/cancel"], check=True, timeout=60
     )
     assert robot.ask("task/info")["name"] == "executive"
-    assert robot.gap < MAY_GAP
+    assert gap(robot.beats) < MAY_GAP + gap(robot.beside)

@@ -35,7 +35,8 @@ def words(system: Mocked, name: str) -> str:
 
 def begun(system: Mocked, task: str) -> int:
     """Return how many goals of a task the robot has begun."""
-    deeds = [json.loads(line) for line in (system.folder / "deeds.jsonl").read_text("utf-8").splitlines()]
+    file = system.folder / "deeds.jsonl"
+    deeds = [json.loads(line) for line in file.read_text("utf-8").splitlines()] if file.exists() else []
     return sum(deed["what"] == "began" and deed["goal_id"].startswith(f"{task}/") for deed in deeds)
 
 

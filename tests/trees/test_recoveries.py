@@ -72,6 +72,7 @@ ROWS = (
     *(Row(kind, "drive to item", WAY, kind) for kind in (K.BASE_NO_PATH, K.BASE_BLOCKED, K.BASE_OFF_GOAL)),
     Row(K.BASE_BLOCKED, "drive to slot", "place: another way", K.BASE_BLOCKED),
     Row(K.BASE_BLOCKED, "home: drive", "home: let them pass", K.BASE_BLOCKED),
+    Row(K.ITEM_HIDDEN, "look closely at item", "get: look from another stand", K.ITEM_UNREACHABLE),
     Row(K.ITEM_GONE, "look closely at item", "get: look around again", K.ITEM_UNREACHABLE),
     *(
         Row(kind, leaf, GRASP, K.ITEM_UNREACHABLE)

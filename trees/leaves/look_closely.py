@@ -20,7 +20,7 @@ REACH: Final = 1.15
 def look_closely(
     name: str, context: TreeContext, board: FetchBoard
 ) -> Act[LookGoal, LookFeedback, LookResult]:
-    """Return the leaf: FAILURE when the item is not where it was believed to be."""
+    """Return the leaf: FAILURE when the item is hidden, or not where it was believed to be."""
 
     def goal() -> LookGoal | Failure:
         fact = board.fact(context)
@@ -33,6 +33,12 @@ def look_closely(
             return several
         if any(sighting.item == board.item for sighting in result.sightings):
             return None
+        if board.item in result.hidden:
+            return Failure(
+                kind=FailureKind.ITEM_HIDDEN,
+                message=f"item {board.item} can't be seen from here: something stands before it",
+                evidence={"item": board.item},
+            )
         return Failure(
             kind=FailureKind.ITEM_GONE,
             message=f"item {board.item} is not where it was seen before",

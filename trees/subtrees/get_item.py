@@ -14,6 +14,7 @@ from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess
 
 from skills.ports.failure import Failure, FailureKind
+from skills.ports.geometry import floor_distance
 from trees.behaviours.interruptible import Interruptible
 from trees.behaviours.note import Note
 from trees.behaviours.phase import Phase
@@ -21,6 +22,7 @@ from trees.behaviours.recovery import Recovery, Rung
 from trees.board import FetchBoard
 from trees.conditions.item_held import item_held
 from trees.conditions.kinds.another_grasp_helps import another_grasp_helps
+from trees.conditions.kinds.another_view_helps import another_view_helps
 from trees.conditions.kinds.looking_again_helps import looking_again_helps
 from trees.conditions.kinds.searching_again_helps import searching_again_helps
 from trees.context import TreeContext
@@ -33,6 +35,12 @@ from trees.subtrees.search import search
 
 WITHIN: Final = 420.0
 """Robot seconds after which nothing is tried again."""
+VIEWS: Final = 3
+"""Stands from which an item that something hides is looked at: from three sides of it at least one is open,
+unless it is walled in."""
+BESIDE: Final = 0.15
+"""Metres about a stand within which another one shows the same: the camera moves by no more than the width of
+what hides the item."""
 LOOKS: Final = 2
 GRASPS: Final = 2
 SEARCHES: Final = 2
@@ -60,6 +68,7 @@ def get_item(context: TreeContext, board: FetchBoard) -> Behaviour:
         wait_back("get", context),
         localise_again("get", context),
         another_way("get", context, board),
+        Rung("get: look from another stand", another_view_helps, VIEWS, _another_view(context, board)),
         Rung("get: look around again", looking_again_helps, LOOKS, _look_around(context, board)),
         Rung("get: grasp another way", another_grasp_helps, GRASPS, _another_grasp(context, board)),
         Rung("get: go home and search again", searching_again_helps, SEARCHES, _from_home(context, board)),
@@ -84,6 +93,20 @@ def _look_around(context: TreeContext, board: FetchBoard) -> Behaviour:
             forget("get: forget it", context, board),
         ],
     )
+
+
+def _another_view(context: TreeContext, board: FetchBoard) -> Behaviour:
+    """Stand neither here nor close beside it again. The arms are in: the item has only been looked at."""
+
+    def decide() -> str:
+        robot = context.knowledge.robot
+        if robot is not None:
+            here = robot.base_in_map
+            board.avoid.append(here)
+            board.avoid.extend(each for each in board.stands if floor_distance(each, here) < BESIDE)
+        return f"{len(board.avoid)} stands are not tried again"
+
+    return Note("get: avoid this view", decide)
 
 
 def _another_grasp(context: TreeContext, board: FetchBoard) -> Behaviour:

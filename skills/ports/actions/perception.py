@@ -42,6 +42,8 @@ class LookResult(Message):
 
     found: bool
     sightings: tuple[Sighting, ...]
+    hidden: tuple[Count, ...] = ()
+    """Items that were not seen because something nearer to the camera covers their place."""
     clutter: Count = 0
     """Boxes of clutter measured."""
 

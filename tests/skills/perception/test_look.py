@@ -174,8 +174,10 @@ def test_an_item_that_is_gone_is_told_as_absent_and_a_hidden_one_is_not() -> Non
         )
         for item, at in ((29, TAG), (42, tag(0.70, 0.25)))
     )
-    drive(stage, LookGoal(tilts=(-0.5,), pictures=2), world=facts)
+    outcome = drive(stage, LookGoal(tilts=(-0.5,), pictures=2), world=facts)
     assert [message.absent for message in heard.take()] == [(29,)]
+    assert outcome.result is not None
+    assert outcome.result.hidden == (42,)
 
 
 def test_a_camera_that_is_silent_is_told() -> None:

@@ -7,7 +7,11 @@ from typing import Final
 from skills.ports.failure import Failure, FailureKind
 from trees.conditions.kinds import another_grasp_helps
 
-KINDS: Final = another_grasp_helps.KINDS | {FailureKind.ITEM_GONE, FailureKind.ITEM_UNREACHABLE}
+KINDS: Final = another_grasp_helps.KINDS | {
+    FailureKind.ITEM_GONE,
+    FailureKind.ITEM_HIDDEN,
+    FailureKind.ITEM_UNREACHABLE,
+}
 
 
 def searching_again_helps(failure: Failure) -> bool:
