@@ -9,7 +9,7 @@ STAMP := $(VENV)/.installed
 setup: $(STAMP)
 
 $(STAMP): pyproject.toml constraints.txt
-	@$(PYTHON) -c 'import sys; sys.path.insert(0, "."); from executive.cli.start import unsupported; sys.exit(unsupported(sys.version_info[:2]) or 0)'
+	@$(PYTHON) -c 'import sys; sys.path.insert(0, "."); from tandem.executive.cli.start import unsupported; sys.exit(unsupported(sys.version_info[:2]) or 0)'
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[dev]'
 	@touch $(STAMP)

@@ -19,16 +19,16 @@ import numpy as np
 
 from benchmarks.arm_problems import Drawing, Problem, held, states
 from benchmarks.rows import Row, quantile
-from sim.robot import compose_robot
-from sim.scenario import load_scenario
-from skills.arm.plan_move import MovePlanner, Steps
-from skills.arm.planning.settings import PlannerSettings
-from skills.arm.problem import Arm, Moment, Plan
-from skills.arm.timing import bang_bang
-from skills.kinematics.described import load_hulls
-from skills.ports.actions.arm import MoveGoal
-from skills.ports.failure import Failure
-from skills.site import load
+from tandem.sim.robot import compose_robot
+from tandem.sim.scenario import load_scenario
+from tandem.skills.arm.plan_move import MovePlanner, Steps
+from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.arm.problem import Arm, Moment, Plan
+from tandem.skills.arm.timing import bang_bang
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.ports.actions.arm import MoveGoal
+from tandem.skills.ports.failure import Failure
+from tandem.skills.site import load
 
 PROBLEMS = 100
 Step = Literal["pre-grasp", "reach", "retract", "home"]

@@ -13,16 +13,16 @@ from typing import Literal
 
 import numpy as np
 
-from sim.scenario import Scenario, SpawnSurface
-from sim.scene import SceneBody, as_box, build_scene, item_body
-from skills.arm.problem import Moment
-from skills.ports.actions.arm import Candidate, MoveGoal
-from skills.ports.geometry import FloorPose, Pose, about, add, from_axes, multiply, rotate
-from skills.ports.grasping import FINGER_ROOM, PITCHES, Grasp, grasp, proximity_poses
-from skills.ports.hardware import JointStates, RobotDescription
-from skills.ports.message import RobotTime
-from skills.ports.site import Site
-from skills.ports.world import Box, PlanningScene, SceneObject
+from tandem.sim.scenario import Scenario, SpawnSurface
+from tandem.sim.scene import SceneBody, as_box, build_scene, item_body
+from tandem.skills.arm.problem import Moment
+from tandem.skills.ports.actions.arm import Candidate, MoveGoal
+from tandem.skills.ports.geometry import FloorPose, Pose, about, add, from_axes, multiply, rotate
+from tandem.skills.ports.grasping import FINGER_ROOM, PITCHES, Grasp, grasp, proximity_poses
+from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.world import Box, PlanningScene, SceneObject
 
 Side = Literal["left", "right"]
 SIDES: tuple[Side, Side] = ("left", "right")
@@ -49,7 +49,7 @@ class Problem:
 
     @property
     def pre_grasp(self) -> MoveGoal:
-        """The goal that ``trees.leaves.pre_grasp`` sends."""
+        """The goal that ``tandem.trees.leaves.pre_grasp`` sends."""
         candidates = tuple(
             Candidate(pose=each.pre_grasp, followed_by=(each.grasp, each.retraction)) for each in self.grasps
         )

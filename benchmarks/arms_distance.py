@@ -9,13 +9,13 @@ from functools import partial
 import numpy as np
 
 from benchmarks.rows import Row, spread
-from sim.robot import compose_robot
-from skills.kinematics.clearance import ArmsClearance
-from skills.kinematics.described import home_positions, load_hulls
-from skills.ports.hardware import JointStates
-from skills.ports.message import RobotTime
-from skills.reflex.watch import ArmsWatch
-from skills.site import load
+from tandem.sim.robot import compose_robot
+from tandem.skills.kinematics.clearance import ArmsClearance
+from tandem.skills.kinematics.described import home_positions, load_hulls
+from tandem.skills.ports.hardware import JointStates
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.reflex.watch import ArmsWatch
+from tandem.skills.site import load
 
 COUNT, QUICK = 3000, 100
 AIM = 0.5

@@ -10,9 +10,9 @@ import argparse
 
 import numpy as np
 
-from sim.robot import compose_robot
-from skills.kinematics.described import load_hulls
-from skills.reflex.tuning import Tuned, judge, judge_described, sample, tune
+from tandem.sim.robot import compose_robot
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.reflex.tuning import Tuned, judge, judge_described, sample, tune
 
 
 def main() -> None:

@@ -8,7 +8,7 @@ import sys
 from types import FrameType
 
 from benchmarks.processes import PREFIX
-from skills.wire.zenoh_bus import ZenohBus
+from tandem.skills.wire.zenoh_bus import ZenohBus
 
 KEY = "bench/echo"
 

@@ -14,19 +14,19 @@ import numpy as np
 from pydantic import JsonValue
 
 from benchmarks.rows import Row, quantile
-from executive.demo import Caller
-from executive.phases import Phases
-from executive.systems import LockstepSystem, SystemFailure
-from sim.scenario import Scenario, load_scenario
-from sim.truth import lies_on
-from skills.arm.timing import bang_bang
-from skills.arm.trajectory import MotionLimits
-from skills.ports.geometry import FloorPose
-from skills.ports.hardware import RobotDescription, TrajectoryGoal
-from skills.ports.keys import group_goal
-from skills.ports.tasks import TaskState
-from skills.site import load
-from skills.wire.memory import Kind
+from tandem.executive.demo import Caller
+from tandem.executive.phases import Phases
+from tandem.executive.systems import LockstepSystem, SystemFailure
+from tandem.sim.scenario import Scenario, load_scenario
+from tandem.sim.truth import lies_on
+from tandem.skills.arm.timing import bang_bang
+from tandem.skills.arm.trajectory import MotionLimits
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.hardware import RobotDescription, TrajectoryGoal
+from tandem.skills.ports.keys import group_goal
+from tandem.skills.ports.tasks import TaskState
+from tandem.skills.site import load
+from tandem.skills.wire.memory import Kind
 
 ITEM: Final = 29
 REQUESTED: Final[dict[str, JsonValue]] = {"task": "fetch", "item": ITEM, "to": "depot"}

@@ -10,26 +10,26 @@ from __future__ import annotations
 import time
 
 from benchmarks.rows import Row, spread
-from sim.robot import compose_robot
-from skills.arm.field.course import Course
-from skills.arm.field.ends import End, Ends
-from skills.arm.field.live import Live
-from skills.arm.field.parts import Parts
-from skills.arm.field.ride import Ride
-from skills.arm.field.target import TargetTracker
-from skills.arm.field.teller import Teller
-from skills.arm.gate import Gate
-from skills.arm.plan_move import MovePlanner
-from skills.arm.planning.settings import PlannerSettings
-from skills.arm.problem import Arm
-from skills.kinematics.described import load_hulls
-from skills.ports.actions.approach import ApproachGoal
-from skills.ports.geometry import FloorPose, Pose
-from skills.ports.grasping import tag_of_item, tool_orientation
-from skills.ports.hardware import JointStates, RobotDescription
-from skills.ports.keys import JOINT_STATES
-from skills.ports.message import RobotTime, Vector3
-from skills.ports.world import (
+from tandem.sim.robot import compose_robot
+from tandem.skills.arm.field.course import Course
+from tandem.skills.arm.field.ends import End, Ends
+from tandem.skills.arm.field.live import Live
+from tandem.skills.arm.field.parts import Parts
+from tandem.skills.arm.field.ride import Ride
+from tandem.skills.arm.field.target import TargetTracker
+from tandem.skills.arm.field.teller import Teller
+from tandem.skills.arm.gate import Gate
+from tandem.skills.arm.plan_move import MovePlanner
+from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.arm.problem import Arm
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.ports.actions.approach import ApproachGoal
+from tandem.skills.ports.geometry import FloorPose, Pose
+from tandem.skills.ports.grasping import tag_of_item, tool_orientation
+from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.keys import JOINT_STATES
+from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.world import (
     ROBOT_POSE,
     SCENE,
     WORLD,
@@ -40,8 +40,8 @@ from skills.ports.world import (
     SceneObject,
     WorldState,
 )
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
 
 CUBE: Vector3 = (0.07, 0.07, 0.07)
 PLACES = ((0.65, 0.12), (0.50, 0.45), (0.62, 0.42), (0.75, 0.30), (0.80, 0.0), (0.50, -0.25), (0.65, -0.35),

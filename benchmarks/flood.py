@@ -15,8 +15,8 @@ from typing import Final
 
 from benchmarks.processes import PREFIX, running
 from benchmarks.rows import Row, quantile
-from skills.ports.tasks import REQUEST, TaskAnswer, by_client
-from skills.wire.zenoh_bus import ZenohBus, wait_until
+from tandem.skills.ports.tasks import REQUEST, TaskAnswer, by_client
+from tandem.skills.wire.zenoh_bus import ZenohBus, wait_until
 
 RATE: Final = 10_000
 SECONDS: Final = 6.0

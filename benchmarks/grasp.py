@@ -9,7 +9,7 @@ from typing import Final
 
 from benchmarks.rig import GRASP, LIFT, SWING, Rig, slip
 from benchmarks.rows import Row
-from skills.ports.hardware import GripperMotion
+from tandem.skills.ports.hardware import GripperMotion
 
 CASES: Final = ((0.05, 0.05), (0.06, 0.1), (0.07, 0.2))
 """Edge (m) and mass (kg) of the items in the table of figures."""

@@ -10,14 +10,14 @@ from typing import Final
 
 from benchmarks.processes import free_endpoint
 from benchmarks.rows import Row
-from executive.options import BusOptions, RunOptions
-from executive.parts import Role
-from executive.systems import ProcessSystem, wait_for
-from skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
-from skills.ports.actions.arm import MoveGoal, move
-from skills.ports.hardware import JointStates
-from skills.ports.keys import JOINT_STATES, LEASES, Latest
-from skills.ports.lease import Lease
+from tandem.executive.options import BusOptions, RunOptions
+from tandem.executive.parts import Role
+from tandem.executive.systems import ProcessSystem, wait_for
+from tandem.skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
+from tandem.skills.ports.actions.arm import MoveGoal, move
+from tandem.skills.ports.hardware import JointStates
+from tandem.skills.ports.keys import JOINT_STATES, LEASES, Latest
+from tandem.skills.ports.lease import Lease
 
 GROUP: Final = "arm_left"
 AT_REST: Final = 0.02

@@ -20,20 +20,20 @@ from benchmarks.echo import KEY
 from benchmarks.machine import frozen, memory
 from benchmarks.processes import PREFIX, echo, free_endpoint, running
 from benchmarks.rows import Row, quantile
-from executive.campaigns.crash_rig import PREFIX as RIG_PREFIX
-from executive.campaigns.crash_rig import CrashRig
-from executive.campaigns.crash_world import ITEM, deeds
-from executive.ledger.sqlite import SqliteLedger
-from executive.processes import SPARE_AFTER
-from executive.requests import Asked, read_request
-from executive.task_book import TaskBook
-from executive.wall_clock import WallClock
-from skills.ports.keys import Latest
-from skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, CancelTask, TaskAnswer, TaskStatus
-from skills.site import load
-from skills.wire.clocks import SteppedClocks
-from skills.wire.zenoh_bus import ZenohBus
-from trees.registry import discover
+from tandem.executive.campaigns.crash_rig import PREFIX as RIG_PREFIX
+from tandem.executive.campaigns.crash_rig import CrashRig
+from tandem.executive.campaigns.crash_world import ITEM, deeds
+from tandem.executive.ledger.sqlite import SqliteLedger
+from tandem.executive.processes import SPARE_AFTER
+from tandem.executive.requests import Asked, read_request
+from tandem.executive.task_book import TaskBook
+from tandem.executive.wall_clock import WallClock
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, CancelTask, TaskAnswer, TaskStatus
+from tandem.skills.site import load
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.zenoh_bus import ZenohBus
+from tandem.trees.registry import discover
 
 SINGLE: Final = 1000
 BATCH: Final = 64

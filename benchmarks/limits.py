@@ -14,10 +14,10 @@ from typing import Final
 
 from benchmarks.processes import PREFIX, running
 from benchmarks.rows import Row
-from skills.ports.bus import Pending
-from skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_INFO, TASK_LIST, AskTasks
-from skills.wire.pulse import BEAT
-from skills.wire.zenoh_bus import ZenohBus, wait_until
+from tandem.skills.ports.bus import Pending
+from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_INFO, TASK_LIST, AskTasks
+from tandem.skills.wire.pulse import BEAT
+from tandem.skills.wire.zenoh_bus import ZenohBus, wait_until
 
 TASKS: Final = 990
 """Tasks that are stored; a thousand may wait."""

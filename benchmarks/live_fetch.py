@@ -17,14 +17,14 @@ from benchmarks.machine import command, descendants, memory
 from benchmarks.processes import free_endpoint
 from benchmarks.rows import Row
 from benchmarks.stillness import Stillness
-from executive.options import BusOptions
-from executive.parts import ROLES
-from executive.settings import WorkerSettings
-from skills.ports.keys import CLOCK, Latest
-from skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus
-from skills.wire.zenoh_bus import BusError, ZenohBus
+from tandem.executive.options import BusOptions
+from tandem.executive.parts import ROLES
+from tandem.executive.settings import WorkerSettings
+from tandem.skills.ports.keys import CLOCK, Latest
+from tandem.skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus
+from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
-_TANDEM: Final = "from executive.cli.main import run; run()"
+_TANDEM: Final = "from tandem.executive.cli.main import run; run()"
 STARTED_WITHIN: Final = 60.0
 WITHIN: Final = 240.0
 MEMORY_EVERY: Final = 3.0
@@ -103,10 +103,12 @@ def memory_by_role(pid: int) -> dict[str, float]:
 
 def _role(pid: int) -> str | None:
     arguments = command(pid)
-    if "executive.worker" not in arguments:
+    if "tandem.executive.worker" not in arguments:
         return None
     try:
-        return WorkerSettings.model_validate_json(arguments[arguments.index("executive.worker") + 1]).role
+        return WorkerSettings.model_validate_json(
+            arguments[arguments.index("tandem.executive.worker") + 1]
+        ).role
     except (ValidationError, IndexError):
         return None
 

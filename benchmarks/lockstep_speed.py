@@ -14,11 +14,11 @@ from typing import Final
 from pydantic import JsonValue
 
 from benchmarks.rows import Row
-from executive.demo import Caller
-from executive.systems import LockstepSystem
-from sim.scenario import load_scenario
-from skills.ports import keys
-from skills.ports.hardware import BaseVelocity
+from tandem.executive.demo import Caller
+from tandem.executive.systems import LockstepSystem
+from tandem.sim.scenario import load_scenario
+from tandem.skills.ports import keys
+from tandem.skills.ports.hardware import BaseVelocity
 
 SECONDS: Final = 10.0
 """Robot time of each part but the fetch."""

@@ -17,18 +17,18 @@ from benchmarks.machine import frozen, memory
 from benchmarks.processes import PREFIX, burners, echo, running
 from benchmarks.rows import Row, quantile, spread
 from benchmarks.ticks import FETCH, ITEMS, forget
-from skills.ports.bus import Bus, Desk, Inbox, Pending
-from skills.ports.hardware import Clock
-from skills.ports.hearing import Ear
-from skills.ports.keys import CLOCK, Latest
-from skills.ports.lease import Lease
-from skills.ports.message import MAX_REQUEST_BYTES, RobotTime
-from skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, TREE, CancelTask
-from skills.site import load
-from skills.testing.mock_robot import MockRobot
-from skills.wire.clocks import ProcessClocks
-from skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
-from skills.wire.zenoh_bus import ZenohBus, ZenohDesk, ZenohRequest
+from tandem.skills.ports.bus import Bus, Desk, Inbox, Pending
+from tandem.skills.ports.hardware import Clock
+from tandem.skills.ports.hearing import Ear
+from tandem.skills.ports.keys import CLOCK, Latest
+from tandem.skills.ports.lease import Lease
+from tandem.skills.ports.message import MAX_REQUEST_BYTES, RobotTime
+from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, TREE, CancelTask
+from tandem.skills.site import load
+from tandem.skills.testing.mock_robot import MockRobot
+from tandem.skills.wire.clocks import ProcessClocks
+from tandem.skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
+from tandem.skills.wire.zenoh_bus import ZenohBus, ZenohDesk, ZenohRequest
 
 FETCHES: Final = 24
 REQUESTS: Final = 100

@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from sim.body import RobotBody
-from sim.hardware import Hardware
-from sim.physics import Physics
-from sim.robot import compose_robot
-from sim.scenario import Noise
-from skills.ports import keys
-from skills.ports.hardware import (
+from tandem.sim.body import RobotBody
+from tandem.sim.hardware import Hardware
+from tandem.sim.physics import Physics
+from tandem.sim.robot import compose_robot
+from tandem.sim.scenario import Noise
+from tandem.skills.ports import keys
+from tandem.skills.ports.hardware import (
     Answer,
     BaseVelocity,
     GripperCommand,
@@ -23,14 +23,14 @@ from skills.ports.hardware import (
     TrajectoryGoal,
     TrajectoryPoint,
 )
-from skills.wire.memory import MemoryBus
+from tandem.skills.wire.memory import MemoryBus
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
-    from skills.ports.hardware import SetPoint
+    from tandem.skills.ports.hardware import SetPoint
 
 TORSO: Final = 0.25
 GRASP_POINT: Final = (0.68, 0.15, 0.78)

@@ -12,11 +12,11 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.action import GoalStatus
-from skills.ports.bus import Bus
-from skills.ports.hardware import JointStates, Odometry
-from skills.ports.keys import JOINT_STATES, ODOMETRY, Latest
-from skills.ports.tasks import TASK_STATUS, TaskState
+from tandem.skills.ports.action import GoalStatus
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.hardware import JointStates, Odometry
+from tandem.skills.ports.keys import JOINT_STATES, ODOMETRY, Latest
+from tandem.skills.ports.tasks import TASK_STATUS, TaskState
 
 MOVING: Final = 0.01
 """rad/s or m/s of a joint, m/s or rad/s of the base; sensors' noise is below."""

@@ -26,14 +26,14 @@ from benchmarks.fetch_time import NEAR_THE_TABLE, REQUESTED
 from benchmarks.processes import free_endpoint
 from benchmarks.rows import Row, quantile, spread
 from benchmarks.standing import Motion
-from executive.demo import ANSWER_WITHIN, Caller
-from executive.options import BusOptions, RunOptions
-from executive.systems import ProcessSystem, SystemFailure, wait_for
-from sim.scenario import load_scenario
-from skills.ports.action import GoalState, GoalStatus
-from skills.ports.hardware import Stop, StopRelease
-from skills.ports.keys import DESCRIPTION, STOP, STOP_RELEASE, Latest, Nothing
-from skills.ports.tasks import TASK_CANCEL, TASK_STATUS, CancelTask, TaskState
+from tandem.executive.demo import ANSWER_WITHIN, Caller
+from tandem.executive.options import BusOptions, RunOptions
+from tandem.executive.systems import ProcessSystem, SystemFailure, wait_for
+from tandem.sim.scenario import load_scenario
+from tandem.skills.ports.action import GoalState, GoalStatus
+from tandem.skills.ports.hardware import Stop, StopRelease
+from tandem.skills.ports.keys import DESCRIPTION, STOP, STOP_RELEASE, Latest, Nothing
+from tandem.skills.ports.tasks import TASK_CANCEL, TASK_STATUS, CancelTask, TaskState
 
 TRIALS: Final = 24
 """Of each kind; a third of them while an arm is planned for, a third while something moves."""

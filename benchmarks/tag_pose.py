@@ -15,18 +15,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from benchmarks.rows import Row, quantile
-from sim.camera import HORIZONTAL_FOV, camera_header, camera_sensor
-from sim.render import Job, Painter, PainterSettings, Scene
-from sim.robot import compose_robot
-from sim.scenario import Noise, load_scenario
-from sim.scene import SceneBody, build_scene, item_name
-from sim.tags import tags_in_item
-from sim.twin import Snapshot, View, looking_at
-from skills.perception import tags
-from skills.ports.geometry import Pose, angle_between, compose, conjugate, distance, invert, rotate
-from skills.ports.image import RgbdImage, decode
-from skills.ports.message import RobotTime
-from skills.site import load
+from tandem.sim.camera import HORIZONTAL_FOV, camera_header, camera_sensor
+from tandem.sim.render import Job, Painter, PainterSettings, Scene
+from tandem.sim.robot import compose_robot
+from tandem.sim.scenario import Noise, load_scenario
+from tandem.sim.scene import SceneBody, build_scene, item_name
+from tandem.sim.tags import tags_in_item
+from tandem.sim.twin import Snapshot, View, looking_at
+from tandem.skills.perception import tags
+from tandem.skills.ports.geometry import Pose, angle_between, compose, conjugate, distance, invert, rotate
+from tandem.skills.ports.image import RgbdImage, decode
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.site import load
 
 ITEM = 29
 DISTANCES = (0.5, 0.75, 1.0, 1.25, 1.5, 2.0)

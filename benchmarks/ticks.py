@@ -15,16 +15,16 @@ from pydantic import JsonValue
 
 from benchmarks.machine import frozen
 from benchmarks.rows import Row, quantile, spread
-from executive.render.example import tree_of
-from executive.report import walk
-from executive.service import Executive
-from skills.ports.geometry import Pose, from_axes
-from skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask
-from skills.site import load
-from skills.testing.mock_robot import MockRobot
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import Kind, MemoryHub
-from trees.registry import discover
+from tandem.executive.render.example import tree_of
+from tandem.executive.report import walk
+from tandem.executive.service import Executive
+from tandem.skills.ports.geometry import Pose, from_axes
+from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask
+from tandem.skills.site import load
+from tandem.skills.testing.mock_robot import MockRobot
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import Kind, MemoryHub
+from tandem.trees.registry import discover
 
 ITEMS: Final = {29: Pose(position=(0.5, 0.5, 0.74), orientation=from_axes((0, -1, 0), (0, 0, 1), (-1, 0, 0)))}
 REQUESTED: Final[dict[str, JsonValue]] = {"task": "fetch", "item": 29}

@@ -4,8 +4,8 @@
 import asyncio
 import sys
 
-from executive.client.aio import AsyncClient
-from executive.client.errors import TaskFailedError
+from tandem.executive.client.aio import AsyncClient
+from tandem.executive.client.errors import TaskFailedError
 
 router = (*sys.argv[1:], "tcp/127.0.0.1:7447")[0]
 

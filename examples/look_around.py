@@ -9,18 +9,18 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from pydantic import Field
 
-from skills.ports.actions.perception import LOOK, LookGoal
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import Problem
-from trees.behaviours.act import Act
-from trees.behaviours.phase import Phase
-from trees.conditions.localised import localised
-from trees.context import TreeContext
-from trees.leaves.localise import localise
-from trees.leaves.turn import turn
-from trees.subtrees.arms_in import tuck
-from trees.task import TaskType
+from tandem.skills.ports.actions.perception import LOOK, LookGoal
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import Problem
+from tandem.trees.behaviours.act import Act
+from tandem.trees.behaviours.phase import Phase
+from tandem.trees.conditions.localised import localised
+from tandem.trees.context import TreeContext
+from tandem.trees.leaves.localise import localise
+from tandem.trees.leaves.turn import turn
+from tandem.trees.subtrees.arms_in import tuck
+from tandem.trees.task import TaskType
 
 
 class LookAroundRequest(Message):

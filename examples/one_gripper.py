@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.bus import Bus
-from skills.ports.endpoint import answering
-from skills.ports.hardware import (
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.endpoint import answering
+from tandem.skills.ports.hardware import (
     Answer,
     Clock,
     GripperCommand,
@@ -20,9 +20,9 @@ from skills.ports.hardware import (
     RobotDescription,
     StopState,
 )
-from skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, gripper_command, gripper_state
-from skills.ports.message import RobotTime
-from skills.ports.serving import Endpoints
+from tandem.skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, gripper_command, gripper_state
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.serving import Endpoints
 
 PERIOD: Final = 0.01
 """Seconds between two steps."""

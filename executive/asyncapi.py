@@ -14,13 +14,13 @@ from typing import Final
 from pydantic import JsonValue, TypeAdapter
 from pydantic.json_schema import models_json_schema
 
-from executive.interface_doc import Entry, entries
-from executive.interface_types import first_paragraph
-from executive.schemas import with_envelope
-from skills.ports.keys import RGBD, Topic
-from skills.ports.message import Message
-from skills.ports.tasks import REQUEST, TASK_PICTURE, AskPicture, TaskAnswer
-from trees.task import TaskType
+from tandem.executive.interface_doc import Entry, entries
+from tandem.executive.interface_types import first_paragraph
+from tandem.executive.schemas import with_envelope
+from tandem.skills.ports.keys import RGBD, Topic
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import REQUEST, TASK_PICTURE, AskPicture, TaskAnswer
+from tandem.trees.task import TaskType
 
 ASYNCAPI: Final = "3.0.0"
 PREFIX: Final = "{site}/{robot}/"

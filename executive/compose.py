@@ -12,16 +12,16 @@ from typing import Final
 from pydantic import JsonValue
 from rich.console import Console
 
-from executive import taking_up
-from executive.cli.exit_codes import ExitCode
-from executive.demo import Caller, succeeded
-from executive.fault_file import check_faults
-from executive.hint import hint
-from executive.ledger.port import LedgerError, LedgerLockedError
-from executive.options import RunOptions
-from executive.parts import ROLES
-from executive.report import Recorder, write_report
-from executive.systems import (
+from tandem.executive import taking_up
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.demo import Caller, succeeded
+from tandem.executive.fault_file import check_faults
+from tandem.executive.hint import hint
+from tandem.executive.ledger.port import LedgerError, LedgerLockedError
+from tandem.executive.options import RunOptions
+from tandem.executive.parts import ROLES
+from tandem.executive.report import Recorder, write_report
+from tandem.executive.systems import (
     LedgerFailure,
     LockstepSystem,
     ProcessSystem,
@@ -29,15 +29,15 @@ from executive.systems import (
     System,
     SystemFailure,
 )
-from executive.vacancy import EndpointError
-from sim.scenario import Scenario, read_scenario
-from sim.scene import build_scene
-from sim.truth import Truth, lies_on
-from skills.ports.geometry import Pose
-from skills.ports.site import Site
-from skills.ports.sources import DocumentError
-from skills.site import load
-from skills.testing.faulty_bus import BusFaults
+from tandem.executive.vacancy import EndpointError
+from tandem.sim.scenario import Scenario, read_scenario
+from tandem.sim.scene import build_scene
+from tandem.sim.truth import Truth, lies_on
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.sources import DocumentError
+from tandem.skills.site import load
+from tandem.skills.testing.faulty_bus import BusFaults
 
 DEMO_REQUEST: Final[dict[str, JsonValue]] = {"task": "fetch", "item": 29, "to": "depot"}
 PICTURE: Final = Path("tandem-demo.png")

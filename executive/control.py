@@ -7,15 +7,15 @@ from typing import Final, cast
 
 from py_trees.common import Status
 
-from executive.endings import not_taken_up
-from executive.resume import GO_ON, QUESTION
-from executive.run import Run
-from executive.task_book import TaskBook
-from executive.turn import Turn
-from executive.verbs import Verb
-from skills.ports.clocks import Clocks
-from skills.ports.message import Message
-from skills.ports.tasks import (
+from tandem.executive.endings import not_taken_up
+from tandem.executive.resume import GO_ON, QUESTION
+from tandem.executive.run import Run
+from tandem.executive.task_book import TaskBook
+from tandem.executive.turn import Turn
+from tandem.executive.verbs import Verb
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import (
     TASK_ABANDON,
     TASK_ANSWER,
     TASK_BREAKPOINT,

@@ -9,13 +9,13 @@ from typing import Final
 
 from pydantic import JsonValue
 
-from executive.systems import System, SystemFailure, wait_for
-from sim.controls import PHOTOGRAPH, PhotographRequest
-from sim.truth import TRUTH, Truth
-from skills.ports.clocks import robot_seconds
-from skills.ports.keys import Latest, Nothing
-from skills.ports.node import Node
-from skills.ports.tasks import (
+from tandem.executive.systems import System, SystemFailure, wait_for
+from tandem.sim.controls import PHOTOGRAPH, PhotographRequest
+from tandem.sim.truth import TRUTH, Truth
+from tandem.skills.ports.clocks import robot_seconds
+from tandem.skills.ports.keys import Latest, Nothing
+from tandem.skills.ports.node import Node
+from tandem.skills.ports.tasks import (
     REQUEST,
     TASK_STATUS,
     TREE,

@@ -12,10 +12,10 @@ from collections.abc import Callable, Mapping
 
 from pydantic import JsonValue
 
-from executive.requests import ANYBODY, BY_FIELD, asked_by
-from skills.ports.documents import show
-from skills.ports.endpoint import Call, Endpoint, endpoint
-from skills.ports.tasks import TASK_CANCEL, CancelTask, ControlAnswer, Problem, TaskStatus, by_client
+from tandem.executive.requests import ANYBODY, BY_FIELD, asked_by
+from tandem.skills.ports.documents import show
+from tandem.skills.ports.endpoint import Call, Endpoint, endpoint
+from tandem.skills.ports.tasks import TASK_CANCEL, CancelTask, ControlAnswer, Problem, TaskStatus, by_client
 
 
 def with_sender(fields: Mapping[str, JsonValue], sender: str) -> dict[str, JsonValue] | Problem:

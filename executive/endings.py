@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from py_trees.behaviour import Behaviour
 
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.tasks import NodeStatus, Problem, Progress, TaskState, TreeNode
-from trees.snapshot import snapshot
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.tasks import NodeStatus, Problem, Progress, TaskState, TreeNode
+from tandem.trees.snapshot import snapshot
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from typing import Annotated, Final, Literal
 
 from pydantic import Field
 
-from skills.ports.message import Message
+from tandem.skills.ports.message import Message
 
 Utc = Annotated[float, Field(ge=0.0, le=1e11)]
 """Seconds since 1970."""

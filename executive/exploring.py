@@ -13,12 +13,12 @@ from typing import Final
 
 from py_trees.common import Status
 
-from executive.testing import TreeBench
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.tasks import NodeStatus
-from skills.testing.mock_skill import Fault
-from trees.behaviours.act import Act
-from trees.possible import Seen, possible
+from tandem.executive.testing import TreeBench
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.tasks import NodeStatus
+from tandem.skills.testing.mock_skill import Fault
+from tandem.trees.behaviours.act import Act
+from tandem.trees.possible import Seen, possible
 
 STEPS_WITHIN: Final = 40_000
 """Ticks in which every task must have ended."""

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sim.faults import Fault, JointStall
-from sim.scene import fault_problems
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.sources import DocumentError, Source
-from skills.testing.faulty_bus import BusFaults
-from skills.yaml_file import read_document, validate
+from tandem.sim.faults import Fault, JointStall
+from tandem.sim.scene import fault_problems
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.sources import DocumentError, Source
+from tandem.skills.testing.faulty_bus import BusFaults
+from tandem.skills.yaml_file import read_document, validate
 
 
 class FaultFile(Message):
@@ -48,8 +48,8 @@ def check_faults(path: str | Path, site: Site) -> FaultFile:
         raise DocumentError("\n".join(problems))
     if any(isinstance(fault, JointStall) for fault in file.faults):
         # Only what names joints needs the robot, which takes a moment to be put together.
-        from sim.defects import check_faults as check_joints  # noqa: PLC0415
-        from sim.robot import compose_robot  # noqa: PLC0415
+        from tandem.sim.defects import check_faults as check_joints  # noqa: PLC0415
+        from tandem.sim.robot import compose_robot  # noqa: PLC0415
 
         check_joints(file.faults, compose_robot().description, source=source)
     return file

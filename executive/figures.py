@@ -11,8 +11,8 @@ from typing import Literal
 
 from pydantic import JsonValue
 
-from executive.provenance import Provenance
-from skills.ports.message import Message
+from tandem.executive.provenance import Provenance
+from tandem.skills.ports.message import Message
 
 
 class Figures(Message):

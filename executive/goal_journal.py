@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from executive.ledger.port import Ledger, SentGoal
+from tandem.executive.ledger.port import Ledger, SentGoal
 
 
 class LedgerJournal:
-    """See ``trees.client.GoalJournal``.
+    """See ``tandem.trees.client.GoalJournal``.
 
     Args:
         ledger: where goals are written.

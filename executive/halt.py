@@ -6,10 +6,10 @@ from typing import Final
 
 from pydantic import ValidationError
 
-from skills.ports.bus import Bus, Pending
-from skills.ports.clocks import Clocks
-from skills.ports.hardware import Stop
-from skills.ports.keys import STOP
+from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.hardware import Stop
+from tandem.skills.ports.keys import STOP
 
 AGAIN_AFTER: Final = 0.1
 """Host seconds between two tries."""

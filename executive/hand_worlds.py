@@ -8,17 +8,17 @@ from functools import partial
 from types import MappingProxyType
 from typing import Final
 
-from executive.testing import TreeBench
-from executive.worlds import Make, stop
-from skills.ports.actions.bimanual import COORDINATE
-from skills.ports.actions.perception import TRACK
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import IDENTITY, Pose, about
-from skills.ports.grasping import tag_of_item
-from skills.ports.world import SIDES, HeldItem, ItemFact, Side
-from skills.site import load
-from skills.testing.mock_robot import STRETCHED, MockRobot
-from skills.testing.mock_skill import Fault
+from tandem.executive.testing import TreeBench
+from tandem.executive.worlds import Make, stop
+from tandem.skills.ports.actions.bimanual import COORDINATE
+from tandem.skills.ports.actions.perception import TRACK
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import IDENTITY, Pose, about
+from tandem.skills.ports.grasping import tag_of_item
+from tandem.skills.ports.world import SIDES, HeldItem, ItemFact, Side
+from tandem.skills.site import load
+from tandem.skills.testing.mock_robot import STRETCHED, MockRobot
+from tandem.skills.testing.mock_skill import Fault
 
 LEFT: Final = 29
 RIGHT: Final = 42

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import shlex
 
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions, RunOptions
-from executive.parts import ROLES
-from executive.security.holders import KeysError, read_holders
-from sim.scenario import Scenario
-from skills.ports.site import Site
+from tandem.executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions, RunOptions
+from tandem.executive.parts import ROLES
+from tandem.executive.security.holders import KeysError, read_holders
+from tandem.sim.scenario import Scenario
+from tandem.skills.ports.site import Site
 
 ASKERS = ("operator", "requester")
 """Roles that may ask for a task."""

@@ -8,11 +8,11 @@ from typing import Literal
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from skills.ports.clocks import Clocks
-from skills.ports.tasks import TaskState
-from trees.context import TreeContext
-from trees.elapsed import Elapsed
-from trees.snapshot import kind_of
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.tasks import TaskState
+from tandem.trees.context import TreeContext
+from tandem.trees.elapsed import Elapsed
+from tandem.trees.snapshot import kind_of
 
 Step = Literal["", "leaf", "tick"]
 """How far a paused task goes on: to its end, by one leaf, by one tick of its tree."""

@@ -12,13 +12,13 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final
 
-from executive.run import SILENT_AFTER
-from skills.ports.clocks import Clocks
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.message import Message
-from trees.clients import Clients
-from trees.knowledge import Knowledge
-from trees.task import TaskType
+from tandem.executive.run import SILENT_AFTER
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import Message
+from tandem.trees.clients import Clients
+from tandem.trees.knowledge import Knowledge
+from tandem.trees.task import TaskType
 
 FIRST_TRY: Final = 30.0
 """Host seconds after which one of the waiting tasks is tried: what passes by itself has mostly passed."""

@@ -9,22 +9,22 @@ from typing import Final
 
 from pydantic import JsonValue
 
-from executive.bounds import Bounds
-from executive.doors import with_sender
-from executive.ledger.port import LedgerError
-from executive.requests import Asked, Refused, check_request, read_request
-from executive.task_book import TaskBook
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.documents import WHOLE
-from skills.ports.endpoint import AnyDocument, Call, endpoint
-from skills.ports.keys import Service
-from skills.ports.limits import Limits
-from skills.ports.message import Message
-from skills.ports.serving import Endpoints
-from skills.ports.site import Site
-from skills.ports.tasks import REQUEST, TASK_ANSWERS, Problem, TaskAnswer, by_client
-from trees.task import TaskType
+from tandem.executive.bounds import Bounds
+from tandem.executive.doors import with_sender
+from tandem.executive.ledger.port import LedgerError
+from tandem.executive.requests import Asked, Refused, check_request, read_request
+from tandem.executive.task_book import TaskBook
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.documents import WHOLE
+from tandem.skills.ports.endpoint import AnyDocument, Call, endpoint
+from tandem.skills.ports.keys import Service
+from tandem.skills.ports.limits import Limits
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.serving import Endpoints
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import REQUEST, TASK_ANSWERS, Problem, TaskAnswer, by_client
+from tandem.trees.task import TaskType
 
 AT_ONCE: Final = 64
 """Documents that one step reads and one commit makes durable; the rest waits for the next."""

@@ -1,4 +1,6 @@
-"""The tables of docs/interface.md, from the code: ``python -m executive.interface_doc docs/interface.md``.
+"""The tables of docs/interface.md, from the code.
+
+Run ``python -m tandem.executive.interface_doc docs/interface.md``.
 
 In the page they stand between ``<!-- begin NAME -->`` and ``<!-- end NAME -->``; the prose around is written
 by hand. A test compares the page with the code.
@@ -17,8 +19,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Final
 
-from executive.cli.exit_codes import MEANINGS, ExitCode
-from executive.interface_types import (
+from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
+from tandem.executive.interface_types import (
     field_default,
     field_docs,
     field_type,
@@ -27,16 +29,16 @@ from executive.interface_types import (
     type_name,
     whole_doc,
 )
-from sim import controls
-from skills.ports import action, actions, keys, tasks, world
-from skills.ports.failure import KINDS
-from skills.ports.hardware import RgbdHeader
-from skills.ports.keys import Service, Topic
-from skills.ports.message import Message
-from skills.ports.skill import ActionType
-from skills.wire import loop
-from trees.recoveries import RECOVERIES
-from trees.registry import discover
+from tandem.sim import controls
+from tandem.skills.ports import action, actions, keys, tasks, world
+from tandem.skills.ports.failure import KINDS
+from tandem.skills.ports.hardware import RgbdHeader
+from tandem.skills.ports.keys import Service, Topic
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.skill import ActionType
+from tandem.skills.wire import loop
+from tandem.trees.recoveries import RECOVERIES
+from tandem.trees.registry import discover
 
 Entry = Topic[Message] | Service[Message, Message]
 """A key and what travels on it."""
@@ -189,7 +191,7 @@ def _exit_code_table() -> str:
 
 
 def _command_table() -> str:
-    from executive.cli.main import build  # noqa: PLC0415 - it is only this table's
+    from tandem.executive.cli.main import build  # noqa: PLC0415 - it is only this table's
 
     app = build(["request"])
     rows = [_command_row("", each.name, each.callback, each.help) for each in app.registered_commands]

@@ -13,7 +13,7 @@ from typing import Annotated, Final, Literal, Union, get_args, get_origin
 import annotated_types
 from pydantic.fields import FieldInfo
 
-from skills.ports.message import Message
+from tandem.skills.ports.message import Message
 
 _PLAIN = {float: "number", int: "whole number", str: "text", bool: "true or false", NoneType: "null"}
 

@@ -16,7 +16,7 @@ VARIABLE: Final = "PYTHONSAFEPATH"
 
 
 def python(*words: str) -> list[str]:
-    """Return the command line of a Python program of ours: ``python("-m", "executive.worker", ...)``."""
+    """Return the command line of a Python program of ours: ``python("-m", "tandem...", ...)``."""
     return [sys.executable, "-P", *words]
 
 

@@ -7,15 +7,15 @@ from typing import Final
 
 from pydantic import ConfigDict
 
-from executive.halt import Halt
-from executive.ledger.port import SentGoal
-from executive.run import REST_WITHIN, SILENCE_ALLOWED, SILENT_AFTER
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.message import Message
-from skills.ports.skill import ActionType
-from trees.clients import AnyGoal, Clients
-from trees.knowledge import Knowledge
+from tandem.executive.halt import Halt
+from tandem.executive.ledger.port import SentGoal
+from tandem.executive.run import REST_WITHIN, SILENCE_ALLOWED, SILENT_AFTER
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.skill import ActionType
+from tandem.trees.clients import AnyGoal, Clients
+from tandem.trees.knowledge import Knowledge
 
 OWNER: Final = "executive"
 

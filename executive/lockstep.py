@@ -8,20 +8,20 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Sequence
 
-from executive.parts import Role
-from executive.roles import SKILL_ROLES, Surroundings, executive_node, skill_nodes
-from sim.scenario import Scenario
-from sim.station import Station, StationSettings
-from skills.one_boot import OneBoot
-from skills.ports.bus import Bus
-from skills.ports.hardware import RobotDescription
-from skills.ports.node import Node
-from skills.ports.site import Site
-from skills.site import load
-from skills.testing.faulty_bus import BusFaults, FaultyBus
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import Kind, MemoryBus, MemoryHub
-from skills.wire.workers import InlineCompute
+from tandem.executive.parts import Role
+from tandem.executive.roles import SKILL_ROLES, Surroundings, executive_node, skill_nodes
+from tandem.sim.scenario import Scenario
+from tandem.sim.station import Station, StationSettings
+from tandem.skills.one_boot import OneBoot
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.node import Node
+from tandem.skills.ports.site import Site
+from tandem.skills.site import load
+from tandem.skills.testing.faulty_bus import BusFaults, FaultyBus
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import Kind, MemoryBus, MemoryHub
+from tandem.skills.wire.workers import InlineCompute
 
 
 class Digest:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from executive.on_restart import OnRestart
-from executive.parts import LogFormat, Role
-from skills.wire.pulse import SILENT_AFTER
+from tandem.executive.on_restart import OnRestart
+from tandem.executive.parts import LogFormat, Role
+from tandem.skills.wire.pulse import SILENT_AFTER
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 DEFAULT_SITE: Final = "lab"

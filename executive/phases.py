@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from executive.systems import System
-from skills.ports.clocks import robot_seconds
-from skills.ports.keys import Latest
-from skills.ports.tasks import TASK_STATUS
+from tandem.executive.systems import System
+from tandem.skills.ports.clocks import robot_seconds
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.tasks import TASK_STATUS
 
 
 class Phases:

@@ -6,15 +6,15 @@ from collections import deque
 from dataclasses import dataclass, field
 from typing import Final
 
-from skills.ports.actions.perception import PICTURE
-from skills.ports.bus import Bus, Pending
-from skills.ports.clocks import Clocks
-from skills.ports.endpoint import answering
-from skills.ports.failure import Failure
-from skills.ports.keys import Nothing, Service
-from skills.ports.serving import Endpoints
-from skills.ports.tasks import TASK_PICTURE, AskPicture, Attempt
-from trees.context import TreeContext
+from tandem.skills.ports.actions.perception import PICTURE
+from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.endpoint import answering
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.keys import Nothing, Service
+from tandem.skills.ports.serving import Endpoints
+from tandem.skills.ports.tasks import TASK_PICTURE, AskPicture, Attempt
+from tandem.trees.context import TreeContext
 
 STORED_PICTURE: Final = Service(TASK_PICTURE, AskPicture, Nothing, reads=True)
 """Answered with a JPEG."""

@@ -19,11 +19,11 @@ from pathlib import Path
 from types import FrameType
 from typing import IO, Final, Self
 
-from executive.isolation import isolated, python
-from executive.parts import OBSERVER, ROLES
-from executive.settings import REFUSED, UNKEPT, WAIT, WorkerSettings
-from executive.telemetry.log_files import trim
-from skills.ports.hardware import StopState
+from tandem.executive.isolation import isolated, python
+from tandem.executive.parts import OBSERVER, ROLES
+from tandem.executive.settings import REFUSED, UNKEPT, WAIT, WorkerSettings
+from tandem.executive.telemetry.log_files import trim
+from tandem.skills.ports.hardware import StopState
 
 ENDS_WITHIN: Final = 5.0
 """Seconds that a process has for its own end; then it is killed."""
@@ -261,7 +261,7 @@ def _signals_later() -> Iterator[None]:
 
 def _launch(words: list[str], stream: IO[bytes], stdin: int) -> subprocess.Popen[bytes]:
     return subprocess.Popen(  # noqa: S603 - our own interpreter and our own module
-        python("-m", "executive.worker", *words),
+        python("-m", "tandem.executive.worker", *words),
         env=isolated(),
         stdin=stdin,
         stdout=stream,

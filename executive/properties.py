@@ -9,13 +9,13 @@ from typing import Final
 
 from py_trees.common import Status
 
-from executive.exploring import STEPS_WITHIN, Make, broken, moves_stretched
-from executive.testing import TreeBench
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.world import SIDES
-from skills.testing.mock_robot import MockRobot
-from skills.testing.mock_skill import Fault
-from trees.behaviours.act import Act
+from tandem.executive.exploring import STEPS_WITHIN, Make, broken, moves_stretched
+from tandem.executive.testing import TreeBench
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.world import SIDES
+from tandem.skills.testing.mock_robot import MockRobot
+from tandem.skills.testing.mock_skill import Fault
+from tandem.trees.behaviours.act import Act
 
 MOST_FAULTS: Final = 6
 LATE: Final = (0.5, 5.0, 30.0)

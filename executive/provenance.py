@@ -12,7 +12,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Final
 
-from skills.ports.message import Message
+from tandem.skills.ports.message import Message
 
 PACKAGES: Final = (
     "tandem-executive",

@@ -9,9 +9,9 @@ from __future__ import annotations
 from bisect import bisect_left
 from typing import Final
 
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.tasks import TASK_PULSE, ExecutivePulse, Times
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.tasks import TASK_PULSE, ExecutivePulse, Times
 
 EVERY: Final = 1.0
 """Seconds of the host between two pulses."""

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Final
 
-from executive.ledger.port import Ledger, LedgerError
-from executive.task_book import TaskBook
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.endpoint import answering, endpoint
-from skills.ports.keys import Nothing, Service
-from skills.ports.serving import Endpoints
-from skills.ports.tasks import (
+from tandem.executive.ledger.port import Ledger, LedgerError
+from tandem.executive.task_book import TaskBook
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.endpoint import answering, endpoint
+from tandem.skills.ports.keys import Nothing, Service
+from tandem.skills.ports.serving import Endpoints
+from tandem.skills.ports.tasks import (
     PAGE,
     TASK_HISTORY,
     TASK_INFO,

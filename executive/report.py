@@ -14,14 +14,14 @@ from typing import Final, Literal
 
 from pydantic import Field, JsonValue
 
-from executive.provenance import installed_packages
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.failure import Failure
-from skills.ports.geometry import Pose
-from skills.ports.keys import Latest
-from skills.ports.message import Message, RobotTime
-from skills.ports.tasks import (
+from tandem.executive.provenance import installed_packages
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.tasks import (
     TASK_ANSWERS,
     TASK_STATUS,
     TREE,

@@ -10,19 +10,19 @@ from typing import Final
 
 from pydantic import JsonValue, ValidationError
 
-from executive.envelope import FIELDS, Envelope
-from skills.ports.documents import parse, problems_of, show
-from skills.ports.message import PLAIN_TEXT, Message
-from skills.ports.site import Site
-from skills.ports.tasks import Problem
-from trees.task import TaskType
+from tandem.executive.envelope import FIELDS, Envelope
+from tandem.skills.ports.documents import parse, problems_of, show
+from tandem.skills.ports.message import PLAIN_TEXT, Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import Problem
+from tandem.trees.task import TaskType
 
 KIND_FIELD: Final = "task"
 """Names the kind of task."""
 ID_FIELD: Final = "id"
 """The client's own name for its request: repeated in the answer."""
 BY_FIELD: Final = "by"
-"""Who asked, by the key of the request; put there by ``executive.doors``."""
+"""Who asked, by the key of the request; put there by ``tandem.executive.doors``."""
 ANYBODY: Final = ""
 """Who came by a key without a name."""
 MAX_ID: Final = 64

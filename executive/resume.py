@@ -7,15 +7,15 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Final, Literal
 
-from executive.endings import crashed_at, no_longer_valid, not_taken_up
-from executive.ledger.port import Entry, Ledger
-from executive.on_restart import OnRestart
-from executive.requests import Asked, Refused
-from executive.task_book import KEPT, TaskBook
-from executive.task_memory import TaskMemory
-from skills.ports.failure import Failure
-from skills.ports.message import RobotTime
-from skills.ports.tasks import AskHistory, Question, TaskState, TaskStatus
+from tandem.executive.endings import crashed_at, no_longer_valid, not_taken_up
+from tandem.executive.ledger.port import Entry, Ledger
+from tandem.executive.on_restart import OnRestart
+from tandem.executive.requests import Asked, Refused
+from tandem.executive.task_book import KEPT, TaskBook
+from tandem.executive.task_memory import TaskMemory
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.tasks import AskHistory, Question, TaskState, TaskStatus
 
 Read = Callable[[bytes], Asked | Refused]
 """Checks a request's document."""

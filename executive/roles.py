@@ -18,24 +18,24 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from executive.parts import Role
-from executive.settings import RefusalError, WorkerSettings
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.compute import Compute
-from skills.ports.hardware import RobotDescription
-from skills.ports.keys import DESCRIPTION, Nothing
-from skills.ports.lease import Claim
-from skills.ports.node import Node
-from skills.ports.site import Site
-from skills.site import load
+from tandem.executive.parts import Role
+from tandem.executive.settings import RefusalError, WorkerSettings
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.keys import DESCRIPTION, Nothing
+from tandem.skills.ports.lease import Claim
+from tandem.skills.ports.node import Node
+from tandem.skills.ports.site import Site
+from tandem.skills.site import load
 
 if TYPE_CHECKING:
-    from executive.ledger.port import Ledger
-    from executive.on_restart import OnRestart
-    from skills.wire.credentials import Credentials
-    from skills.wire.presence import Presence
-    from skills.wire.zenoh_bus import ZenohBus
+    from tandem.executive.ledger.port import Ledger
+    from tandem.executive.on_restart import OnRestart
+    from tandem.skills.wire.credentials import Credentials
+    from tandem.skills.wire.presence import Presence
+    from tandem.skills.wire.zenoh_bus import ZenohBus
 
 SKILL_ROLES: Final[tuple[Role, ...]] = (
     "keeper",
@@ -74,27 +74,27 @@ def skill_nodes(role: Role, at: Surroundings) -> Sequence[Node]:
 
 
 def _keeper(at: Surroundings) -> Sequence[Node]:
-    from skills.world.process import nodes  # noqa: PLC0415
+    from tandem.skills.world.process import nodes  # noqa: PLC0415
 
     return nodes(at.bus, at.clocks, at.site, at.journal, charge=at.charge)
 
 
 def _perception(at: Surroundings) -> Sequence[Node]:
-    from skills.perception.process import nodes  # noqa: PLC0415
+    from tandem.skills.perception.process import nodes  # noqa: PLC0415
 
     return nodes(at.bus, at.clocks, at.description, at.site, at.compute, charge=at.charge)
 
 
 def _base(at: Surroundings) -> Sequence[Node]:
-    from skills.base.process import build  # noqa: PLC0415
+    from tandem.skills.base.process import build  # noqa: PLC0415
 
     return build(at.bus, at.clocks, at.description, at.site, charge=at.charge)
 
 
 def _arm(side: str) -> Callable[[Surroundings], Sequence[Node]]:
     def build(at: Surroundings) -> Sequence[Node]:
-        from skills.arm.process import nodes as arm_nodes  # noqa: PLC0415
-        from skills.gripper.process import nodes as gripper_nodes  # noqa: PLC0415
+        from tandem.skills.arm.process import nodes as arm_nodes  # noqa: PLC0415
+        from tandem.skills.gripper.process import nodes as gripper_nodes  # noqa: PLC0415
 
         group = at.description.end_effector(side).group
         return [
@@ -114,9 +114,9 @@ def _arm(side: str) -> Callable[[Surroundings], Sequence[Node]]:
 
 
 def _bimanual(at: Surroundings) -> Sequence[Node]:
-    from skills.bimanual.process import nodes  # noqa: PLC0415
-    from skills.kinematics.described import load_hulls  # noqa: PLC0415
-    from skills.reflex.process import nodes as reflexes  # noqa: PLC0415
+    from tandem.skills.bimanual.process import nodes  # noqa: PLC0415
+    from tandem.skills.kinematics.described import load_hulls  # noqa: PLC0415
+    from tandem.skills.reflex.process import nodes as reflexes  # noqa: PLC0415
 
     hulls = load_hulls(at.description, at.seed)
     return [
@@ -163,8 +163,8 @@ def executive_node(
     """
     from importlib.metadata import version  # noqa: PLC0415
 
-    from executive.service import Executive, Policy  # noqa: PLC0415
-    from trees.registry import discover  # noqa: PLC0415
+    from tandem.executive.service import Executive, Policy  # noqa: PLC0415
+    from tandem.trees.registry import discover  # noqa: PLC0415
 
     return Executive(
         bus,
@@ -186,18 +186,18 @@ def load_ahead(role: str) -> None:
         return
     for module in _AHEAD:
         importlib.import_module(module)
-    from trees.registry import discover  # noqa: PLC0415
+    from tandem.trees.registry import discover  # noqa: PLC0415
 
     discover()
 
 
 _AHEAD: Final = (
-    "executive.ledger.sqlite",
-    "executive.service",
-    "skills.wire.clocks",
-    "skills.wire.lease_holder",
-    "skills.wire.loop",
-    "skills.wire.zenoh_bus",
+    "tandem.executive.ledger.sqlite",
+    "tandem.executive.service",
+    "tandem.skills.wire.clocks",
+    "tandem.skills.wire.lease_holder",
+    "tandem.skills.wire.loop",
+    "tandem.skills.wire.zenoh_bus",
 )
 
 
@@ -210,8 +210,8 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
     if settings.role == "router":
         _play_router(settings, stopped)
         return
-    from skills.wire.presence import Presence, RivalError  # noqa: PLC0415
-    from skills.wire.zenoh_bus import ZenohBus  # noqa: PLC0415
+    from tandem.skills.wire.presence import Presence, RivalError  # noqa: PLC0415
+    from tandem.skills.wire.zenoh_bus import ZenohBus  # noqa: PLC0415
 
     bus = ZenohBus(
         settings.endpoint,
@@ -250,14 +250,14 @@ def claim_of(settings: WorkerSettings) -> Claim:
 def _credentials(settings: WorkerSettings) -> Credentials | None:
     if settings.keys is None:
         return None
-    from executive.security.identity import Identity  # noqa: PLC0415
+    from tandem.executive.security.identity import Identity  # noqa: PLC0415
 
     return Identity(Path(settings.keys), settings.holder).process(settings.role)
 
 
 def _play_router(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
-    from executive.router import Router  # noqa: PLC0415
-    from skills.wire.zenoh_bus import Waker  # noqa: PLC0415
+    from tandem.executive.router import Router  # noqa: PLC0415
+    from tandem.skills.wire.zenoh_bus import Waker  # noqa: PLC0415
 
     router, waker = Router(settings, _credentials(settings)), Waker()
     try:
@@ -269,9 +269,9 @@ def _play_router(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
 
 
 def _play_hardware(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
-    from sim.pace import await_renderer, run_paced  # noqa: PLC0415
-    from sim.scenario import load_scenario  # noqa: PLC0415
-    from sim.station import Station, StationSettings  # noqa: PLC0415
+    from tandem.sim.pace import await_renderer, run_paced  # noqa: PLC0415
+    from tandem.sim.scenario import load_scenario  # noqa: PLC0415
+    from tandem.sim.station import Station, StationSettings  # noqa: PLC0415
 
     how = StationSettings(
         boot=uuid.uuid4().hex[:8],
@@ -282,7 +282,7 @@ def _play_hardware(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[]
     )
     scenario = load_scenario(settings.scenario)
     if settings.faults is not None:
-        from executive.fault_file import load_faults  # noqa: PLC0415
+        from tandem.executive.fault_file import load_faults  # noqa: PLC0415
 
         scenario = scenario.with_faults(load_faults(settings.faults).faults)
     station = Station(bus, load(settings.site), scenario, how)
@@ -297,14 +297,14 @@ def _play_hardware(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[]
 
 
 def _play_observer(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
-    from executive.telemetry.process import observe  # noqa: PLC0415
+    from tandem.executive.telemetry.process import observe  # noqa: PLC0415
 
     observe(settings, bus, stopped)
 
 
 def _play_mock(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]) -> None:
-    from executive.campaigns.crash_world import TICK, LastingRobot  # noqa: PLC0415
-    from skills.wire.clocks import ProcessClocks  # noqa: PLC0415
+    from tandem.executive.campaigns.crash_world import TICK, LastingRobot  # noqa: PLC0415
+    from tandem.skills.wire.clocks import ProcessClocks  # noqa: PLC0415
 
     assert settings.data is not None, "the mock keeps its truth in a folder"
     boot = uuid.uuid4().hex[:8]
@@ -325,11 +325,11 @@ def _play_mock(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bo
 def _play_node(
     settings: WorkerSettings, bus: ZenohBus, presence: Presence, stopped: Callable[[], bool]
 ) -> None:
-    from skills.one_boot import OneBoot  # noqa: PLC0415
-    from skills.wire.clocks import ProcessClocks  # noqa: PLC0415
-    from skills.wire.lease_holder import LeaseHolder, Leasing  # noqa: PLC0415
-    from skills.wire.loop import run  # noqa: PLC0415
-    from skills.wire.workers import ProcessCompute  # noqa: PLC0415
+    from tandem.skills.one_boot import OneBoot  # noqa: PLC0415
+    from tandem.skills.wire.clocks import ProcessClocks  # noqa: PLC0415
+    from tandem.skills.wire.lease_holder import LeaseHolder, Leasing  # noqa: PLC0415
+    from tandem.skills.wire.loop import run  # noqa: PLC0415
+    from tandem.skills.wire.workers import ProcessCompute  # noqa: PLC0415
 
     clocks = ProcessClocks(bus)
     site = load(settings.site)
@@ -370,8 +370,8 @@ def _keep_goals(settings: WorkerSettings, nodes: Sequence[Node]) -> None:
     """Have the action servers of a process journal the goals that they accept."""
     if settings.data is None:
         return
-    from skills.goal_journal import GoalJournal  # noqa: PLC0415
-    from skills.server import ActionServer  # noqa: PLC0415
+    from tandem.skills.goal_journal import GoalJournal  # noqa: PLC0415
+    from tandem.skills.server import ActionServer  # noqa: PLC0415
 
     journal = GoalJournal(Path(settings.data) / f"{settings.role}.goals")
     for node in nodes:
@@ -380,13 +380,13 @@ def _keep_goals(settings: WorkerSettings, nodes: Sequence[Node]) -> None:
 
 
 def _executive(settings: WorkerSettings, bus: Bus, clocks: Clocks, site: Site) -> Node:
-    from executive.ledger.sqlite import SqliteLedger  # noqa: PLC0415
-    from executive.task_book import start_id  # noqa: PLC0415
-    from executive.wall_clock import host_start  # noqa: PLC0415
+    from tandem.executive.ledger.sqlite import SqliteLedger  # noqa: PLC0415
+    from tandem.executive.task_book import start_id  # noqa: PLC0415
+    from tandem.executive.wall_clock import host_start  # noqa: PLC0415
 
     ledger: Ledger | None = None if settings.data is None else SqliteLedger(Path(settings.data))
     if settings.crash_at is not None or settings.crash_log is not None:
-        from executive.campaigns.crash_points import CrashBus, CrashLedger, CrashPoints  # noqa: PLC0415
+        from tandem.executive.campaigns.crash_points import CrashBus, CrashLedger, CrashPoints  # noqa: PLC0415
 
         log = None if settings.crash_log is None else Path(settings.crash_log)
         points = CrashPoints(settings.crash_at or "", log)
@@ -408,15 +408,15 @@ def _with_faults(settings: WorkerSettings, bus: Bus, clocks: Clocks) -> Bus:
     """Return the bus, or a bad one around it when the faults' file says so."""
     if settings.faults is None:
         return bus
-    from executive.fault_file import load_faults  # noqa: PLC0415
-    from skills.testing.faulty_bus import FaultyBus  # noqa: PLC0415
+    from tandem.executive.fault_file import load_faults  # noqa: PLC0415
+    from tandem.skills.testing.faulty_bus import FaultyBus  # noqa: PLC0415
 
     faults = load_faults(settings.faults).bus
     return bus if faults is None else FaultyBus(bus, clocks, f"{settings.seed}/{settings.role}", faults)
 
 
 def _ask_description(bus: ZenohBus, stopped: Callable[[], bool]) -> RobotDescription:
-    from skills.wire.zenoh_bus import wait_until  # noqa: PLC0415
+    from tandem.skills.wire.zenoh_bus import wait_until  # noqa: PLC0415
 
     deadline = time.monotonic() + DESCRIPTION_WITHIN
     while not stopped() and time.monotonic() < deadline:

@@ -11,13 +11,13 @@ import logging
 from pathlib import Path
 from typing import Final
 
-from executive.security.acl import access_control, low_pass_filter
-from executive.security.holders import LIST, KeysError, read_holders
-from executive.settings import RefusalError, WorkerSettings
-from skills.wire.configs import router_config
-from skills.wire.credentials import Credentials
-from skills.wire.linger import close_at_once
-from skills.wire.zenoh_bus import BusError, RouterSession
+from tandem.executive.security.acl import access_control, low_pass_filter
+from tandem.executive.security.holders import LIST, KeysError, read_holders
+from tandem.executive.settings import RefusalError, WorkerSettings
+from tandem.skills.wire.configs import router_config
+from tandem.skills.wire.credentials import Credentials
+from tandem.skills.wire.linger import close_at_once
+from tandem.skills.wire.zenoh_bus import BusError, RouterSession
 
 LINGER_EVERY: Final = 10
 """Steps between two looks at the connections; ten are a second in the router's process. A reader that stands

@@ -12,7 +12,7 @@ from typing import Final
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from executive.endings import (
+from tandem.executive.endings import (
     Ending,
     abandoned,
     hardware_lost,
@@ -22,19 +22,19 @@ from executive.endings import (
     raised,
     unsaid,
 )
-from executive.halt import Halt
-from executive.hold import Hold, Step
-from executive.ledger.port import LedgerError
-from executive.task_memory import Winding
-from executive.tree_view import TreeView
-from skills.ports.clocks import Clocks
-from skills.ports.failure import Failure
-from skills.ports.message import RobotTime
-from skills.ports.tasks import NodeStatus, Progress, TaskState, TreeNode, TreeSnapshot
-from trees.clients import AnyGoal
-from trees.context import TreeContext
-from trees.elapsed import Elapsed
-from trees.gates import Gates
+from tandem.executive.halt import Halt
+from tandem.executive.hold import Hold, Step
+from tandem.executive.ledger.port import LedgerError
+from tandem.executive.task_memory import Winding
+from tandem.executive.tree_view import TreeView
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.tasks import NodeStatus, Progress, TaskState, TreeNode, TreeSnapshot
+from tandem.trees.clients import AnyGoal
+from tandem.trees.context import TreeContext
+from tandem.trees.elapsed import Elapsed
+from tandem.trees.gates import Gates
 
 TICK_PERIOD: Final = 0.05
 """Robot seconds after which the tree is ticked although nothing was heard: its timers."""

@@ -8,12 +8,12 @@ from typing import Final
 from pydantic import JsonValue, TypeAdapter
 from pydantic.json_schema import models_json_schema
 
-from executive.envelope import Envelope
-from executive.requests import ID_FIELD, KIND_FIELD, MAX_ID
-from skills.ports.hardware import Stop, StopState
-from skills.ports.keys import STOP, STOP_RELEASE, STOP_STATE, Nothing
-from skills.ports.message import Message
-from skills.ports.tasks import (
+from tandem.executive.envelope import Envelope
+from tandem.executive.requests import ID_FIELD, KIND_FIELD, MAX_ID
+from tandem.skills.ports.hardware import Stop, StopState
+from tandem.skills.ports.keys import STOP, STOP_RELEASE, STOP_STATE, Nothing
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import (
     REQUEST,
     TASK_ABANDON,
     TASK_ANSWER,
@@ -47,7 +47,7 @@ from skills.ports.tasks import (
     TaskStatus,
     TreeSnapshot,
 )
-from trees.task import TaskType
+from tandem.trees.task import TaskType
 
 DIALECT: Final = "https://json-schema.org/draft/2020-12/schema"
 CLIENT_MESSAGES: Final[tuple[type[Message], ...]] = (

@@ -11,36 +11,36 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
-from executive.bounds import Bounds
-from executive.control import Control
-from executive.doors import cancel_of_own
-from executive.endings import Ending
-from executive.expectation import Expectation
-from executive.goal_journal import LedgerJournal
-from executive.halt import Halt
-from executive.holds import Holds
-from executive.intake import Intake
-from executive.ledger.memory import MemoryLedger
-from executive.ledger.port import Ledger, LedgerError
-from executive.leftovers import Leftovers
-from executive.on_restart import OnRestart
-from executive.pictures import Album, Tries
-from executive.pulse import Pulse
-from executive.questions import Questions
-from executive.requests import Asked
-from executive.resume import Comeback, How, take_up
-from executive.run import Run
-from executive.task_book import KEPT, MAX_WAITING, TURN, TaskBook
-from executive.task_log import TaskLog
-from executive.turn import Turn
-from executive.verbs import Verbs
-from executive.wall_clock import WallClock
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import (
+from tandem.executive.bounds import Bounds
+from tandem.executive.control import Control
+from tandem.executive.doors import cancel_of_own
+from tandem.executive.endings import Ending
+from tandem.executive.expectation import Expectation
+from tandem.executive.goal_journal import LedgerJournal
+from tandem.executive.halt import Halt
+from tandem.executive.holds import Holds
+from tandem.executive.intake import Intake
+from tandem.executive.ledger.memory import MemoryLedger
+from tandem.executive.ledger.port import Ledger, LedgerError
+from tandem.executive.leftovers import Leftovers
+from tandem.executive.on_restart import OnRestart
+from tandem.executive.pictures import Album, Tries
+from tandem.executive.pulse import Pulse
+from tandem.executive.questions import Questions
+from tandem.executive.requests import Asked
+from tandem.executive.resume import Comeback, How, take_up
+from tandem.executive.run import Run
+from tandem.executive.task_book import KEPT, MAX_WAITING, TURN, TaskBook
+from tandem.executive.task_log import TaskLog
+from tandem.executive.turn import Turn
+from tandem.executive.verbs import Verbs
+from tandem.executive.wall_clock import WallClock
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import (
     TASK_STATUS,
     TREE,
     CancelTask,
@@ -51,10 +51,10 @@ from skills.ports.tasks import (
     TreeSnapshot,
     task_status,
 )
-from trees.clients import Clients
-from trees.context import TreeContext
-from trees.knowledge import Knowledge
-from trees.task import TaskType
+from tandem.trees.clients import Clients
+from tandem.trees.context import TreeContext
+from tandem.trees.knowledge import Knowledge
+from tandem.trees.task import TaskType
 
 NAME: Final = "executive"
 """What it is announced as; goals of skills come to rest when this name is gone."""
@@ -89,8 +89,8 @@ class Executive:
         bus: where clients and skills are.
         clocks: robot time for trees, UTC for when a request came.
         site: what is known beforehand.
-        tasks: the kinds of request, by name (``trees.registry.discover()``).
-        start: part of each task's id (``executive.task_book.start_id``); empty in lockstep.
+        tasks: the kinds of request, by name (``tandem.trees.registry.discover()``).
+        start: part of each task's id (``tandem.executive.task_book.start_id``); empty in lockstep.
         host: names this start of the host (``executive.wall_clock.host_start``), for a ledger that lasts.
         version: of this program, told to who asks.
         ledger: what was accepted and what became of it; in memory unless given. Closed with the service.

@@ -6,11 +6,11 @@ from typing import Annotated, Final
 
 from pydantic import Field
 
-from executive.on_restart import OnRestart
-from executive.parts import LogFormat, Role
-from skills.ports.hardware import StopState
-from skills.ports.message import Message
-from skills.wire.pulse import SILENT_AFTER
+from tandem.executive.on_restart import OnRestart
+from tandem.executive.parts import LogFormat, Role
+from tandem.skills.ports.hardware import StopState
+from tandem.skills.ports.message import Message
+from tandem.skills.wire.pulse import SILENT_AFTER
 
 
 class WorkerSettings(Message):

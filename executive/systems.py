@@ -10,26 +10,26 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import Final, Protocol, Self
 
-from executive.hung import HUNG_AFTER, Hung
-from executive.options import RunOptions
-from executive.parts import OBSERVER, ROLES, Role
-from executive.processes import RESTARTED, Death, Supervisor
-from executive.security.identity import Identity
-from executive.settings import REFUSED, UNKEPT, WorkerSettings
-from executive.telemetry.log_files import UserLog
-from executive.telemetry.relay import LogRelay
-from executive.vacancy import TakenError, require_vacant
-from sim.chatter import unheard
-from sim.scenario import Scenario, load_scenario
-from skills.ports.bus import Bus, Pending
-from skills.ports.clocks import Clocks
-from skills.ports.hardware import StopState
-from skills.ports.keys import STOP_STATE, Latest, Nothing
-from skills.ports.site import Site
-from skills.ports.tasks import TASK_INFO
-from skills.testing.faulty_bus import BusFaults
-from skills.wire.clocks import ProcessClocks
-from skills.wire.zenoh_bus import BusError, ZenohBus
+from tandem.executive.hung import HUNG_AFTER, Hung
+from tandem.executive.options import RunOptions
+from tandem.executive.parts import OBSERVER, ROLES, Role
+from tandem.executive.processes import RESTARTED, Death, Supervisor
+from tandem.executive.security.identity import Identity
+from tandem.executive.settings import REFUSED, UNKEPT, WorkerSettings
+from tandem.executive.telemetry.log_files import UserLog
+from tandem.executive.telemetry.relay import LogRelay
+from tandem.executive.vacancy import TakenError, require_vacant
+from tandem.sim.chatter import unheard
+from tandem.sim.scenario import Scenario, load_scenario
+from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.hardware import StopState
+from tandem.skills.ports.keys import STOP_STATE, Latest, Nothing
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import TASK_INFO
+from tandem.skills.testing.faulty_bus import BusFaults
+from tandem.skills.wire.clocks import ProcessClocks
+from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 READY_WITHIN: Final = 60.0
 """Host seconds that processes have for their start."""
@@ -95,7 +95,7 @@ class LockstepSystem:
     ) -> None:
         with unheard():
             # pybullet prints when it was built. A process that only watches others never loads it.
-            from executive.lockstep import Digest, Lockstep  # noqa: PLC0415
+            from tandem.executive.lockstep import Digest, Lockstep  # noqa: PLC0415
 
             self.lockstep = Lockstep(scenario, seed, site=site, bus_faults=bus_faults)
         self._digest = Digest()

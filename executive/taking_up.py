@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final, Literal
 
-from executive.ledger.port import Entry
-from executive.ledger.sqlite import FILE, SqliteLedger
-from executive.on_restart import OnRestart
-from skills.ports.tasks import TaskState
+from tandem.executive.ledger.port import Entry
+from tandem.executive.ledger.sqlite import FILE, SqliteLedger
+from tandem.executive.on_restart import OnRestart
+from tandem.skills.ports.tasks import TaskState
 
 Fate = Literal["queued", "resumed", "cancelled", "paused", "asked", "interrupted"]
 """What becomes of a task that has not ended."""

@@ -9,17 +9,17 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Final
 
-from executive.ledger.port import Entry, Ledger, LedgerError
-from executive.ledger.stubs import same_request
-from executive.requests import Asked, asked_by
-from executive.states import FIRST, check
-from executive.task_memory import TaskMemory
-from executive.task_queue import TaskQueue, Waiting
-from executive.wall_clock import WallClock, date
-from skills.ports.documents import WHOLE, show
-from skills.ports.failure import Failure
-from skills.ports.message import RobotTime
-from skills.ports.tasks import Attempt, Problem, TaskAnswer, TaskState, TaskStatus
+from tandem.executive.ledger.port import Entry, Ledger, LedgerError
+from tandem.executive.ledger.stubs import same_request
+from tandem.executive.requests import Asked, asked_by
+from tandem.executive.states import FIRST, check
+from tandem.executive.task_memory import TaskMemory
+from tandem.executive.task_queue import TaskQueue, Waiting
+from tandem.executive.wall_clock import WallClock, date
+from tandem.skills.ports.documents import WHOLE, show
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.tasks import Attempt, Problem, TaskAnswer, TaskState, TaskStatus
 
 MAX_WAITING: Final = 1000
 """Tasks that may wait; one more is refused."""

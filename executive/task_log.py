@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 
-from skills.ports.tasks import TaskState, TaskStatus
+from tandem.skills.ports.tasks import TaskState, TaskStatus
 
 _LOG = logging.getLogger(__name__)
 

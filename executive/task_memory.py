@@ -10,8 +10,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field, JsonValue
 
-from skills.ports.failure import Failure
-from skills.ports.message import Message
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.message import Message
 
 Winding = Literal["", "begun", "left"]
 """What is done after a cancel: not begun; begun; or left, because the task was cancelled once more."""

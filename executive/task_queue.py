@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 from typing import Final
 
-from executive.requests import Asked
+from tandem.executive.requests import Asked
 
 NEVER: Final = float("inf")
 

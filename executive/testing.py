@@ -13,17 +13,17 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Sequence
 
-from skills.ports.failure import Failure
-from skills.ports.geometry import Pose
-from skills.ports.site import Site
-from skills.testing.mock_robot import MockRobot
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus, MemoryHub
-from trees.clients import Clients
-from trees.context import TreeContext
-from trees.gates import Gates
-from trees.knowledge import Knowledge
-from trees.registry import discover
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.site import Site
+from tandem.skills.testing.mock_robot import MockRobot
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus, MemoryHub
+from tandem.trees.clients import Clients
+from tandem.trees.context import TreeContext
+from tandem.trees.gates import Gates
+from tandem.trees.knowledge import Knowledge
+from tandem.trees.registry import discover
 
 STEP = 0.01
 """Robot seconds of a period, unless another one is asked for."""

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from skills.ports.tasks import NodeStatus, TreeNode
-from trees.snapshot import kind_of
+from tandem.skills.ports.tasks import NodeStatus, TreeNode
+from tandem.trees.snapshot import kind_of
 
 
 class TreeView:

@@ -8,14 +8,14 @@ from typing import Final
 
 from py_trees.common import Status
 
-from executive.expectation import Expectation
-from executive.requests import Asked
-from executive.resume import QUESTION, How
-from executive.run import Run
-from executive.task_book import TaskBook
-from executive.task_memory import Held, TaskMemory
-from skills.ports.clocks import Clocks
-from skills.ports.tasks import Progress, TaskState, TaskStatus
+from tandem.executive.expectation import Expectation
+from tandem.executive.requests import Asked
+from tandem.executive.resume import QUESTION, How
+from tandem.executive.run import Run
+from tandem.executive.task_book import TaskBook
+from tandem.executive.task_memory import Held, TaskMemory
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.tasks import Progress, TaskState, TaskStatus
 
 _LOG = logging.getLogger(__name__)
 PROGRESS_STEP: Final = 0.01

@@ -6,14 +6,14 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
-from executive.ledger.port import LedgerError
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.endpoint import Endpoint, answering
-from skills.ports.keys import Service
-from skills.ports.message import Message
-from skills.ports.serving import Endpoints
-from skills.ports.tasks import ControlAnswer
+from tandem.executive.ledger.port import LedgerError
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.endpoint import Endpoint, answering
+from tandem.skills.ports.keys import Service
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.serving import Endpoints
+from tandem.skills.ports.tasks import ControlAnswer
 
 M = TypeVar("M", bound=Message)
 

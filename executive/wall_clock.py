@@ -12,8 +12,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
-from executive.ledger.port import Reading
-from skills.ports.clocks import Clocks
+from tandem.executive.ledger.port import Reading
+from tandem.skills.ports.clocks import Clocks
 
 NEAR: Final = 60.0
 """Seconds between the wall clock and the ledger's time within which it is followed: NTP slews by less, and a

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from types import MappingProxyType
 from typing import Final
 
-from skills.ports.failure import KINDS, Failure, FailureKind, Helper
-from skills.ports.tasks import Attempt, TaskState, TaskStatus
+from tandem.skills.ports.failure import KINDS, Failure, FailureKind, Helper
+from tandem.skills.ports.tasks import Attempt, TaskState, TaskStatus
 
 NEXT: Final = MappingProxyType(
     {

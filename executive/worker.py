@@ -1,4 +1,4 @@
-"""One process of the system: ``python -m executive.worker`` with its settings as one JSON document.
+"""One process of the system: ``python -m tandem.executive.worker`` with its settings as one JSON document.
 
 ``executive.processes`` starts these; each plays one role until it is told to end or its parent is gone.
 """
@@ -13,11 +13,11 @@ from dataclasses import dataclass, field
 from types import FrameType
 from typing import Final
 
-from executive import roles
-from executive.ledger.port import LedgerError, LedgerLockedError
-from executive.screen import end_unheard
-from executive.settings import REFUSED, UNKEPT, WAIT, RefusalError, WorkerSettings
-from executive.telemetry.logs import formatter
+from tandem.executive import roles
+from tandem.executive.ledger.port import LedgerError, LedgerLockedError
+from tandem.executive.screen import end_unheard
+from tandem.executive.settings import REFUSED, UNKEPT, WAIT, RefusalError, WorkerSettings
+from tandem.executive.telemetry.logs import formatter
 
 SWITCH_INTERVAL: Final = 0.0005
 """Seconds after which a thread that computes lets another go on."""

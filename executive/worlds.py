@@ -8,17 +8,17 @@ from functools import partial
 from types import MappingProxyType
 from typing import Final
 
-from executive.testing import TreeBench
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import IDENTITY, Pose, from_axes
-from skills.ports.hardware import StopState
-from skills.ports.keys import STOP_STATE
-from skills.ports.message import Vector3
-from skills.ports.site import Site
-from skills.ports.world import SIDES, HeldItem, ItemFact, Placed
-from skills.site import load
-from skills.testing.mock_robot import STRETCHED, TUCKED, MockRobot
-from skills.testing.mock_skill import Fault
+from tandem.executive.testing import TreeBench
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import IDENTITY, Pose, from_axes
+from tandem.skills.ports.hardware import StopState
+from tandem.skills.ports.keys import STOP_STATE
+from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.world import SIDES, HeldItem, ItemFact, Placed
+from tandem.skills.site import load
+from tandem.skills.testing.mock_robot import STRETCHED, TUCKED, MockRobot
+from tandem.skills.testing.mock_skill import Fault
 
 ITEM: Final = 29
 OTHER: Final = 42

@@ -6,14 +6,14 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from skills.ports.geometry import FloorPose, wrap
+from tandem.skills.ports.geometry import FloorPose, wrap
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from sim.model import Wheels
-    from sim.scenario import Noise
-    from skills.ports.hardware import BaseVelocity, Drive
+    from tandem.sim.model import Wheels
+    from tandem.sim.scenario import Noise
+    from tandem.skills.ports.hardware import BaseVelocity, Drive
 
 WHEEL_GAIN = 8.0
 """1/s: how fast a wheel makes up for a lag behind its reference; keeps the base from creeping, too."""

@@ -12,11 +12,11 @@ from typing import Final
 import numpy as np
 import pybullet
 
-from sim.model import Hand, RobotModel
-from sim.physics import Group, Physics
-from sim.urdf import Array
-from skills.ports.message import Quaternion, Vector3
-from skills.ports.packages import resolve
+from tandem.sim.model import Hand, RobotModel
+from tandem.sim.physics import Group, Physics
+from tandem.sim.urdf import Array
+from tandem.skills.ports.message import Quaternion, Vector3
+from tandem.skills.ports.packages import resolve
 
 PAD_FRICTION: Final = 1.0
 SKIN_FRICTION: Final = 0.5

@@ -13,19 +13,19 @@ from typing import TYPE_CHECKING, Final
 
 import pybullet
 
-from sim.render import Job, Renderer, Scene
-from sim.twin import Snapshot, View, looking_at
-from skills.ports.geometry import Pose, from_axes
-from skills.ports.hardware import CameraSensor, RgbdHeader
-from skills.ports.keys import RGBD
+from tandem.sim.render import Job, Renderer, Scene
+from tandem.sim.twin import Snapshot, View, looking_at
+from tandem.skills.ports.geometry import Pose, from_axes
+from tandem.skills.ports.hardware import CameraSensor, RgbdHeader
+from tandem.skills.ports.keys import RGBD
 
 if TYPE_CHECKING:
-    from sim.body import RobotBody
-    from sim.scenario import Noise
-    from sim.urdf import Array
-    from sim.world import World
-    from skills.ports.bus import Bus
-    from skills.ports.message import RobotTime, Vector3
+    from tandem.sim.body import RobotBody
+    from tandem.sim.scenario import Noise
+    from tandem.sim.urdf import Array
+    from tandem.sim.world import World
+    from tandem.skills.ports.bus import Bus
+    from tandem.skills.ports.message import RobotTime, Vector3
 
 WIDTH: Final = 1280
 HEIGHT: Final = 720

@@ -10,27 +10,27 @@ from typing import TYPE_CHECKING, Annotated, Final, Protocol
 
 from pydantic import Field
 
-from sim.faults import Fault, FaultEvent, FaultRequest
-from sim.scenario import Scenario, ScenarioError
-from sim.scene import item_body, obstacle_body
-from sim.things import Name, Obstacle, TrueItem
-from sim.truth import TRUTH, read_truth
-from skills.ports.endpoint import Call, answering, endpoint
-from skills.ports.geometry import Pose
-from skills.ports.hardware import Answer
-from skills.ports.keys import Service, Topic
-from skills.ports.message import MOST, Message, RobotTime, RobotTimer, Vector3
-from skills.ports.serving import Endpoints
+from tandem.sim.faults import Fault, FaultEvent, FaultRequest
+from tandem.sim.scenario import Scenario, ScenarioError
+from tandem.sim.scene import item_body, obstacle_body
+from tandem.sim.things import Name, Obstacle, TrueItem
+from tandem.sim.truth import TRUTH, read_truth
+from tandem.skills.ports.endpoint import Call, answering, endpoint
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.hardware import Answer
+from tandem.skills.ports.keys import Service, Topic
+from tandem.skills.ports.message import MOST, Message, RobotTime, RobotTimer, Vector3
+from tandem.skills.ports.serving import Endpoints
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from sim.body import RobotBody
-    from sim.camera import Studio
-    from sim.scene import SceneBody
-    from sim.world import World
-    from skills.ports.bus import Bus
-    from skills.ports.site import Site
+    from tandem.sim.body import RobotBody
+    from tandem.sim.camera import Studio
+    from tandem.sim.scene import SceneBody
+    from tandem.sim.world import World
+    from tandem.skills.ports.bus import Bus
+    from tandem.skills.ports.site import Site
 
 Pixels = Annotated[int, Field(ge=16, le=2048)]
 

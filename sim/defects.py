@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from sim.faults import (
+from tandem.sim.faults import (
     BumperPressed,
     CameraDark,
     CameraSilent,
@@ -17,18 +17,18 @@ from sim.faults import (
     JointStall,
     LaserSilent,
 )
-from sim.gripper import HandDefects
-from sim.lens import Freeze, darken
-from sim.scenario import ScenarioError
-from skills.ports import keys
-from skills.ports.sources import Source
+from tandem.sim.gripper import HandDefects
+from tandem.sim.lens import Freeze, darken
+from tandem.sim.scenario import ScenarioError
+from tandem.skills.ports import keys
+from tandem.skills.ports.sources import Source
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from sim.hardware import Hardware
-    from sim.line import Line
-    from skills.ports.hardware import RobotDescription
+    from tandem.sim.hardware import Hardware
+    from tandem.sim.line import Line
+    from tandem.skills.ports.hardware import RobotDescription
 
 CUTS: Final[dict[type[Fault], str]] = {
     HardwareSilent: "hw/",

@@ -9,17 +9,17 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
-from sim.scene import item_name
-from skills.ports.geometry import rotate
+from tandem.sim.scene import item_name
+from tandem.skills.ports.geometry import rotate
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from sim.body import RobotBody
-    from sim.physics import Contact
-    from sim.scene import SceneBody
-    from sim.world import World
-    from skills.ports.message import Quaternion, Vector3
+    from tandem.sim.body import RobotBody
+    from tandem.sim.physics import Contact
+    from tandem.sim.scene import SceneBody
+    from tandem.sim.world import World
+    from tandem.skills.ports.message import Quaternion, Vector3
 
 MOVED: Final = 0.01
 """Metres from which a thing counts as moved. The physics' own settling stays below 1 mm."""

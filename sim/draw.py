@@ -12,18 +12,18 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
 
-from sim.plan import Plan, gap, plan_of
-from sim.scenario import Scenario, ScenarioError, SpawnSurface
-from sim.scene import SceneBody, build_scene, furniture_bodies, item_body, item_name
-from sim.things import FLOOR, TrueItem
-from skills.ports.geometry import FloorPose
+from tandem.sim.plan import Plan, gap, plan_of
+from tandem.sim.scenario import Scenario, ScenarioError, SpawnSurface
+from tandem.sim.scene import SceneBody, build_scene, furniture_bodies, item_body, item_name
+from tandem.sim.things import FLOOR, TrueItem
+from tandem.skills.ports.geometry import FloorPose
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     import numpy as np
 
-    from skills.ports.site import Site
+    from tandem.skills.ports.site import Site
 
 FINGER_GAP: Final = 0.03
 """Metres left free on all sides of the drawn item: a finger with its pad is 2 cm thick."""

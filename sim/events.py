@@ -5,17 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from skills.ports.keys import RGBD
+from tandem.skills.ports.keys import RGBD
 
 if TYPE_CHECKING:
     from collections.abc import Set as AbstractSet
 
-    from sim.body import RobotBody
-    from sim.faults import Event
-    from sim.hardware import Hardware
-    from sim.world import World
-    from skills.ports.bus import Bus
-    from skills.ports.message import RobotTime
+    from tandem.sim.body import RobotBody
+    from tandem.sim.faults import Event
+    from tandem.sim.hardware import Hardware
+    from tandem.sim.world import World
+    from tandem.skills.ports.bus import Bus
+    from tandem.skills.ports.message import RobotTime
 
 LIFTED: Final = 0.03
 """Metres above where it stood from which an item counts as lifted."""

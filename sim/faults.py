@@ -1,7 +1,7 @@
 """Faults on purpose, as data: what goes wrong, when, for how long and how badly.
 
 A fault begins ``at`` a time of the robot's clock, or ``when`` something happens; with neither it begins at
-once. ``lasts`` is in robot seconds; without it the fault stays. Who carries them out: ``sim.trouble``.
+once. ``lasts`` is in robot seconds; without it the fault stays. Who carries them out: ``tandem.sim.trouble``.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from typing import Annotated, Final, Literal
 
 from pydantic import Field, model_validator
 
-from sim.things import Angle, BoxShape, Colour, Coordinate, Friction, Name, Shape
-from skills.ports.message import Count, Message, RobotTime
+from tandem.sim.things import Angle, BoxShape, Colour, Coordinate, Friction, Name, Shape
+from tandem.skills.ports.message import Count, Message, RobotTime
 
 Side = Literal["left", "right"]
 Tag = Annotated[int, Field(ge=0, le=586)]

@@ -9,7 +9,7 @@ from collections import deque
 from dataclasses import dataclass
 from typing import Final
 
-from skills.ports.hardware import Answer, Gripper, GripperCommand, GripperMotion
+from tandem.skills.ports.hardware import Answer, Gripper, GripperCommand, GripperMotion
 
 WIDTH_TOLERANCE: Final = 0.001
 """Metres of width within which a command is done."""

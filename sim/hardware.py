@@ -4,22 +4,22 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, Protocol
 
-from sim.parts import BasePart, Gate, GroupPart, HandPart, Part
-from skills.ports import keys
-from skills.ports.endpoint import Endpoint, answering, endpoint
-from skills.ports.fencing import Grantor
-from skills.ports.hardware import Clock, JointStates, Stop, StopRelease, StopState
-from skills.ports.message import RobotTime
-from skills.ports.serving import Endpoints
+from tandem.sim.parts import BasePart, Gate, GroupPart, HandPart, Part
+from tandem.skills.ports import keys
+from tandem.skills.ports.endpoint import Endpoint, answering, endpoint
+from tandem.skills.ports.fencing import Grantor
+from tandem.skills.ports.hardware import Clock, JointStates, Stop, StopRelease, StopState
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.serving import Endpoints
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     import numpy as np
 
-    from sim.body import RobotBody
-    from sim.scenario import Noise
-    from skills.ports.bus import Bus
+    from tandem.sim.body import RobotBody
+    from tandem.sim.scenario import Noise
+    from tandem.skills.ports.bus import Bus
 
 STOP_EVERY: Final = 100
 """Periods between two messages of the stop's state when nothing changes."""

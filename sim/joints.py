@@ -10,8 +10,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from sim.spline import Spline
-from skills.ports.hardware import (
+from tandem.sim.spline import Spline
+from tandem.skills.ports.hardware import (
     Answer,
     JointGroup,
     MotionState,

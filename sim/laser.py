@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from sim.physics import Group
-from skills.ports.hardware import LaserSensor
+from tandem.sim.physics import Group
+from tandem.skills.ports.hardware import LaserSensor
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from sim.body import RobotBody
+    from tandem.sim.body import RobotBody
 
 BEAMS: Final = 541
 FIELD: Final = math.radians(270.0)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skills.ports.image import RgbdImage, decode, encode
+from tandem.skills.ports.image import RgbdImage, decode, encode
 
 
 def darken(payload: bytes) -> bytes:

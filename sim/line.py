@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from skills.ports.message import MAX_REQUEST_BYTES
+from tandem.skills.ports.message import MAX_REQUEST_BYTES
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
-    from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
-    from skills.ports.hearing import Ear
-    from skills.ports.lease import Lease
+    from tandem.skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
+    from tandem.skills.ports.hearing import Ear
+    from tandem.skills.ports.lease import Lease
 
 
 @dataclass(eq=False)

@@ -8,12 +8,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Final
 
-from sim.things import BoxShape, CylinderShape
+from tandem.sim.things import BoxShape, CylinderShape
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from skills.ports.message import Vector3
+    from tandem.skills.ports.message import Vector3
 
 SEGMENTS: Final = 32
 _BOX_SIDES: Final = (

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from sim.urdf import Array
-from skills.ports.hardware import RobotDescription
+from tandem.sim.urdf import Array
+from tandem.skills.ports.hardware import RobotDescription
 
 ROOT: Final = "base_footprint"
 """The robot's root frame: on the floor between the wheels."""

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from sim.joints import GroupController
+from tandem.sim.joints import GroupController
 
 if TYPE_CHECKING:
-    from sim.body import JointReading, RobotBody
-    from skills.ports.hardware import JointGroup
+    from tandem.sim.body import JointReading, RobotBody
+    from tandem.skills.ports.hardware import JointGroup
 
 SERVO_GAIN: Final = 0.5
 """Part of a position error that is made up for in one period."""

@@ -5,14 +5,14 @@ from __future__ import annotations
 import time
 from typing import TYPE_CHECKING, Final
 
-from skills.ports.keys import Latest
-from skills.wire.loop import FOLLOW
+from tandem.skills.ports.keys import Latest
+from tandem.skills.wire.loop import FOLLOW
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from sim.station import Station
-    from skills.wire.zenoh_bus import ZenohBus
+    from tandem.sim.station import Station
+    from tandem.skills.wire.zenoh_bus import ZenohBus
 
 PATIENCE: Final = 0.5
 """Host seconds that a follower is waited for; one that hangs must not stop the world."""

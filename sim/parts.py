@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Protocol, TypeVar
 
-from sim.base import BaseController, Odometer
-from sim.gripper import SOUND, GripperController
-from sim.joints import Report
-from sim.motors import GroupServos
-from sim.wrench import BUMPERS, WristSensor, pressed_bumpers
-from skills.ports import keys
-from skills.ports.endpoint import Endpoint, answering
-from skills.ports.hardware import (
+from tandem.sim.base import BaseController, Odometer
+from tandem.sim.gripper import SOUND, GripperController
+from tandem.sim.joints import Report
+from tandem.sim.motors import GroupServos
+from tandem.sim.wrench import BUMPERS, WristSensor, pressed_bumpers
+from tandem.skills.ports import keys
+from tandem.skills.ports.endpoint import Endpoint, answering
+from tandem.skills.ports.hardware import (
     Answer,
     Bumpers,
     GripperCommand,
@@ -24,22 +24,22 @@ from skills.ports.hardware import (
     TrajectoryGoal,
     Wrench,
 )
-from skills.ports.hearing import Reason
-from skills.ports.lease import Leased
-from skills.ports.message import RobotTime
+from tandem.skills.ports.hearing import Reason
+from tandem.skills.ports.lease import Leased
+from tandem.skills.ports.message import RobotTime
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     import numpy as np
 
-    from sim.body import RobotBody
-    from sim.model import Hand
-    from sim.scenario import Noise
-    from skills.ports.bus import Bus
-    from skills.ports.hardware import BaseVelocity, EndEffector, JointGroup, LaserSensor
-    from skills.ports.hearing import Ear
-    from skills.ports.lease import LeaseRefusal
+    from tandem.sim.body import RobotBody
+    from tandem.sim.model import Hand
+    from tandem.sim.scenario import Noise
+    from tandem.skills.ports.bus import Bus
+    from tandem.skills.ports.hardware import BaseVelocity, EndEffector, JointGroup, LaserSensor
+    from tandem.skills.ports.hearing import Ear
+    from tandem.skills.ports.lease import LeaseRefusal
 
 C = TypeVar("C", bound=Leased)
 

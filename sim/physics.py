@@ -9,7 +9,7 @@ from typing import Final
 
 import pybullet
 
-from skills.ports.message import Quaternion, Vector3
+from tandem.skills.ports.message import Quaternion, Vector3
 
 TIME_STEP: Final = 0.01 / 3.0
 """Seconds a physics step (300 Hz): three a hardware period."""

@@ -9,7 +9,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from sim.scenario import Noise
+    from tandem.sim.scenario import Noise
 
 DEPTH_RANGE: Final = (0.25, 8.0)
 """Metres between which the depth camera measures."""

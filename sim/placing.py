@@ -9,19 +9,19 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-from sim.footprint import FOOTPRINT_RADIUS, HEIGHT
-from sim.plan import Plan, gap, plan_of
-from sim.things import BoxShape, CylinderShape
+from tandem.sim.footprint import FOOTPRINT_RADIUS, HEIGHT
+from tandem.sim.plan import Plan, gap, plan_of
+from tandem.sim.things import BoxShape, CylinderShape
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from sim.scene import SceneBody
-    from skills.ports.geometry import FloorPose
+    from tandem.sim.scene import SceneBody
+    from tandem.skills.ports.geometry import FloorPose
 
 TOUCH: Final = 0.0005
 """Metres by which two things may overlap: things that are put side by side touch, to within a file's digits.
-``sim.scene.GAP`` is as much, and ``sim.room`` takes the physics' word by the same measure."""
+``tandem.sim.scene.GAP`` is as much, and ``tandem.sim.room`` takes the physics' word by the same measure."""
 
 
 def clashes(

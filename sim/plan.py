@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from itertools import product
 from typing import TYPE_CHECKING
 
-from sim.things import CylinderShape
-from skills.ports.geometry import rotate
+from tandem.sim.things import CylinderShape
+from tandem.skills.ports.geometry import rotate
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from sim.scene import SceneBody
+    from tandem.sim.scene import SceneBody
 
 Point = tuple[float, float]
 

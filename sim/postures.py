@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.hardware import Posture
+from tandem.skills.ports.hardware import Posture
 
 ARM_HOME: Final = (-1.1, 1.468, 2.714, 1.7095, -1.5707, 1.37, 0.0)
 """PAL's: the hands hang in front of the shoulders, fingers up, 0.364 m from the base's axis at the most.

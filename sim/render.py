@@ -16,16 +16,16 @@ from typing import TYPE_CHECKING, Final, Protocol
 import cv2
 import numpy as np
 
-from sim.pixels import SensorNoise
-from sim.scenario import Noise
-from sim.twin import Snapshot, Twin, View
-from skills.ports.hardware import RgbdHeader
-from skills.ports.image import RgbdImage, encode
+from tandem.sim.pixels import SensorNoise
+from tandem.sim.scenario import Noise
+from tandem.sim.twin import Snapshot, Twin, View
+from tandem.skills.ports.hardware import RgbdHeader
+from tandem.skills.ports.image import RgbdImage, encode
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
 
-    from sim.scene import SceneBody
+    from tandem.sim.scene import SceneBody
 
 RESULT_BYTES: Final = 24 * 1024 * 1024
 PHOTO_OVERSAMPLING: Final = 2

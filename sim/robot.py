@@ -14,13 +14,13 @@ from typing import Final, Literal
 
 import numpy as np
 
-from sim.camera import camera_sensor
-from sim.footprint import FOOTPRINT_RADIUS, HEIGHT
-from sim.laser import laser_sensor
-from sim.model import ROOT, Hand, RobotModel, Wheels
-from sim.postures import POSTURES
-from sim.urdf import UrdfDocument, end_of
-from skills.ports.hardware import (
+from tandem.sim.camera import camera_sensor
+from tandem.sim.footprint import FOOTPRINT_RADIUS, HEIGHT
+from tandem.sim.laser import laser_sensor
+from tandem.sim.model import ROOT, Hand, RobotModel, Wheels
+from tandem.sim.postures import POSTURES
+from tandem.sim.urdf import UrdfDocument, end_of
+from tandem.skills.ports.hardware import (
     ArmsCrossing,
     Drive,
     EndEffector,
@@ -29,7 +29,7 @@ from skills.ports.hardware import (
     JointLimit,
     RobotDescription,
 )
-from skills.ports.packages import resolve
+from tandem.skills.ports.packages import resolve
 
 SOURCE: Final = "package://example-robot-data/robots/tiago_description/robots/tiago_dual.urdf"
 Side = Literal["left", "right"]

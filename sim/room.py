@@ -9,15 +9,15 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from sim.faults import DepotTaken, ItemGone, ItemMoves, ObstacleAppears
-from sim.scene import GAP, SceneBody, item_body, item_name, obstacle_body, support_height
-from sim.things import FLOOR, BoxShape, Obstacle, TrueItem
-from skills.ports.geometry import Pose, about, yaw_of
+from tandem.sim.faults import DepotTaken, ItemGone, ItemMoves, ObstacleAppears
+from tandem.sim.scene import GAP, SceneBody, item_body, item_name, obstacle_body, support_height
+from tandem.sim.things import FLOOR, BoxShape, Obstacle, TrueItem
+from tandem.skills.ports.geometry import Pose, about, yaw_of
 
 if TYPE_CHECKING:
-    from sim.body import RobotBody
-    from sim.world import World
-    from skills.ports.site import Site
+    from tandem.sim.body import RobotBody
+    from tandem.sim.world import World
+    from tandem.skills.ports.site import Site
 
 
 RoomFault = ItemMoves | ItemGone | ObstacleAppears | DepotTaken

@@ -13,12 +13,12 @@ from typing import Annotated, Final
 
 from pydantic import Field, JsonValue, model_validator
 
-from sim.faults import Fault
-from sim.things import Angle, Coordinate, Name, Obstacle, TrueItem
-from skills.ports.geometry import FloorPose
-from skills.ports.message import Message
-from skills.ports.sources import DocumentError, Source
-from skills.yaml_file import parse_document, read_document, validate
+from tandem.sim.faults import Fault
+from tandem.sim.things import Angle, Coordinate, Name, Obstacle, TrueItem
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.sources import DocumentError, Source
+from tandem.skills.yaml_file import parse_document, read_document, validate
 
 SUFFIXES: Final = (".yaml", ".yml")
 
@@ -124,7 +124,7 @@ class Scenario(Message):
 
 def scenario_names() -> tuple[str, ...]:
     """Return the names of the scenarios that come with the sim, sorted."""
-    folder = resources.files("sim").joinpath("scenarios")
+    folder = resources.files("tandem.sim").joinpath("scenarios")
     files = [entry.name for entry in folder.iterdir() if entry.name.endswith(".yaml")]
     return tuple(sorted(name.removesuffix(".yaml") for name in files))
 
@@ -154,5 +154,5 @@ def _document(name_or_path: str | Path) -> tuple[JsonValue, Source]:
     if text not in scenario_names():
         known = ", ".join(scenario_names())
         raise ScenarioError(f"no scenario '{text}'; there are {known}, or give the path of a .yaml file")
-    packaged = resources.files("sim").joinpath("scenarios", f"{text}.yaml")
+    packaged = resources.files("tandem.sim").joinpath("scenarios", f"{text}.yaml")
     return parse_document(packaged.read_text(encoding="utf-8"), f"{text}.yaml")

@@ -11,14 +11,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Final
 
-from sim import placing
-from sim.faults import DepotTaken, Fault, ItemMoves, ObstacleAppears, Place
-from sim.scenario import Scenario, ScenarioError
-from sim.things import FLOOR, BoxShape, CylinderShape, Obstacle, TrueItem
-from skills.ports.geometry import Pose, about
-from skills.ports.site import Site, SiteBox
-from skills.ports.sources import Source
-from skills.ports.world import Box
+from tandem.sim import placing
+from tandem.sim.faults import DepotTaken, Fault, ItemMoves, ObstacleAppears, Place
+from tandem.sim.scenario import Scenario, ScenarioError
+from tandem.sim.things import FLOOR, BoxShape, CylinderShape, Obstacle, TrueItem
+from tandem.skills.ports.geometry import Pose, about
+from tandem.skills.ports.site import Site, SiteBox
+from tandem.skills.ports.sources import Source
+from tandem.skills.ports.world import Box
 
 GAP: Final = 0.0005
 """Metres above its support at which a body is made, so that nothing starts inside something else."""

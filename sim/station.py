@@ -9,27 +9,27 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim.body import RobotBody
-from sim.camera import HeadCamera, Studio
-from sim.controls import Controls
-from sim.defects import check_faults
-from sim.hardware import Hardware, Sensor
-from sim.laser import Laser
-from sim.line import Line
-from sim.model import RobotModel
-from sim.parts import LaserSensorNode
-from sim.physics import Physics
-from sim.render import InlineRenderer, PainterSettings, Renderer, WorkerRenderer
-from sim.robot import compose_robot
-from sim.room import Room
-from sim.scenario import Scenario, ScenarioError
-from sim.scene import build_scene
-from sim.trouble import Trouble
-from sim.truth import Truth, read_truth
-from sim.world import World, spawn
-from skills.ports.bus import Bus
-from skills.ports.site import Site
-from skills.ports.sources import Source
+from tandem.sim.body import RobotBody
+from tandem.sim.camera import HeadCamera, Studio
+from tandem.sim.controls import Controls
+from tandem.sim.defects import check_faults
+from tandem.sim.hardware import Hardware, Sensor
+from tandem.sim.laser import Laser
+from tandem.sim.line import Line
+from tandem.sim.model import RobotModel
+from tandem.sim.parts import LaserSensorNode
+from tandem.sim.physics import Physics
+from tandem.sim.render import InlineRenderer, PainterSettings, Renderer, WorkerRenderer
+from tandem.sim.robot import compose_robot
+from tandem.sim.room import Room
+from tandem.sim.scenario import Scenario, ScenarioError
+from tandem.sim.scene import build_scene
+from tandem.sim.trouble import Trouble
+from tandem.sim.truth import Truth, read_truth
+from tandem.sim.world import World, spawn
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.sources import Source
 
 
 @dataclass(frozen=True)

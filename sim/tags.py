@@ -16,12 +16,12 @@ from typing import TYPE_CHECKING, Final
 import cv2
 import numpy as np
 
-from skills.ports.geometry import Pose, from_axes
+from tandem.skills.ports.geometry import Pose, from_axes
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from skills.ports.message import Vector3
+    from tandem.skills.ports.message import Vector3
 
 CELLS: Final = 8
 """Cells along the black square of a 36h11 tag: six of data and a border of one."""

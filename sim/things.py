@@ -7,7 +7,7 @@ from typing import Annotated, Final, Literal
 
 from pydantic import Field
 
-from skills.ports.message import Message
+from tandem.skills.ports.message import Message
 
 FLOOR: Final = "floor"
 """The support of what stands on the ground; every other support is a piece of furniture of the site."""

@@ -10,10 +10,10 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from sim.controls import FAULTS
-from sim.defects import Standing, break_hardware, misfit
-from sim.events import Events, Occurrence
-from sim.faults import (
+from tandem.sim.controls import FAULTS
+from tandem.sim.defects import Standing, break_hardware, misfit
+from tandem.sim.events import Events, Occurrence
+from tandem.sim.faults import (
     BumperPressed,
     CameraFrozen,
     DepotTaken,
@@ -29,18 +29,18 @@ from sim.faults import (
     OdometryJump,
     StopSet,
 )
-from sim.lens import Freeze
-from skills.ports import keys
-from skills.ports.hardware import Answer, StopState
+from tandem.sim.lens import Freeze
+from tandem.skills.ports import keys
+from tandem.skills.ports.hardware import Answer, StopState
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Literal
 
-    from sim.hardware import Hardware
-    from sim.line import Line
-    from sim.room import Room
-    from skills.ports.bus import Bus
+    from tandem.sim.hardware import Hardware
+    from tandem.sim.line import Line
+    from tandem.sim.room import Room
+    from tandem.skills.ports.bus import Bus
 
 
 ROOM_AGAIN: Final = 0.1

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from sim.scene import item_name, support_height
-from skills.ports.geometry import Pose
-from skills.ports.keys import Nothing, Service
-from skills.ports.message import Count, Message, RobotTime
-from skills.ports.site import Site
+from tandem.sim.scene import item_name, support_height
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.keys import Nothing, Service
+from tandem.skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.site import Site
 
 if TYPE_CHECKING:
-    from sim.body import RobotBody
-    from sim.world import World
+    from tandem.sim.body import RobotBody
+    from tandem.sim.world import World
 
 ROBOT: Final = "robot"
 LYING_TOLERANCE: Final = 0.01

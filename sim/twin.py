@@ -16,18 +16,18 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import pybullet
 
-from sim.chatter import unheard
-from sim.meshes import write_shape
-from sim.tags import write_item
-from sim.things import BoxShape
-from skills.ports.geometry import Pose, from_axes, rotate
-from skills.ports.packages import resolve
+from tandem.sim.chatter import unheard
+from tandem.sim.meshes import write_shape
+from tandem.sim.tags import write_item
+from tandem.sim.things import BoxShape
+from tandem.skills.ports.geometry import Pose, from_axes, rotate
+from tandem.skills.ports.packages import resolve
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from sim.scene import SceneBody
-    from skills.ports.message import Vector3
+    from tandem.sim.scene import SceneBody
+    from tandem.skills.ports.message import Vector3
 
 NEAR: Final = 0.10
 FAR: Final = 12.0

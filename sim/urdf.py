@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from skills.ports.urdf_check import SEVERAL_NUMBERS, UrdfError, check, mimics
+from tandem.skills.ports.urdf_check import SEVERAL_NUMBERS, UrdfError, check, mimics
 
 Array = npt.NDArray[np.float64]
 

@@ -6,16 +6,16 @@ from typing import TYPE_CHECKING, Final
 
 import pybullet
 
-from sim.scene import SceneBody, build_scene
-from sim.things import BoxShape
-from skills.ports.geometry import Pose
+from tandem.sim.scene import SceneBody, build_scene
+from tandem.sim.things import BoxShape
+from tandem.skills.ports.geometry import Pose
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from sim.physics import Physics
-    from sim.scenario import Scenario
-    from skills.ports.site import Site
+    from tandem.sim.physics import Physics
+    from tandem.sim.scenario import Scenario
+    from tandem.skills.ports.site import Site
 
 RESTING_SPEED: Final = 0.002
 """m/s below which a body counts as at rest."""

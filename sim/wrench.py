@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Final
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from sim.body import RobotBody
-    from skills.ports.message import Vector3
+    from tandem.sim.body import RobotBody
+    from tandem.skills.ports.message import Vector3
 
 BUMPERS: Final = ("front", "left", "back", "right")
 """Each covers a quarter of the base, centred on its direction."""

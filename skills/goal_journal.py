@@ -9,7 +9,7 @@ import logging
 from pathlib import Path
 from typing import Final
 
-from skills.journal_file import JournalFile
+from tandem.skills.journal_file import JournalFile
 
 KEPT: Final = 512
 """Ids of before that are remembered: none that old is sent again."""

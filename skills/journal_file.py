@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 from typing import Final
 
-from skills.synced_file import replace_file
+from tandem.skills.synced_file import replace_file
 
 _CLOSED: Final = -1
 

@@ -15,12 +15,12 @@ from typing import Final
 
 from pydantic import ValidationError
 
-from skills.ports.bus import Bus, Pending
-from skills.ports.clocks import Clocks
-from skills.ports.hardware import RobotDescription
-from skills.ports.keys import DESCRIPTION, Nothing
-from skills.ports.node import Node
-from skills.scoped_bus import ScopedBus
+from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.keys import DESCRIPTION, Nothing
+from tandem.skills.ports.node import Node
+from tandem.skills.scoped_bus import ScopedBus
 
 log = logging.getLogger(__name__)
 

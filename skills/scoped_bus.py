@@ -6,10 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
-from skills.ports.bus import Bus, Desk, Inbox, Pending
-from skills.ports.hearing import Ear
-from skills.ports.lease import Lease
-from skills.ports.message import MAX_REQUEST_BYTES
+from tandem.skills.ports.bus import Bus, Desk, Inbox, Pending
+from tandem.skills.ports.hearing import Ear
+from tandem.skills.ports.lease import Lease
+from tandem.skills.ports.message import MAX_REQUEST_BYTES
 
 Taken = TypeVar("Taken")
 

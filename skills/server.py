@@ -15,8 +15,8 @@ from typing import Final, Generic
 
 from pydantic import ValidationError
 
-from skills.goal_journal import GoalJournal
-from skills.ports.action import (
+from tandem.skills.goal_journal import GoalJournal
+from tandem.skills.ports.action import (
     AskResult,
     GoalCommand,
     GoalState,
@@ -28,17 +28,17 @@ from skills.ports.action import (
     status_topic,
     task_of,
 )
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.documents import in_words
-from skills.ports.endpoint import answering, endpoint
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.fencing import Listening
-from skills.ports.lease import Lease, Leased
-from skills.ports.message import Message, RobotTime
-from skills.ports.serving import Endpoints
-from skills.ports.skill import Command, F, G, Outcome, R, Run, Skill, Slice
-from skills.ports.tasks import Problem
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.documents import in_words
+from tandem.skills.ports.endpoint import answering, endpoint
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.fencing import Listening
+from tandem.skills.ports.lease import Lease, Leased
+from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.serving import Endpoints
+from tandem.skills.ports.skill import Command, F, G, Outcome, R, Run, Skill, Slice
+from tandem.skills.ports.tasks import Problem
 
 log = logging.getLogger(__name__)
 

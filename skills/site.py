@@ -1,4 +1,4 @@
-"""Read a site file: YAML checked against ``skills.ports.site.Site``, and for places that can't be."""
+"""Read a site file: YAML checked against ``tandem.skills.ports.site.Site``, and for places that can't be."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from collections.abc import Iterator
 from importlib import resources
 from pathlib import Path
 
-from skills.ports.floor_plan import FloorPlan
-from skills.ports.geometry import FloorPose
-from skills.ports.site import Site
-from skills.ports.sources import DocumentError
-from skills.yaml_file import parse_document, read_document, validate
+from tandem.skills.ports.floor_plan import FloorPlan
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.sources import DocumentError
+from tandem.skills.yaml_file import parse_document, read_document, validate
 
 
 def names() -> tuple[str, ...]:
     """Return the names of the sites that come with the package."""
-    folder = resources.files("skills") / "sites"
+    folder = resources.files("tandem.skills") / "sites"
     return tuple(
         sorted(each.name.removesuffix(".yaml") for each in folder.iterdir() if each.name.endswith(".yaml"))
     )
@@ -31,7 +31,7 @@ def load(name_or_path: str) -> Site:
     if path.suffix in {".yaml", ".yml"}:
         data, source = read_document(path)
     elif name_or_path in names():
-        packaged = resources.files("skills") / "sites" / f"{name_or_path}.yaml"
+        packaged = resources.files("tandem.skills") / "sites" / f"{name_or_path}.yaml"
         data, source = parse_document(packaged.read_text("utf-8"), f"{name_or_path}.yaml")
     else:
         raise DocumentError(

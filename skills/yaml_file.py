@@ -17,7 +17,7 @@ from typing import Final, TypeVar
 import yaml
 from pydantic import BaseModel, JsonValue, ValidationError
 
-from skills.ports.sources import DocumentError, Source
+from tandem.skills.ports.sources import DocumentError, Source
 
 Document = TypeVar("Document", bound=BaseModel)
 

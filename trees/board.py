@@ -9,11 +9,11 @@ import math
 from dataclasses import dataclass, field
 from typing import Final
 
-from skills.ports.geometry import FloorPose, Pose
-from skills.ports.grasping import FINGER_ROOM, Grasp, Place, face_towards
-from skills.ports.site import Depot, SiteItem, Slot
-from skills.ports.world import ItemFact, Side
-from trees.context import TreeContext
+from tandem.skills.ports.geometry import FloorPose, Pose
+from tandem.skills.ports.grasping import FINGER_ROOM, Grasp, Place, face_towards
+from tandem.skills.ports.site import Depot, SiteItem, Slot
+from tandem.skills.ports.world import ItemFact, Side
+from tandem.trees.context import TreeContext
 
 NEAR: Final = 0.5
 """Metres: a thing that far from the point that a request names is still meant. It is half a table, about what

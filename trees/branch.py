@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from skills.ports.failure import Failure
-from skills.ports.tasks import Attempt
-from trees.context import TreeContext
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.tasks import Attempt
+from tandem.trees.context import TreeContext
 
 
 @dataclass(eq=False, kw_only=True)

@@ -12,7 +12,7 @@ from typing import Final, Generic, Protocol
 
 from pydantic import JsonValue, ValidationError
 
-from skills.ports.action import (
+from tandem.skills.ports.action import (
     AskResult,
     GoalCommand,
     GoalState,
@@ -23,12 +23,12 @@ from skills.ports.action import (
     result_service,
     status_topic,
 )
-from skills.ports.bus import Bus, Pending
-from skills.ports.clocks import Clocks
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.keys import Latest
-from skills.ports.skill import ActionType, Command, F, G, R
-from trees.elapsed import Elapsed
+from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.skill import ActionType, Command, F, G, R
+from tandem.trees.elapsed import Elapsed
 
 RETRY_PERIOD: Final = 0.1
 """Host seconds before an unanswered query is asked again."""

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TypeVar, cast
 
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.message import Message
-from skills.ports.skill import ActionType
-from trees.client import ActionClient, GoalHandle, GoalJournal
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.skill import ActionType
+from tandem.trees.client import ActionClient, GoalHandle, GoalJournal
 
 G = TypeVar("G", bound=Message)
 F = TypeVar("F", bound=Message)

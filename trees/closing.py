@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from skills.ports.world import SIDES
-from trees.board import FetchBoard
-from trees.conditions.arm_tucked import tucked
-from trees.conditions.at_pose import near
-from trees.context import TreeContext
+from tandem.skills.ports.world import SIDES
+from tandem.trees.board import FetchBoard
+from tandem.trees.conditions.arm_tucked import tucked
+from tandem.trees.conditions.at_pose import near
+from tandem.trees.context import TreeContext
 
 
 def where_all_is(context: TreeContext, board: FetchBoard) -> dict[str, str]:

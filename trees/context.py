@@ -9,15 +9,15 @@ from typing import Final, TypeVar
 from py_trees.behaviour import Behaviour
 from pydantic import JsonValue, ValidationError
 
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import Attempt, Progress, Question
-from skills.ports.world import Sighting, WorldState
-from trees.clients import Clients
-from trees.knowledge import Knowledge
-from trees.resources import Resources
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import Attempt, Progress, Question
+from tandem.skills.ports.world import Sighting, WorldState
+from tandem.trees.clients import Clients
+from tandem.trees.knowledge import Knowledge
+from tandem.trees.resources import Resources
 
 M = TypeVar("M", bound=Message)
 ATTEMPTS: Final = 32
@@ -67,7 +67,7 @@ class TreeContext:
     answers_before: dict[str, str] = field(default_factory=dict)
     """What had been answered before a restart, and not been taken."""
     open_doors: dict[str, None] = field(default_factory=dict)
-    """The nodes at work that may be interrupted (``trees.behaviours.interruptible``)."""
+    """The nodes at work that may be interrupted (``tandem.trees.behaviours.interruptible``)."""
     _numbered: dict[str, int] = field(default_factory=dict)
     _progress: Progress = field(default_factory=Progress)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from skills.ports.clocks import Clocks
+from tandem.skills.ports.clocks import Clocks
 
 
 class Elapsed:

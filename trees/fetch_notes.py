@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.geometry import compose
-from skills.ports.message import Message
-from skills.ports.site import Slot
-from skills.ports.world import Side
-from trees.board import FetchBoard
-from trees.context import TreeContext
+from tandem.skills.ports.geometry import compose
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Slot
+from tandem.skills.ports.world import Side
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
 
 NAME: Final = "fetch"
 

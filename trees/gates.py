@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from skills.ports.failure import Failure, FailureKind
-from trees.context import TreeContext
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.trees.context import TreeContext
 
 
 @dataclass(eq=False)

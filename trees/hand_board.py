@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import Pose, compose, invert, to_pose, yaw_of
-from skills.ports.grasping import FINGER_ROOM, standing_in_map, turned_like
-from skills.ports.hand_grasps import HandGrasp, cube_grasps, side_grasps
-from skills.ports.site import SiteItem
-from skills.ports.world import ItemFact, Side
-from trees.context import TreeContext
-from trees.item_failures import lies
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import Pose, compose, invert, to_pose, yaw_of
+from tandem.skills.ports.grasping import FINGER_ROOM, standing_in_map, turned_like
+from tandem.skills.ports.hand_grasps import HandGrasp, cube_grasps, side_grasps
+from tandem.skills.ports.site import SiteItem
+from tandem.skills.ports.world import ItemFact, Side
+from tandem.trees.context import TreeContext
+from tandem.trees.item_failures import lies
 
 
 @dataclass(eq=False)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from skills.ports.site import Site
-from skills.ports.tasks import Problem
-from skills.ports.world import Side
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import Problem
+from tandem.skills.ports.world import Side
 
 
 def item_problems(site: Site, path: str, number: int, *, two: bool = False) -> tuple[Problem, ...]:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.grasping import upright_in_map
-from skills.ports.world import ItemFact, Side, Sighting
-from trees.context import TreeContext
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.grasping import upright_in_map
+from tandem.skills.ports.world import ItemFact, Side, Sighting
+from tandem.trees.context import TreeContext
 
 
 def ambiguous(context: TreeContext, item: int, sightings: Iterable[Sighting] = ()) -> Failure | None:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import Final, Protocol, TypeVar
 
-from skills.ports.actions.arm import ArmStatus, arm_status
-from skills.ports.actions.bimanual import ZONES, Zones
-from skills.ports.bus import Bus, Pending
-from skills.ports.clocks import Clocks
-from skills.ports.hardware import RobotDescription, StopState
-from skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, Latest, Nothing
-from skills.ports.message import RobotTime
-from skills.ports.site import Site
-from skills.ports.world import (
+from tandem.skills.ports.actions.arm import ArmStatus, arm_status
+from tandem.skills.ports.actions.bimanual import ZONES, Zones
+from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.hardware import RobotDescription, StopState
+from tandem.skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, Latest, Nothing
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.world import (
     ROBOT_POSE,
     SCENE,
     SIDES,

@@ -8,21 +8,21 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess, Inverter
 
-from skills.ports.tasks import NodeStatus
-from trees.behaviours.act import Act, Lasting
-from trees.behaviours.barrier import Meet
-from trees.behaviours.check import Check
-from trees.behaviours.decide import Decide
-from trees.behaviours.give_up import GiveUp
-from trees.behaviours.guarded import Guarded
-from trees.behaviours.meanwhile import Meanwhile
-from trees.behaviours.note import Note
-from trees.behaviours.pause import Pause
-from trees.behaviours.recovery import Allowance, Recovery
-from trees.behaviours.remember import Remember, Verdict
-from trees.behaviours.side_by_side import SideBySide
-from trees.behaviours.turn import InTurn
-from trees.behaviours.wait_for import WaitFor
+from tandem.skills.ports.tasks import NodeStatus
+from tandem.trees.behaviours.act import Act, Lasting
+from tandem.trees.behaviours.barrier import Meet
+from tandem.trees.behaviours.check import Check
+from tandem.trees.behaviours.decide import Decide
+from tandem.trees.behaviours.give_up import GiveUp
+from tandem.trees.behaviours.guarded import Guarded
+from tandem.trees.behaviours.meanwhile import Meanwhile
+from tandem.trees.behaviours.note import Note
+from tandem.trees.behaviours.pause import Pause
+from tandem.trees.behaviours.recovery import Allowance, Recovery
+from tandem.trees.behaviours.remember import Remember, Verdict
+from tandem.trees.behaviours.side_by_side import SideBySide
+from tandem.trees.behaviours.turn import InTurn
+from tandem.trees.behaviours.wait_for import WaitFor
 
 Seen = frozenset[NodeStatus]
 """Statuses; INVALID stands for "interrupted while it was RUNNING"."""

@@ -9,18 +9,18 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Final
 
-from skills.ports.failure import Failure, FailureKind
-from trees.conditions.kinds.another_grasp_helps import another_grasp_helps
-from trees.conditions.kinds.another_slot_helps import another_slot_helps
-from trees.conditions.kinds.another_stand_helps import another_stand_helps
-from trees.conditions.kinds.another_view_helps import another_view_helps
-from trees.conditions.kinds.another_way_helps import another_way_helps
-from trees.conditions.kinds.fetching_again_helps import fetching_again_helps
-from trees.conditions.kinds.localising_helps import localising_helps
-from trees.conditions.kinds.looking_again_helps import looking_again_helps
-from trees.conditions.kinds.searching_again_helps import searching_again_helps
-from trees.conditions.kinds.trying_again_helps import trying_again_helps
-from trees.conditions.kinds.waiting_helps import waiting_helps
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.trees.conditions.kinds.another_grasp_helps import another_grasp_helps
+from tandem.trees.conditions.kinds.another_slot_helps import another_slot_helps
+from tandem.trees.conditions.kinds.another_stand_helps import another_stand_helps
+from tandem.trees.conditions.kinds.another_view_helps import another_view_helps
+from tandem.trees.conditions.kinds.another_way_helps import another_way_helps
+from tandem.trees.conditions.kinds.fetching_again_helps import fetching_again_helps
+from tandem.trees.conditions.kinds.localising_helps import localising_helps
+from tandem.trees.conditions.kinds.looking_again_helps import looking_again_helps
+from tandem.trees.conditions.kinds.searching_again_helps import searching_again_helps
+from tandem.trees.conditions.kinds.trying_again_helps import trying_again_helps
+from tandem.trees.conditions.kinds.waiting_helps import waiting_helps
 
 _STEPS: Final[tuple[tuple[Callable[[Failure], bool], str], ...]] = (
     (waiting_helps, "wait until it is back"),

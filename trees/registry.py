@@ -6,9 +6,9 @@ import importlib
 import pkgutil
 from typing import TypeVar
 
-from skills.ports.message import Message
-from trees import tasks
-from trees.task import TaskType
+from tandem.skills.ports.message import Message
+from tandem.trees import tasks
+from tandem.trees.task import TaskType
 
 Asked = TypeVar("Asked", bound=Message)
 

@@ -9,11 +9,11 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
-from skills.ports.tasks import NodeStatus, TreeNode
-from trees.behaviours.check import Check
-from trees.behaviours.meanwhile import Meanwhile
-from trees.behaviours.recovery import Recovery
-from trees.behaviours.side_by_side import SideBySide
+from tandem.skills.ports.tasks import NodeStatus, TreeNode
+from tandem.trees.behaviours.check import Check
+from tandem.trees.behaviours.meanwhile import Meanwhile
+from tandem.trees.behaviours.recovery import Recovery
+from tandem.trees.behaviours.side_by_side import SideBySide
 
 Kind = Literal["sequence", "selector", "parallel", "recovery", "decorator", "condition", "action"]
 

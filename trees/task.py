@@ -8,11 +8,11 @@ from typing import Generic, TypeVar
 
 from py_trees.behaviour import Behaviour
 
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import Problem
-from trees.context import TreeContext
-from trees.knowledge import Knowledge
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import Problem
+from tandem.trees.context import TreeContext
+from tandem.trees.knowledge import Knowledge
 
 Asked = TypeVar("Asked", bound=Message)
 

@@ -11,10 +11,10 @@ from typing import Final
 
 from pydantic import JsonValue
 
-from executive.campaigns.crash_rig import CrashRig, StuckError, Victim
-from executive.campaigns.crash_world import ITEM, deeds, wrong_deeds
-from skills.ports.message import Message
-from skills.ports.tasks import AskHistory, TaskState, TaskStatus
+from tandem.executive.campaigns.crash_rig import CrashRig, StuckError, Victim
+from tandem.executive.campaigns.crash_world import ITEM, deeds, wrong_deeds
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import AskHistory, TaskState, TaskStatus
 
 REQUESTS: Final = 3
 """Of each run: one fetch that moves the robot, and two that find the item there."""

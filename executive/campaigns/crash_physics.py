@@ -15,24 +15,24 @@ from typing import Final, Literal
 
 from pydantic import JsonValue
 
-from executive.campaigns.crash_world import Deed, wrong_deeds
-from executive.demo import Caller
-from executive.experiments.timeline import Timeline
-from executive.options import BusOptions, RunOptions
-from executive.parts import Role
-from executive.systems import ProcessSystem, SystemFailure
-from sim.scenario import load_scenario
-from sim.scene import item_name
-from sim.truth import Truth, lies_on
-from skills.ports.action import GoalStatus, node_of
-from skills.ports.clocks import robot_seconds
-from skills.ports.failure import Failure
-from skills.ports.hearing import Heard
-from skills.ports.keys import Latest
-from skills.ports.message import Message, RobotTime
-from skills.ports.tasks import TaskState
-from skills.ports.world import WORLD, Side, WorldState
-from skills.site import load
+from tandem.executive.campaigns.crash_world import Deed, wrong_deeds
+from tandem.executive.demo import Caller
+from tandem.executive.experiments.timeline import Timeline
+from tandem.executive.options import BusOptions, RunOptions
+from tandem.executive.parts import Role
+from tandem.executive.systems import ProcessSystem, SystemFailure
+from tandem.sim.scenario import load_scenario
+from tandem.sim.scene import item_name
+from tandem.sim.truth import Truth, lies_on
+from tandem.skills.ports.action import GoalStatus, node_of
+from tandem.skills.ports.clocks import robot_seconds
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.hearing import Heard
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.tasks import TaskState
+from tandem.skills.ports.world import WORLD, Side, WorldState
+from tandem.skills.site import load
 
 Kind = Literal["fetch", "pick_two"]
 ITEM: Final = 29

@@ -12,13 +12,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from executive.ledger.port import Entry, Ledger, Reading, SentGoal, Transition
-from executive.task_memory import TaskMemory
-from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
-from skills.ports.hearing import Ear
-from skills.ports.lease import Lease
-from skills.ports.message import MAX_REQUEST_BYTES
-from skills.ports.tasks import AskHistory, History, TaskStatus
+from tandem.executive.ledger.port import Entry, Ledger, Reading, SentGoal, Transition
+from tandem.executive.task_memory import TaskMemory
+from tandem.skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
+from tandem.skills.ports.hearing import Ear
+from tandem.skills.ports.lease import Lease
+from tandem.skills.ports.message import MAX_REQUEST_BYTES
+from tandem.skills.ports.tasks import AskHistory, History, TaskStatus
 
 _TASK = re.compile(r"[a-z_]+-[a-z0-9]+-\d{4,}")
 

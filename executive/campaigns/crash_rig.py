@@ -12,14 +12,14 @@ from typing import Final, Literal, Self, TypeVar
 
 from pydantic import JsonValue
 
-from executive.campaigns.crash_world import RESET, AskReset
-from executive.processes import Supervisor
-from executive.settings import WorkerSettings
-from skills.ports.keys import Service
-from skills.ports.message import Message
-from skills.ports.tasks import REQUEST, TASK_HISTORY, AskHistory, TaskAnswer, TaskStatus
-from skills.wire.clocks import ProcessClocks
-from skills.wire.zenoh_bus import BusError, ZenohBus
+from tandem.executive.campaigns.crash_world import RESET, AskReset
+from tandem.executive.processes import Supervisor
+from tandem.executive.settings import WorkerSettings
+from tandem.skills.ports.keys import Service
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import REQUEST, TASK_HISTORY, AskHistory, TaskAnswer, TaskStatus
+from tandem.skills.wire.clocks import ProcessClocks
+from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 A = TypeVar("A", bound=Message)
 B = TypeVar("B", bound=Message)

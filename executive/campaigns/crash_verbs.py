@@ -14,12 +14,12 @@ from typing import Final, TypeVar
 
 from pydantic import JsonValue
 
-from executive.campaigns.crash import TRIES, CrashRun, Reaper, never_reached
-from executive.campaigns.crash_rig import CrashRig, StuckError
-from executive.campaigns.crash_world import DEEDS, ITEM, TRUTH, Truth, deeds, wrong_deeds
-from skills.ports.keys import Service
-from skills.ports.message import Message
-from skills.ports.tasks import (
+from tandem.executive.campaigns.crash import TRIES, CrashRun, Reaper, never_reached
+from tandem.executive.campaigns.crash_rig import CrashRig, StuckError
+from tandem.executive.campaigns.crash_world import DEEDS, ITEM, TRUTH, Truth, deeds, wrong_deeds
+from tandem.skills.ports.keys import Service
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import (
     TASK_ABANDON,
     TASK_ANSWER,
     TASK_BREAKPOINT,

@@ -7,19 +7,19 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final, Literal
 
-from skills.ports.actions.gripper import Grip, GripGoal
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.endpoint import answering
-from skills.ports.fencing import Grantor
-from skills.ports.geometry import FloorPose, Pose, from_axes
-from skills.ports.hardware import Clock
-from skills.ports.keys import CLOCK, Service
-from skills.ports.message import Message, RobotTime
-from skills.ports.serving import Endpoints
-from skills.ports.site import Site
-from skills.ports.world import Side, WorldState
-from skills.testing.mock_robot import MockRobot
+from tandem.skills.ports.actions.gripper import Grip, GripGoal
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.endpoint import answering
+from tandem.skills.ports.fencing import Grantor
+from tandem.skills.ports.geometry import FloorPose, Pose, from_axes
+from tandem.skills.ports.hardware import Clock
+from tandem.skills.ports.keys import CLOCK, Service
+from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.serving import Endpoints
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.world import Side, WorldState
+from tandem.skills.testing.mock_robot import MockRobot
 
 ITEM: Final = 29
 ITEMS: Final = {

@@ -7,21 +7,21 @@ from typing import Final
 import numpy as np
 from numpy.random import Generator
 
-from executive.campaigns.oracle import Oracle
-from executive.campaigns.reachable import Reachable
-from executive.demo import Caller
-from executive.phases import Phases
-from executive.systems import LockstepSystem, SystemFailure
-from sim.draw import Draw, draw_fetch
-from sim.scenario import Scenario
-from skills.ports.actions.base import ARM_MARGIN
-from skills.ports.clocks import robot_seconds
-from skills.ports.failure import Failure
-from skills.ports.geometry import FloorPose
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import TaskState
-from skills.site import load
+from tandem.executive.campaigns.oracle import Oracle
+from tandem.executive.campaigns.reachable import Reachable
+from tandem.executive.demo import Caller
+from tandem.executive.phases import Phases
+from tandem.executive.systems import LockstepSystem, SystemFailure
+from tandem.sim.draw import Draw, draw_fetch
+from tandem.sim.scenario import Scenario
+from tandem.skills.ports.actions.base import ARM_MARGIN
+from tandem.skills.ports.clocks import robot_seconds
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import TaskState
+from tandem.skills.site import load
 
 DEPOT: Final = "depot"
 TASK_WITHIN: Final = 600.0
@@ -50,7 +50,7 @@ class FetchRun(Message):
     slot: int | None
     """The slot of the depot in which the item is reported to lie."""
     wrong: tuple[str, ...]
-    """What is wrong in truth; see ``executive.campaigns.oracle``."""
+    """What is wrong in truth; see ``tandem.executive.campaigns.oracle``."""
     right: bool
     failure: Failure | None
     robot_seconds: float
@@ -83,7 +83,7 @@ def run_fetch(scenario: Scenario, seed: int, run: int) -> FetchRun:
 
 def draw_run(site: Site, scenario: Scenario, rng: Generator) -> Draw:
     """Draw a fetch over all that the robot reaches of the scenario's surfaces."""
-    from sim.robot import compose_robot  # noqa: PLC0415 - only here, and it is made anew for each run
+    from tandem.sim.robot import compose_robot  # noqa: PLC0415 - only here, and it is made anew for each run
 
     description = compose_robot().description
     reachable = Reachable(description, site)

@@ -17,20 +17,20 @@ from hypothesis import HealthCheck, Phase, given, seed, settings
 from jsonschema import Draft202012Validator
 from pydantic import JsonValue
 
-from executive.campaigns.fuzz_all import AllCounts
-from executive.campaigns.fuzz_inputs import TASK_HERE, Input, inputs
-from executive.interface_doc import entries
-from executive.schemas import separate_schemas
-from executive.service import Executive
-from skills.ports.endpoint import Refusal
-from skills.ports.keys import Service
-from skills.ports.message import Message
-from skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask, ControlAnswer, TaskAnswer
-from skills.site import load
-from skills.testing.mock_robot import MockRobot
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryHub
-from trees.registry import discover
+from tandem.executive.campaigns.fuzz_all import AllCounts
+from tandem.executive.campaigns.fuzz_inputs import TASK_HERE, Input, inputs
+from tandem.executive.interface_doc import entries
+from tandem.executive.schemas import separate_schemas
+from tandem.executive.service import Executive
+from tandem.skills.ports.endpoint import Refusal
+from tandem.skills.ports.keys import Service
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask, ControlAnswer, TaskAnswer
+from tandem.skills.site import load
+from tandem.skills.testing.mock_robot import MockRobot
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryHub
+from tandem.trees.registry import discover
 
 CHUNK: Final = 2000
 """Inputs for one executive, after which there is a new one; hypothesis keeps track of them all."""

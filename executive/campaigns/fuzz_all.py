@@ -15,15 +15,15 @@ from typing import Final
 
 from hypothesis import HealthCheck, Phase, given, seed, settings
 
-from executive.campaigns.fuzz_inputs import Input
-from executive.campaigns.fuzz_keys import IDS, inputs_of, service_of, services
-from executive.lockstep import Lockstep
-from sim.scenario import load_scenario
-from skills.ports.action import command_service
-from skills.ports.hardware import Stop
-from skills.ports.keys import STOP
-from skills.ports.message import Message
-from skills.wire.memory import MemoryPending
+from tandem.executive.campaigns.fuzz_inputs import Input
+from tandem.executive.campaigns.fuzz_keys import IDS, inputs_of, service_of, services
+from tandem.executive.lockstep import Lockstep
+from tandem.sim.scenario import load_scenario
+from tandem.skills.ports.action import command_service
+from tandem.skills.ports.hardware import Stop
+from tandem.skills.ports.keys import STOP
+from tandem.skills.ports.message import Message
+from tandem.skills.wire.memory import MemoryPending
 
 AT_ONCE: Final = 4
 """Inputs between two periods of the system."""

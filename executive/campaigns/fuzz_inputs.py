@@ -13,13 +13,13 @@ from typing import Final
 from hypothesis import strategies as st
 from pydantic import JsonValue, TypeAdapter
 
-from executive.campaigns.from_schema import as_json, from_schema
-from executive.interface_doc import entries
-from executive.schemas import interface_schema
-from skills.ports.keys import Service
-from skills.ports.message import Message
-from skills.ports.tasks import REQUEST
-from trees.task import TaskType
+from tandem.executive.campaigns.from_schema import as_json, from_schema
+from tandem.executive.interface_doc import entries
+from tandem.executive.schemas import interface_schema
+from tandem.skills.ports.keys import Service
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import REQUEST
+from tandem.trees.task import TaskType
 
 _ADAPTER: Final[TypeAdapter[JsonValue]] = TypeAdapter(JsonValue)
 _LEAVES: Final[st.SearchStrategy[JsonValue]] = (

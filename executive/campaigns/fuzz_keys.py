@@ -13,12 +13,12 @@ from typing import Final
 from hypothesis import strategies as st
 from pydantic import JsonValue
 
-from executive.campaigns.from_schema import as_json
-from executive.campaigns.fuzz_inputs import ALMOST_JSON, ANY_JSON, Input, documents_of
-from executive.interface_doc import all_actions, all_entries
-from skills.ports.action import goal_service
-from skills.ports.keys import Service
-from skills.ports.message import Message
+from tandem.executive.campaigns.from_schema import as_json
+from tandem.executive.campaigns.fuzz_inputs import ALMOST_JSON, ANY_JSON, Input, documents_of
+from tandem.executive.interface_doc import all_actions, all_entries
+from tandem.skills.ports.action import goal_service
+from tandem.skills.ports.keys import Service
+from tandem.skills.ports.message import Message
 
 _ARGUMENT: Final = re.compile(r"<\w+>")
 NAMES: Final = ("fuzz", "ann", "", "a.b-c_d", "ü", 'a"b', "a b", "x" * 100)

@@ -13,19 +13,19 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from executive.demo import Caller
-from executive.experiments.timeline import Timeline
-from executive.options import BusOptions, RunOptions
-from executive.systems import ProcessSystem, SystemFailure, wait_for
-from sim.controls import RESET, ResetRequest
-from sim.scenario import load_scenario
-from sim.truth import lies_on
-from skills.ports.clocks import robot_seconds
-from skills.ports.failure import FailureKind
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import TaskState
-from skills.site import load
+from tandem.executive.demo import Caller
+from tandem.executive.experiments.timeline import Timeline
+from tandem.executive.options import BusOptions, RunOptions
+from tandem.executive.systems import ProcessSystem, SystemFailure, wait_for
+from tandem.sim.controls import RESET, ResetRequest
+from tandem.sim.scenario import load_scenario
+from tandem.sim.truth import lies_on
+from tandem.skills.ports.clocks import robot_seconds
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import TaskState
+from tandem.skills.site import load
 
 SCENARIO: Final = "Demo"
 INTERRUPTED: Final = 29

@@ -9,18 +9,18 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from sim.disturbances import Disturbances
-from sim.truth import Truth, lies_on
-from skills.ports.clocks import robot_seconds
-from skills.ports.geometry import Pose, distance, floor_distance, to_floor, wrap
-from skills.ports.keys import Latest
-from skills.ports.world import SIDES, WORLD
+from tandem.sim.disturbances import Disturbances
+from tandem.sim.truth import Truth, lies_on
+from tandem.skills.ports.clocks import robot_seconds
+from tandem.skills.ports.geometry import Pose, distance, floor_distance, to_floor, wrap
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.world import SIDES, WORLD
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from executive.systems import LockstepSystem
-    from skills.ports.site import Site
+    from tandem.executive.systems import LockstepSystem
+    from tandem.skills.ports.site import Site
 
 IN_SLOT: Final = 0.05
 """Metres from its slot within which an item lies in it: the lab's slots are 0.156 m apart at the least."""

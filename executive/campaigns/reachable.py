@@ -13,17 +13,17 @@ from typing import Final
 
 import numpy as np
 
-from sim.scenario import Scenario
-from sim.scene import SceneBody, as_box, build_scene, furniture_bodies, item_body, item_name
-from skills.arm.plan_move import MovePlanner
-from skills.arm.planning.settings import PlannerSettings
-from skills.arm.problem import Arm, Moment
-from skills.kinematics.described import load_hulls
-from skills.ports.actions.arm import Candidate, MoveGoal
-from skills.ports.actions.base import ARM_MARGIN
-from skills.ports.floor_plan import FloorPlan
-from skills.ports.geometry import FloorPose, Pose
-from skills.ports.grasping import (
+from tandem.sim.scenario import Scenario
+from tandem.sim.scene import SceneBody, as_box, build_scene, furniture_bodies, item_body, item_name
+from tandem.skills.arm.plan_move import MovePlanner
+from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.arm.problem import Arm, Moment
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.ports.actions.arm import Candidate, MoveGoal
+from tandem.skills.ports.actions.base import ARM_MARGIN
+from tandem.skills.ports.floor_plan import FloorPlan
+from tandem.skills.ports.geometry import FloorPose, Pose
+from tandem.skills.ports.grasping import (
     FINGER_ROOM,
     PITCHES,
     face,
@@ -32,10 +32,10 @@ from skills.ports.grasping import (
     proximity_poses,
     tag_of_item,
 )
-from skills.ports.hardware import JointStates, RobotDescription
-from skills.ports.message import RobotTime
-from skills.ports.site import Site
-from skills.ports.world import PlanningScene, SceneObject, Side
+from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.world import PlanningScene, SceneObject, Side
 
 FACES: Final = (0, 1, 2, -1)
 """An item's tagged faces, by quarter turns: the robot may see it from anywhere."""

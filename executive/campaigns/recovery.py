@@ -6,25 +6,25 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from executive.campaigns.fetch import DEPOT, WARM_UP, draw_run
-from executive.campaigns.oracle import Oracle, Verdict
-from executive.campaigns.troubles import Case, Trouble, draw_hopeless, draw_recoverable
-from executive.demo import Caller
-from executive.systems import LockstepSystem, SystemFailure
-from sim.controls import FAULTS
-from sim.scenario import Scenario
-from skills.ports.clocks import robot_seconds
-from skills.ports.failure import Failure
-from skills.ports.keys import Latest
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import Attempt, TaskState
-from skills.site import load
+from tandem.executive.campaigns.fetch import DEPOT, WARM_UP, draw_run
+from tandem.executive.campaigns.oracle import Oracle, Verdict
+from tandem.executive.campaigns.troubles import Case, Trouble, draw_hopeless, draw_recoverable
+from tandem.executive.demo import Caller
+from tandem.executive.systems import LockstepSystem, SystemFailure
+from tandem.sim.controls import FAULTS
+from tandem.sim.scenario import Scenario
+from tandem.skills.ports.clocks import robot_seconds
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import Attempt, TaskState
+from tandem.skills.site import load
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from sim.faults import Fault, FaultEvent
+    from tandem.sim.faults import Fault, FaultEvent
 
 TASK_WITHIN: Final = 1200.0
 """Robot seconds (host seconds while the hardware is silent) in which a task must have ended."""
@@ -48,7 +48,7 @@ class RecoveryRun(Message):
     """Faults that never struck, or were refused: the run has shown nothing about them."""
     state: str
     wrong: tuple[str, ...]
-    """What is wrong in truth; see ``executive.campaigns.oracle``."""
+    """What is wrong in truth; see ``tandem.executive.campaigns.oracle``."""
     right: bool
     failure: Failure | None
     tried: tuple[Attempt, ...]

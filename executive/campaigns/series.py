@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from typing import TypeVar
 
-from skills.ports.message import Message
+from tandem.skills.ports.message import Message
 
 Run = TypeVar("Run", bound=Message)
 

@@ -16,13 +16,13 @@ from typing import Final
 
 from pydantic import JsonValue
 
-from executive.campaigns.crash_world import ITEM, RESET, AskReset
-from executive.options import BusOptions, RunOptions
-from executive.parts import Role
-from executive.systems import ProcessSystem, SystemFailure, wait_for
-from skills.ports.keys import Latest
-from skills.ports.message import Message
-from skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, CancelTask, TaskAnswer
+from tandem.executive.campaigns.crash_world import ITEM, RESET, AskReset
+from tandem.executive.options import BusOptions, RunOptions
+from tandem.executive.parts import Role
+from tandem.executive.systems import ProcessSystem, SystemFailure, wait_for
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, CancelTask, TaskAnswer
 
 ROBOT: Final = "soak"
 ROLES: Final[tuple[Role, ...]] = ("router", "mock", "executive")

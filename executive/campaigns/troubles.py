@@ -13,8 +13,8 @@ from typing import Final
 
 from numpy.random import Generator
 
-from sim.draw import why_not
-from sim.faults import (
+from tandem.sim.draw import why_not
+from tandem.sim.faults import (
     ArmMoving,
     BaseAtRest,
     BaseMoving,
@@ -39,12 +39,12 @@ from sim.faults import (
     OdometryJump,
     StopSet,
 )
-from sim.scenario import Scenario, ScenarioError
-from sim.things import BoxShape
-from skills.ports.failure import FailureKind
-from skills.ports.geometry import wrap
-from skills.ports.site import Site
-from skills.testing.faulty_bus import BusFaults
+from tandem.sim.scenario import Scenario, ScenarioError
+from tandem.sim.things import BoxShape
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.geometry import wrap
+from tandem.skills.ports.site import Site
+from tandem.skills.testing.faulty_bus import BusFaults
 
 MOST_FAULTS: Final = 3
 PERSON: Final = BoxShape(size=(0.35, 0.35, 1.2))

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from typing import Final
 
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
-from executive.security.identity import Identity
-from executive.security.rights import Rights, rights_of
-from executive.security.role import Role
-from skills.ports.match import matches
-from skills.ports.tasks import by_client
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.security.identity import Identity
+from tandem.executive.security.rights import Rights, rights_of
+from tandem.executive.security.role import Role
+from tandem.skills.ports.match import matches
+from tandem.skills.ports.tasks import by_client
 
 CLIENTS: Final[tuple[Role, ...]] = ("viewer", "requester", "operator")
 

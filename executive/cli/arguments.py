@@ -11,8 +11,8 @@ from typing import Annotated, Final, get_type_hints
 
 import typer
 
-from executive.cli.errors import CommandError
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
 
 PANEL: Final = "Connection"
 """Heading in the help under which the shared options stand."""

@@ -10,8 +10,8 @@ from typing import Annotated
 
 import typer
 
-from executive import isolation
-from executive.cli.errors import CommandError
+from tandem.executive import isolation
+from tandem.executive.cli.errors import CommandError
 
 Names = Annotated[
     list[str] | None, typer.Argument(metavar="[NAME]...", help="Which benchmarks; all unless given.")

@@ -9,20 +9,20 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.console import Console
 
-from executive.cli.arguments import OwnEndpoint
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
-from executive.cli.restart_command import restart
-from executive.cli.telling import told
+from tandem.executive.cli.arguments import OwnEndpoint
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.restart_command import restart
+from tandem.executive.cli.telling import told
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from executive.campaigns.crash import CrashCampaign, CrashRun
-    from executive.campaigns.crash_physics import PhysicsCampaign, PhysicsRun
-    from executive.campaigns.fetch import FetchRun
-    from executive.campaigns.fuzz_all import AllCounts
-    from executive.campaigns.recovery import RecoveryRun
+    from tandem.executive.campaigns.crash import CrashCampaign, CrashRun
+    from tandem.executive.campaigns.crash_physics import PhysicsCampaign, PhysicsRun
+    from tandem.executive.campaigns.fetch import FetchRun
+    from tandem.executive.campaigns.fuzz_all import AllCounts
+    from tandem.executive.campaigns.recovery import RecoveryRun
 
 Runs = Annotated[int, typer.Option("--runs", min=1, max=10_000, help="How many.")]
 Seed = Annotated[int, typer.Option("--seed", min=0, help="Of all draws and all noise.")]
@@ -61,9 +61,9 @@ def fetch(
     first: First = 0,
 ) -> None:
     """Fetch drawn items from drawn starts. Ends with 0 only when every fetch is right, in truth."""
-    from executive.campaigns.fetch import FetchCampaign, run_fetch  # noqa: PLC0415
-    from executive.campaigns.series import run_number, series  # noqa: PLC0415
-    from executive.cli.scenario_commands import checked  # noqa: PLC0415
+    from tandem.executive.campaigns.fetch import FetchCampaign, run_fetch  # noqa: PLC0415
+    from tandem.executive.campaigns.series import run_number, series  # noqa: PLC0415
+    from tandem.executive.cli.scenario_commands import checked  # noqa: PLC0415
 
     drawn_from = checked(scenario)
     console = Console(highlight=False, soft_wrap=True)
@@ -100,9 +100,9 @@ def recovery(
     and all that can't be end with the right kind of failure, at rest. A run whose fault never struck counts
     as not right.
     """
-    from executive.campaigns.recovery import RecoveryCampaign, run_hopeless, run_recovery  # noqa: PLC0415
-    from executive.campaigns.series import run_number, series  # noqa: PLC0415
-    from executive.cli.scenario_commands import checked  # noqa: PLC0415
+    from tandem.executive.campaigns.recovery import RecoveryCampaign, run_hopeless, run_recovery  # noqa: PLC0415
+    from tandem.executive.campaigns.series import run_number, series  # noqa: PLC0415
+    from tandem.executive.cli.scenario_commands import checked  # noqa: PLC0415
 
     drawn_from = checked(scenario)
     console = Console(highlight=False, soft_wrap=True)
@@ -146,8 +146,8 @@ def fuzz(
     One half goes to the request interface of an executive, the other to all keys of a system in lockstep.
     """
     try:
-        from executive.campaigns.fuzz import fuzz as run_fuzz  # noqa: PLC0415
-        from executive.campaigns.fuzz_all import fuzz_all  # noqa: PLC0415
+        from tandem.executive.campaigns.fuzz import fuzz as run_fuzz  # noqa: PLC0415
+        from tandem.executive.campaigns.fuzz_all import fuzz_all  # noqa: PLC0415
     except ModuleNotFoundError as error:
         raise CommandError(
             f"the fuzzing needs {error.name}, which comes with the development tools: "
@@ -270,8 +270,8 @@ def _mocked(
     points: bool,
     verbs: bool,
 ) -> CrashCampaign:
-    from executive.campaigns.crash import CrashCampaign, crash_points, crash_runs, point_runs  # noqa: PLC0415
-    from executive.campaigns.crash_verbs import verb_runs  # noqa: PLC0415
+    from tandem.executive.campaigns.crash import CrashCampaign, crash_points, crash_runs, point_runs  # noqa: PLC0415
+    from tandem.executive.campaigns.crash_verbs import verb_runs  # noqa: PLC0415
 
     done: list[CrashRun] = []
 
@@ -292,8 +292,8 @@ def _mocked(
 def _in_physics(
     folder: Path, connect: str, runs: int, console: Console, *, seed: int, first: int
 ) -> PhysicsCampaign:
-    from executive.campaigns.crash_physics import PhysicsCampaign, physics_runs  # noqa: PLC0415
-    from executive.systems import RefusedError  # noqa: PLC0415
+    from tandem.executive.campaigns.crash_physics import PhysicsCampaign, physics_runs  # noqa: PLC0415
+    from tandem.executive.systems import RefusedError  # noqa: PLC0415
 
     done: list[PhysicsRun] = []
     try:
@@ -337,8 +337,8 @@ def soak(
     """Run many mocked tasks. Exits 0 only if no process grows and no handle or thread is left open."""
     import tempfile  # noqa: PLC0415
 
-    from executive.campaigns.soak import run_soak  # noqa: PLC0415
-    from executive.systems import RefusedError, SystemFailure  # noqa: PLC0415
+    from tandem.executive.campaigns.soak import run_soak  # noqa: PLC0415
+    from tandem.executive.systems import RefusedError, SystemFailure  # noqa: PLC0415
 
     console = Console(highlight=False, soft_wrap=True)
 

@@ -9,18 +9,18 @@ from typing import Final, Self, TypeVar
 
 from pydantic import ValidationError
 
-from executive.cli.allowed import refuse_unless_allowed
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
-from executive.client.talks import reason_of
-from executive.options import BusOptions
-from executive.security.holders import KeysError
-from executive.security.identity import client_in
-from skills.ports.bus import Pending
-from skills.ports.keys import DESCRIPTION, Nothing, Service
-from skills.ports.message import Message
-from skills.ports.tasks import TASK_CANCEL, by_client
-from skills.wire.zenoh_bus import BusError, ZenohBus
+from tandem.executive.cli.allowed import refuse_unless_allowed
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.client.talks import reason_of
+from tandem.executive.options import BusOptions
+from tandem.executive.security.holders import KeysError
+from tandem.executive.security.identity import client_in
+from tandem.skills.ports.bus import Pending
+from tandem.skills.ports.keys import DESCRIPTION, Nothing, Service
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import TASK_CANCEL, by_client
+from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 Sent = TypeVar("Sent", bound=Message)
 Answered = TypeVar("Answered", bound=Message)

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Final
 
-from executive.cli.errors import CommandError
+from tandem.executive.cli.errors import CommandError
 
 _DISPLAY: Final = re.compile(r"(?:unix|(?P<host>[^:]*)):(?P<number>\d+)(?:\.\d+)?")
 _SOCKETS: Final = Path("/tmp/.X11-unix")  # noqa: S108 - where X11 has its sockets

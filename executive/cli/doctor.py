@@ -11,12 +11,12 @@ from typing import Final
 
 import typer
 
-from executive.cli.arguments import connects
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
-from executive.cli.start import unsupported
-from executive.isolation import isolated, python
-from executive.options import BusOptions
+from tandem.executive.cli.arguments import connects
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.start import unsupported
+from tandem.executive.isolation import isolated, python
+from tandem.executive.options import BusOptions
 
 PACKAGES: Final = (
     ("eclipse-zenoh", "zenoh", "the bus between processes"),
@@ -90,7 +90,7 @@ def _machine() -> list[Finding]:
 def _packages() -> list[Finding]:
     import importlib.util  # noqa: PLC0415
 
-    from executive.provenance import installed  # noqa: PLC0415
+    from tandem.executive.provenance import installed  # noqa: PLC0415
 
     found = [Finding("tandem", True, installed("tandem-executive") or "not installed, run from its folder")]
     for distribution, module, purpose in PACKAGES:
@@ -103,8 +103,8 @@ def _packages() -> list[Finding]:
 
 
 def _robot_files() -> Finding:
-    from executive.provenance import installed  # noqa: PLC0415
-    from skills.ports.packages import resolve  # noqa: PLC0415
+    from tandem.executive.provenance import installed  # noqa: PLC0415
+    from tandem.skills.ports.packages import resolve  # noqa: PLC0415
 
     try:
         path = resolve(ROBOT_FILE)
@@ -114,9 +114,9 @@ def _robot_files() -> Finding:
 
 
 def _files() -> list[Finding]:
-    from sim.scenario import scenario_names  # noqa: PLC0415
-    from skills.site import names  # noqa: PLC0415
-    from trees.registry import discover  # noqa: PLC0415
+    from tandem.sim.scenario import scenario_names  # noqa: PLC0415
+    from tandem.skills.site import names  # noqa: PLC0415
+    from tandem.trees.registry import discover  # noqa: PLC0415
 
     parts = (("sites", names()), ("scenarios", scenario_names()), ("tasks", tuple(discover())))
     return [Finding(subject, bool(each), ", ".join(each) or "none are installed") for subject, each in parts]
@@ -138,9 +138,9 @@ def _renderer() -> list[Finding]:
 
 
 def _robot(options: BusOptions) -> list[Finding]:
-    from executive.cli.connection import Connection  # noqa: PLC0415
-    from skills.ports.keys import Nothing  # noqa: PLC0415
-    from skills.ports.tasks import TASK_INFO  # noqa: PLC0415
+    from tandem.executive.cli.connection import Connection  # noqa: PLC0415
+    from tandem.skills.ports.keys import Nothing  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_INFO  # noqa: PLC0415
 
     found = []
     try:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.exit_codes import ExitCode
 
 
 class CommandError(Exception):

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.console import Console
 
-from executive.cli.campaign_command import First, Jobs, ReportFile, Seed
-from executive.cli.exit_codes import ExitCode
-from executive.cli.telling import told
+from tandem.executive.cli.campaign_command import First, Jobs, ReportFile, Seed
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.telling import told
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from executive.experiments.run import ExperimentRun
-    from executive.experiments.settings import Kind, Options
+    from tandem.executive.experiments.run import ExperimentRun
+    from tandem.executive.experiments.settings import Kind, Options
 
 
 class Method(StrEnum):
@@ -122,11 +122,11 @@ def _run(  # noqa: PLR0917 - the command's options, in their order
     jobs: int,
     first: int,
 ) -> None:
-    from executive.campaigns.series import run_number  # noqa: PLC0415
-    from executive.campaigns.series import series as in_series  # noqa: PLC0415
-    from executive.experiments.run import Experiment, run_experiment  # noqa: PLC0415
-    from executive.experiments.settings import Options  # noqa: PLC0415
-    from executive.experiments.tables import picked  # noqa: PLC0415
+    from tandem.executive.campaigns.series import run_number  # noqa: PLC0415
+    from tandem.executive.campaigns.series import series as in_series  # noqa: PLC0415
+    from tandem.executive.experiments.run import Experiment, run_experiment  # noqa: PLC0415
+    from tandem.executive.experiments.settings import Options  # noqa: PLC0415
+    from tandem.executive.experiments.tables import picked  # noqa: PLC0415
 
     options = Options(
         kind=kind,
@@ -165,7 +165,7 @@ def _tell(run: ExperimentRun, console: Console) -> None:
 
 def _tables(options: Options, runs: Sequence[ExperimentRun]) -> Iterator[str]:
     """Yield the lines of the tables: what, here, in the thesis."""
-    from executive.experiments.tables import tables  # noqa: PLC0415
+    from tandem.executive.experiments.tables import tables  # noqa: PLC0415
 
     for title, rows in tables(options, runs):
         whats, ours, theirs = zip(("", "here", "thesis"), *rows, strict=True)
@@ -177,7 +177,7 @@ def _tables(options: Options, runs: Sequence[ExperimentRun]) -> Iterator[str]:
 
 
 def _draw(options: Options, runs: Sequence[ExperimentRun], folder: Path) -> None:
-    from executive.experiments.figures import figure, from_above, in_space  # noqa: PLC0415
+    from tandem.executive.experiments.figures import figure, from_above, in_space  # noqa: PLC0415
 
     folder.mkdir(parents=True, exist_ok=True)
     for name, flat in (("2d", from_above), ("3d", in_space)):

@@ -10,14 +10,14 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
-from executive.cli.connection import Connection
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
-from executive.client.pages import listed
-from executive.ledger.port import LedgerError, LedgerLockedError
-from executive.ledger.sqlite import FILE, SqliteLedger
-from executive.options import BusOptions, default_data
-from skills.ports.tasks import PAGE, TASK_HISTORY, TASK_LIST, AskHistory, History, TaskStatus
+from tandem.executive.cli.connection import Connection
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.client.pages import listed
+from tandem.executive.ledger.port import LedgerError, LedgerLockedError
+from tandem.executive.ledger.sqlite import FILE, SqliteLedger
+from tandem.executive.options import BusOptions, default_data
+from tandem.skills.ports.tasks import PAGE, TASK_HISTORY, TASK_LIST, AskHistory, History, TaskStatus
 
 LIMIT: Final = PAGE
 """Tasks of one question."""

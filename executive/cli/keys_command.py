@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from executive.cli.errors import CommandError
-from executive.security.role import Role
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.security.role import Role
 
 if TYPE_CHECKING:
-    from executive.security.holders import Holder
+    from tandem.executive.security.holders import Holder
 
 DEFAULT_FOLDER: Final = Path("keys")
 Folder = Annotated[Path, typer.Option("--folder", metavar="DIR", help="Where the keys are.")]
@@ -33,7 +33,7 @@ def add_to(app: typer.Typer) -> None:
 
 def init(folder: Folder = DEFAULT_FOLDER) -> None:
     """Make an authority of one's own, which certifies the keys."""
-    from executive.security import authority  # noqa: PLC0415 - loads a library
+    from tandem.executive.security import authority  # noqa: PLC0415 - loads a library
 
     with _said():
         authority.begin(folder, _now())
@@ -51,7 +51,7 @@ def new(
     folder: Folder = DEFAULT_FOLDER,
 ) -> None:
     """Make a key and its certificate; for a robot one for each of its parts."""
-    from executive.security import authority  # noqa: PLC0415 - loads a library
+    from tandem.executive.security import authority  # noqa: PLC0415 - loads a library
 
     wanted = authority.Wanted(role, name, days, tuple(host or ()))
     with _said():
@@ -62,7 +62,7 @@ def new(
 
 def list_keys(folder: Folder = DEFAULT_FOLDER) -> None:
     """List who has been given a key, and whether it holds."""
-    from executive.security.holders import read_holders  # noqa: PLC0415
+    from tandem.executive.security.holders import read_holders  # noqa: PLC0415
 
     with _said():
         known = read_holders(folder)
@@ -74,7 +74,7 @@ def list_keys(folder: Folder = DEFAULT_FOLDER) -> None:
 
 def revoke(name: Name, folder: Folder = DEFAULT_FOLDER) -> None:
     """Take back what a name's keys allow; the router hears of it within a second."""
-    from executive.security import authority  # noqa: PLC0415 - loads a library
+    from tandem.executive.security import authority  # noqa: PLC0415 - loads a library
 
     with _said():
         gone = authority.revoke(folder, name)
@@ -95,7 +95,7 @@ def _now() -> dt.datetime:
 
 @contextmanager
 def _said() -> Iterator[None]:
-    from executive.security.holders import KeysError  # noqa: PLC0415
+    from tandem.executive.security.holders import KeysError  # noqa: PLC0415
 
     try:
         yield

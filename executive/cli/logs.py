@@ -7,9 +7,9 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from executive.cli.errors import CommandError
-from executive.parts import LogFormat
-from executive.telemetry.logs import formatter
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.parts import LogFormat
+from tandem.executive.telemetry.logs import formatter
 
 
 @dataclass(frozen=True)

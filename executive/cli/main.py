@@ -14,7 +14,7 @@ from typing import Annotated, Final
 
 import typer
 
-from executive.cli import (
+from tandem.executive.cli import (
     bench_command,
     campaign_command,
     doctor,
@@ -32,13 +32,13 @@ from executive.cli import (
     why_command,
     zones_command,
 )
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import MEANINGS, ExitCode
-from executive.cli.logs import LogOptions
-from executive.isolation import isolate_children
-from executive.parts import LogFormat
-from executive.screen import Screen
-from skills.ports.sources import DocumentError
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
+from tandem.executive.cli.logs import LogOptions
+from tandem.executive.isolation import isolate_children
+from tandem.executive.parts import LogFormat
+from tandem.executive.screen import Screen
+from tandem.skills.ports.sources import DocumentError
 
 _LOG = logging.getLogger(__name__)
 

@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import get_args
 
-from executive.cli.arguments import ENDPOINT, TLS
-from executive.cli.errors import CommandError
-from executive.options import BusOptions
-from executive.parts import ROLES, Role
-from executive.security.holders import KeysError
-from executive.security.identity import Identity, refuse_other_hosts, robot_in
-from skills.wire.endpoints import is_loopback
+from tandem.executive.cli.arguments import ENDPOINT, TLS
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.options import BusOptions
+from tandem.executive.parts import ROLES, Role
+from tandem.executive.security.holders import KeysError
+from tandem.executive.security.identity import Identity, refuse_other_hosts, robot_in
+from tandem.skills.wire.endpoints import is_loopback
 
 
 def owner_of(bus: BusOptions, *, by_environment: bool = False) -> BusOptions:

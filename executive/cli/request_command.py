@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Annotated, Final, Literal, get_args, get_origi
 
 import typer
 
-from executive.cli.arguments import connects
-from executive.options import BusOptions
+from tandem.executive.cli.arguments import connects
+from tandem.executive.options import BusOptions
 
 if TYPE_CHECKING:
     from pydantic import JsonValue
     from pydantic.fields import FieldInfo
 
-    from skills.ports.message import Message
-    from trees.task import TaskType
+    from tandem.skills.ports.message import Message
+    from tandem.trees.task import TaskType
 
 _SIMPLE: Final = (int, float, str, bool)
 _ENVELOPE: Final = ("task", "id")
@@ -28,7 +28,7 @@ def add_to(app: typer.Typer, *, with_kinds: bool) -> None:
     group = typer.Typer(help="Ask the robot for something.", no_args_is_help=True)
     group.command("json")(connects(from_json))
     if with_kinds:
-        from trees.registry import discover  # noqa: PLC0415
+        from tandem.trees.registry import discover  # noqa: PLC0415
 
         for kind in discover().values():
             group.command(kind.name, help=kind.summary)(command_of(kind))
@@ -45,7 +45,7 @@ def from_json(
     bus: BusOptions,
 ) -> None:
     """Send a request's document as it is."""
-    from executive.cli.sending import send  # noqa: PLC0415
+    from tandem.executive.cli.sending import send  # noqa: PLC0415
 
     send(document.encode("utf-8", "surrogateescape"), bus, wait=wait)
 
@@ -55,7 +55,7 @@ def command_of(kind: TaskType[Message]) -> Callable[..., None]:
     fields = {name: info for name, info in kind.request.model_fields.items() if name not in _ENVELOPE}
 
     def command(*, wait: bool, bus: BusOptions, **given: object) -> None:
-        from executive.cli.sending import send_fields  # noqa: PLC0415
+        from tandem.executive.cli.sending import send_fields  # noqa: PLC0415
 
         document: dict[str, JsonValue] = {"task": kind.name, "id": uuid.uuid4().hex}
         document.update({name: _json(value) for name, value in given.items() if value is not None})

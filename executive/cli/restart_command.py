@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.console import Console
 
-from executive.cli.arguments import OwnEndpoint
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
-from executive.cli.telling import told
+from tandem.executive.cli.arguments import OwnEndpoint
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.telling import told
 
 if TYPE_CHECKING:
-    from executive.campaigns.hardware_restart import RestartRun
+    from tandem.executive.campaigns.hardware_restart import RestartRun
 
 
 def restart(
@@ -35,8 +35,8 @@ def restart(
     """
     import tempfile  # noqa: PLC0415
 
-    from executive.campaigns.hardware_restart import RestartCampaign, restart_runs  # noqa: PLC0415
-    from executive.systems import RefusedError  # noqa: PLC0415
+    from tandem.executive.campaigns.hardware_restart import RestartCampaign, restart_runs  # noqa: PLC0415
+    from tandem.executive.systems import RefusedError  # noqa: PLC0415
 
     console = Console(highlight=False, soft_wrap=True)
     done: list[RestartRun] = []

@@ -8,11 +8,11 @@ from typing import Annotated, cast, get_args
 
 import typer
 
-from executive.cli.arguments import OwnEndpoint, OwnRobot, OwnSite, bus_options, connects
-from executive.cli.errors import CommandError
-from executive.cli.logs import LogOptions
-from executive.on_restart import OnRestart as Restart
-from executive.options import (
+from tandem.executive.cli.arguments import OwnEndpoint, OwnRobot, OwnSite, bus_options, connects
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.logs import LogOptions
+from tandem.executive.on_restart import OnRestart as Restart
+from tandem.executive.options import (
     DEFAULT_ENDPOINT,
     DEFAULT_ROBOT,
     DEFAULT_SITE,
@@ -20,7 +20,7 @@ from executive.options import (
     RunOptions,
     default_data,
 )
-from skills.wire.pulse import SILENT_AFTER
+from tandem.skills.wire.pulse import SILENT_AFTER
 
 Scenario = Annotated[
     str,
@@ -129,7 +129,7 @@ def demo(
         verbose=logs.verbose,
         log_format=logs.format,
     )
-    from executive.compose import run_demo  # noqa: PLC0415 - loads the whole system
+    from tandem.executive.compose import run_demo  # noqa: PLC0415 - loads the whole system
 
     raise typer.Exit(run_demo(options))
 
@@ -155,7 +155,7 @@ def up(
     bus: BusOptions,
 ) -> None:
     """Start router, simulated robot, skills and executive, and watch them until Ctrl-C."""
-    from executive.cli.opening import checked_endpoints, checked_roles, owner_of  # noqa: PLC0415
+    from tandem.executive.cli.opening import checked_endpoints, checked_roles, owner_of  # noqa: PLC0415
 
     logs = _logs(context)
     if lockstep:
@@ -184,7 +184,7 @@ def up(
         listen=checked_endpoints(bus, listen or (), insecure=insecure) if "router" in roles else (),
         only=roles,
     )
-    from executive.compose import run_up  # noqa: PLC0415 - loads the whole system
+    from tandem.executive.compose import run_up  # noqa: PLC0415 - loads the whole system
 
     raise typer.Exit(run_up(options))
 
@@ -219,7 +219,7 @@ def _speed(text: str) -> float | None:
 def _require_window(*, gui: bool, lockstep: bool) -> None:
     if not gui:
         return
-    from executive.cli.display import require_display  # noqa: PLC0415
+    from tandem.executive.cli.display import require_display  # noqa: PLC0415
 
     if lockstep:
         raise CommandError("--gui: lockstep shows no window; leave out --gui or --lockstep")
@@ -227,7 +227,7 @@ def _require_window(*, gui: bool, lockstep: bool) -> None:
 
 
 def _metrics(text: str) -> str:
-    from executive.telemetry.process import host_and_port  # noqa: PLC0415
+    from tandem.executive.telemetry.process import host_and_port  # noqa: PLC0415
 
     if not text:
         return text
@@ -248,7 +248,7 @@ def _traces(text: str) -> str:
 
 def _scenario(name_or_path: str, faults: Path | None) -> str:
     """Return it when both are right; CommandError names the file, the path in it and what was expected."""
-    from executive.cli.scenario_commands import checked, checked_faults  # noqa: PLC0415
+    from tandem.executive.cli.scenario_commands import checked, checked_faults  # noqa: PLC0415
 
     scenario = checked(name_or_path)
     if faults is not None:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 if TYPE_CHECKING:
-    from executive.fault_file import FaultFile
-    from sim.scenario import Scenario
+    from tandem.executive.fault_file import FaultFile
+    from tandem.sim.scenario import Scenario
 
 
 def add_to(app: typer.Typer) -> None:
@@ -25,7 +25,7 @@ def list_all() -> None:
     from rich.console import Console  # noqa: PLC0415
     from rich.table import Table  # noqa: PLC0415
 
-    from sim.scenario import load_scenario, scenario_names  # noqa: PLC0415
+    from tandem.sim.scenario import load_scenario, scenario_names  # noqa: PLC0415
 
     table = Table("name", "site", "items", "obstacles", "robot starts at", box=None)
     for name in scenario_names():
@@ -61,9 +61,9 @@ def checked(name_or_path: str) -> Scenario:
     Raises:
         DocumentError: naming the file, the path and line in it, and what was expected.
     """
-    from sim.scenario import read_scenario  # noqa: PLC0415
-    from sim.scene import build_scene  # noqa: PLC0415
-    from skills.site import load  # noqa: PLC0415
+    from tandem.sim.scenario import read_scenario  # noqa: PLC0415
+    from tandem.sim.scene import build_scene  # noqa: PLC0415
+    from tandem.skills.site import load  # noqa: PLC0415
 
     scenario, source = read_scenario(name_or_path)
     build_scene(load(scenario.site), scenario, source=source)
@@ -76,7 +76,7 @@ def checked_faults(path: Path, scenario: Scenario) -> FaultFile:
     Raises:
         DocumentError: naming the file, the path and line in it, and what was expected.
     """
-    from executive.fault_file import check_faults  # noqa: PLC0415
-    from skills.site import load  # noqa: PLC0415
+    from tandem.executive.fault_file import check_faults  # noqa: PLC0415
+    from tandem.skills.site import load  # noqa: PLC0415
 
     return check_faults(path, load(scenario.site))

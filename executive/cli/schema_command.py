@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from executive.cli.errors import CommandError
+from tandem.executive.cli.errors import CommandError
 
 
 def add_to(app: typer.Typer) -> None:
@@ -30,12 +30,12 @@ def schema(
     """Print the interface as JSON Schemas in one document or a file for each message, or as AsyncAPI."""
     import json  # noqa: PLC0415
 
-    from executive.schemas import interface_schema, separate_schemas  # noqa: PLC0415
-    from trees.registry import discover  # noqa: PLC0415
+    from tandem.executive.schemas import interface_schema, separate_schemas  # noqa: PLC0415
+    from tandem.trees.registry import discover  # noqa: PLC0415
 
     kinds = discover()
     if form == "asyncapi":
-        from executive.asyncapi import asyncapi  # noqa: PLC0415
+        from tandem.executive.asyncapi import asyncapi  # noqa: PLC0415
 
         _put(json.dumps(asyncapi(kinds), indent=1), output)
         return

@@ -8,14 +8,14 @@ import uuid
 import typer
 from pydantic import JsonValue
 
-from executive.cli.connection import Connection
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
-from executive.cli.waiting import Waiting
-from executive.options import BusOptions
-from skills.ports.failure import KINDS, Failure
-from skills.ports.keys import Latest
-from skills.ports.tasks import REQUEST, TASK_STATUS, TaskAnswer, TaskState, TaskStatus
+from tandem.executive.cli.connection import Connection
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.waiting import Waiting
+from tandem.executive.options import BusOptions
+from tandem.skills.ports.failure import KINDS, Failure
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.tasks import REQUEST, TASK_STATUS, TaskAnswer, TaskState, TaskStatus
 
 
 def send_fields(document: dict[str, JsonValue], options: BusOptions, *, wait: bool) -> None:

@@ -12,7 +12,7 @@ OLDEST = (3, 11)
 NEWEST = (3, 13)
 """ompl 2.0.1 has no wheel for 3.14: docs/decisions/006-pybullet-for-newer-pythons.md."""
 BAD_INPUT = 2
-"""``executive.cli.exit_codes.ExitCode.BAD_INPUT``, which can't be imported yet."""
+"""``tandem.executive.cli.exit_codes.ExitCode.BAD_INPUT``, which can't be imported yet."""
 
 
 def unsupported(version: tuple[int, int]) -> str:
@@ -32,6 +32,6 @@ def run() -> None:
     if reason:
         sys.stderr.write(f"error: {reason}\n")
         sys.exit(BAD_INPUT)
-    from executive.cli.main import run as run_command  # noqa: PLC0415 - see above
+    from tandem.executive.cli.main import run as run_command  # noqa: PLC0415 - see above
 
     run_command()

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 
 import typer
 
-from executive.cli.arguments import connects
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
-from executive.options import BusOptions
+from tandem.executive.cli.arguments import connects
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.options import BusOptions
 
 if TYPE_CHECKING:
-    from skills.ports.hardware import StopState
-    from skills.ports.keys import Service
-    from skills.ports.message import Message
+    from tandem.skills.ports.hardware import StopState
+    from tandem.skills.ports.keys import Service
+    from tandem.skills.ports.message import Message
 
 M = TypeVar("M", bound="Message")
 By = Annotated[str, typer.Option("--by", metavar="NAME", help="Your name; user@host unless given.")]
@@ -31,7 +31,7 @@ def add_to(app: typer.Typer) -> None:
 
 def stop(*, reason: Reason = "tandem stop", by: By = "", bus: BusOptions) -> None:
     """Bring the robot to rest at once, and keep it there until `tandem release`. Needs no executive."""
-    from skills.ports.keys import STOP  # noqa: PLC0415
+    from tandem.skills.ports.keys import STOP  # noqa: PLC0415
 
     state = _ask(bus, STOP, by, reason)
     if not state.stopped:
@@ -41,7 +41,7 @@ def stop(*, reason: Reason = "tandem stop", by: By = "", bus: BusOptions) -> Non
 
 def release(*, reason: Reason = "tandem release", by: By = "", bus: BusOptions) -> None:
     """Release the hardware's stop: the robot may move again, and a task that waits goes on."""
-    from skills.ports.keys import STOP_RELEASE  # noqa: PLC0415
+    from tandem.skills.ports.keys import STOP_RELEASE  # noqa: PLC0415
 
     state = _ask(bus, STOP_RELEASE, by, reason)
     if state.stopped:
@@ -50,7 +50,7 @@ def release(*, reason: Reason = "tandem release", by: By = "", bus: BusOptions) 
 
 
 def _ask(bus: BusOptions, service: Service[M, StopState], by: str, reason: str) -> StopState:
-    from executive.cli.connection import Connection  # noqa: PLC0415
+    from tandem.executive.cli.connection import Connection  # noqa: PLC0415
 
     with Connection(bus) as connection:
         words = {"by": by or _self(connection.options), "reason": reason}

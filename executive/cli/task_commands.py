@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from executive.cli.arguments import Output, connects
-from executive.cli.errors import CommandError
-from executive.options import BusOptions
+from tandem.executive.cli.arguments import Output, connects
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.options import BusOptions
 
 if TYPE_CHECKING:
-    from skills.ports.tasks import AskHistory, TaskState, TaskStatus
+    from tandem.skills.ports.tasks import AskHistory, TaskState, TaskStatus
 
 Data = Annotated[
     Path | None,
@@ -43,8 +43,8 @@ def tasks(
     bus: BusOptions,
 ) -> None:
     """List the tasks that the executive remembers, oldest first; with --all those of the ledger too."""
-    from executive.cli.history import lately, of_ledger  # noqa: PLC0415
-    from skills.ports.tasks import TaskList  # noqa: PLC0415
+    from tandem.executive.cli.history import lately, of_ledger  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TaskList  # noqa: PLC0415
 
     older = everything or state or since
     found = of_ledger(bus, data, _asked(state, since)) if older else lately(bus, data)
@@ -65,7 +65,7 @@ def export(
     bus: BusOptions,
 ) -> None:
     """Write the ledger's tasks as JSON lines, oldest first."""
-    from executive.cli.history import of_ledger  # noqa: PLC0415
+    from tandem.executive.cli.history import of_ledger  # noqa: PLC0415
 
     found = of_ledger(bus, data, _asked(state, since))
     lines = "".join(f"{status.model_dump_json()}\n" for status in found)
@@ -79,15 +79,15 @@ def export(
 
 
 def _asked(state: Iterable[str] | None, since: str) -> AskHistory:
-    from executive.cli.history import LIMIT, moment  # noqa: PLC0415
-    from skills.ports.tasks import AskHistory  # noqa: PLC0415
+    from tandem.executive.cli.history import LIMIT, moment  # noqa: PLC0415
+    from tandem.skills.ports.tasks import AskHistory  # noqa: PLC0415
 
     states = tuple(_state(each) for each in state or ())
     return AskHistory(states=states, since=moment(since), limit=LIMIT)
 
 
 def _state(text: str) -> TaskState:
-    from skills.ports.tasks import TaskState  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TaskState  # noqa: PLC0415
 
     try:
         return TaskState(text.upper())

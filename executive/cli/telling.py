@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from rich.console import Console
 
 if TYPE_CHECKING:
-    from skills.ports.message import Message
+    from tandem.skills.ports.message import Message
 
 
 def told(console: Console, report: Path | None, summary: Sequence[str], result: Message) -> None:
@@ -19,7 +19,7 @@ def told(console: Console, report: Path | None, summary: Sequence[str], result: 
     for line in summary:
         console.print(line, style="red" if line.startswith("WRONG") else None, markup=False)
     if report is not None:
-        from executive.figures import write_figures  # noqa: PLC0415 - few need it
-        from executive.provenance import provenance  # noqa: PLC0415 - as above
+        from tandem.executive.figures import write_figures  # noqa: PLC0415 - few need it
+        from tandem.executive.provenance import provenance  # noqa: PLC0415 - as above
 
         write_figures(report, provenance(sys.argv, time.time()), tuple(summary), result)

@@ -8,20 +8,20 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from executive.cli.arguments import Output, SiteFile, connects
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
-from executive.options import DEFAULT_SITE, BusOptions
+from tandem.executive.cli.arguments import Output, SiteFile, connects
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.options import DEFAULT_SITE, BusOptions
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from executive.worlds import Make
-    from skills.ports.tasks import TreeNode
+    from tandem.executive.worlds import Make
+    from tandem.skills.ports.tasks import TreeNode
 
 
 class Format(StrEnum):
-    """How a tree can be drawn; the names of ``executive.render.formats``, which a test compares."""
+    """How a tree can be drawn; the names of ``tandem.executive.render.formats``, which a test compares."""
 
     UNICODE = "unicode"
     ASCII = "ascii"
@@ -46,7 +46,7 @@ def list_all() -> None:
     from rich.console import Console  # noqa: PLC0415
     from rich.table import Table  # noqa: PLC0415
 
-    from trees.registry import discover  # noqa: PLC0415
+    from tandem.trees.registry import discover  # noqa: PLC0415
 
     table = Table("task", "what it does", "fields of the request", box=None)
     for kind in discover().values():
@@ -70,7 +70,7 @@ def render(
     bus: BusOptions,
 ) -> None:
     """Draw a task's tree, or, with --live, the one that runs now with its statuses."""
-    from executive.render.formats import BINARY, FORMATS  # noqa: PLC0415
+    from tandem.executive.render.formats import BINARY, FORMATS  # noqa: PLC0415
 
     if live:
         root = _running(bus)
@@ -101,7 +101,7 @@ def coverage(
     plans: Annotated[bool, typer.Option("--plans", help="Tell each plan before it is run.")] = False,
 ) -> None:
     """Have each leaf fail in each way, with mocked skills. Ends with 1 when a status or a rule was missed."""
-    from executive.exploring import explore  # noqa: PLC0415
+    from tandem.executive.exploring import explore  # noqa: PLC0415
 
     tell = typer.echo if plans else _tell_nobody
     seen = explore(*_worlds(task), depth=depth, tell=tell)
@@ -124,7 +124,7 @@ def properties(
     seed: Annotated[int, typer.Option("--seed", min=0, help="Of all draws.")] = 1,
 ) -> None:
     """Run drawn schedules of faults with mocked skills. Ends with 1 when one broke a rule, and tells it."""
-    from executive.properties import search  # noqa: PLC0415
+    from tandem.executive.properties import search  # noqa: PLC0415
 
     worlds, _ = _worlds(task)
     runs, bad = search(worlds, ticks=ticks, seed=seed, tell=typer.echo)
@@ -138,8 +138,8 @@ def _worlds(task: str) -> tuple[Mapping[str, Make], Mapping[str, Make]]:
     Raises:
         CommandError: when there are none.
     """
-    from executive.hand_worlds import HAND_WORLDS  # noqa: PLC0415
-    from executive.worlds import fetch_corners, fetch_worlds  # noqa: PLC0415
+    from tandem.executive.hand_worlds import HAND_WORLDS  # noqa: PLC0415
+    from tandem.executive.worlds import fetch_corners, fetch_worlds  # noqa: PLC0415
 
     if task == "fetch":
         return fetch_worlds(), fetch_corners()
@@ -154,20 +154,20 @@ def _tell_nobody(_: str) -> None:
 
 
 def _running(options: BusOptions) -> TreeNode:
-    from executive.cli.connection import Connection  # noqa: PLC0415
-    from skills.ports.keys import Nothing  # noqa: PLC0415
-    from skills.ports.tasks import TREE_NOW  # noqa: PLC0415
+    from tandem.executive.cli.connection import Connection  # noqa: PLC0415
+    from tandem.skills.ports.keys import Nothing  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TREE_NOW  # noqa: PLC0415
 
     with Connection(options) as connection:
         return connection.ask(TREE_NOW, Nothing()).root
 
 
 def _built(task: str, request: str, site_name: str) -> TreeNode:
-    from executive.render.example import NoExampleError, example_request, tree_of  # noqa: PLC0415
-    from executive.requests import Refused, read_request  # noqa: PLC0415
-    from skills.ports.documents import parse  # noqa: PLC0415
-    from skills.site import load  # noqa: PLC0415
-    from trees.registry import discover  # noqa: PLC0415
+    from tandem.executive.render.example import NoExampleError, example_request, tree_of  # noqa: PLC0415
+    from tandem.executive.requests import Refused, read_request  # noqa: PLC0415
+    from tandem.skills.ports.documents import parse  # noqa: PLC0415
+    from tandem.skills.site import load  # noqa: PLC0415
+    from tandem.trees.registry import discover  # noqa: PLC0415
 
     kinds = discover()
     if task not in kinds:

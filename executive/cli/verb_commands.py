@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar, cast
 
 import typer
 
-from executive.cli.arguments import connects
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
-from executive.options import BusOptions
+from tandem.executive.cli.arguments import connects
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.options import BusOptions
 
 if TYPE_CHECKING:
-    from skills.ports.keys import Service
-    from skills.ports.message import Message
-    from skills.ports.tasks import ControlAnswer
+    from tandem.skills.ports.keys import Service
+    from tandem.skills.ports.message import Message
+    from tandem.skills.ports.tasks import ControlAnswer
 
 M = TypeVar("M", bound="Message")
 RunningTask = Annotated[
@@ -36,7 +36,7 @@ def add_to(app: typer.Typer) -> None:
 
 def cancel(task: Task, *, bus: BusOptions) -> None:
     """Cancel a queued or a running task: the robot comes to rest, and the task winds down."""
-    from skills.ports.tasks import TASK_CANCEL, CancelTask  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_CANCEL, CancelTask  # noqa: PLC0415
 
     _ask(TASK_CANCEL, lambda named: CancelTask(task=named), task, bus, "cancelled")
     typer.echo(f"{task} is being cancelled")
@@ -44,7 +44,7 @@ def cancel(task: Task, *, bus: BusOptions) -> None:
 
 def pause(task: RunningTask = "", *, bus: BusOptions) -> None:
     """Have the running task's skills come to rest and its tree stay where it is."""
-    from skills.ports.tasks import TASK_PAUSE, NameTask  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_PAUSE, NameTask  # noqa: PLC0415
 
     named = _ask(TASK_PAUSE, lambda each: NameTask(task=each), task, bus, "paused")
     typer.echo(f"{named} is being paused; `tandem resume` goes on, `tandem step` by one leaf")
@@ -52,7 +52,7 @@ def pause(task: RunningTask = "", *, bus: BusOptions) -> None:
 
 def resume(task: RunningTask = "", *, bus: BusOptions) -> None:
     """Go on with a paused task."""
-    from skills.ports.tasks import TASK_RESUME, NameTask  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_RESUME, NameTask  # noqa: PLC0415
 
     named = _ask(TASK_RESUME, lambda each: NameTask(task=each), task, bus, "resumed")
     typer.echo(f"{named} goes on")
@@ -65,7 +65,7 @@ def step(
     bus: BusOptions,
 ) -> None:
     """Go on with a paused task until one more leaf of its tree has ended, or by one tick."""
-    from skills.ports.tasks import TASK_STEP, StepTask  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_STEP, StepTask  # noqa: PLC0415
 
     far = cast('Literal["leaf", "tick"]', _one_of(by, ("leaf", "tick"), "--by"))
     named = _ask(TASK_STEP, lambda each: StepTask(task=each, by=far), task, bus, "stepped")
@@ -74,7 +74,7 @@ def step(
 
 def abandon(task: Task, *, bus: BusOptions) -> None:
     """Give up a cancelled task whose hardware does not answer."""
-    from skills.ports.tasks import TASK_ABANDON, NameTask  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_ABANDON, NameTask  # noqa: PLC0415
 
     _ask(TASK_ABANDON, lambda each: NameTask(task=each), task, bus, "abandoned")
     typer.echo(f"{task} is given up; see that the robot is at rest")
@@ -87,7 +87,7 @@ def reprioritise(
     bus: BusOptions,
 ) -> None:
     """Give a queued task another priority."""
-    from skills.ports.tasks import TASK_REPRIORITISE, Reprioritise  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_REPRIORITISE, Reprioritise  # noqa: PLC0415
 
     _ask(
         TASK_REPRIORITISE,
@@ -106,7 +106,7 @@ def answer(
     bus: BusOptions,
 ) -> None:
     """Answer what a task asks an operator; `tandem tasks` shows the question."""
-    from skills.ports.tasks import TASK_ANSWER, AnswerQuestion  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_ANSWER, AnswerQuestion  # noqa: PLC0415
 
     named = _ask(TASK_ANSWER, lambda each: AnswerQuestion(task=each, answer=words), task, bus, "answered")
     typer.echo(f"{named} has its answer: {words}")
@@ -121,7 +121,7 @@ def break_at(
     bus: BusOptions,
 ) -> None:
     """Have a task pause before or after a node of its tree."""
-    from skills.ports.tasks import TASK_BREAKPOINT, Breakpoint  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_BREAKPOINT, Breakpoint  # noqa: PLC0415
 
     when: Literal["before", "after"] = "after" if after else "before"
     named = _ask(
@@ -142,7 +142,7 @@ def force(
     bus: BusOptions,
 ) -> None:
     """Have a node of a test run end with a status instead of doing its work."""
-    from skills.ports.tasks import TASK_FORCE, ForceNode  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_FORCE, ForceNode  # noqa: PLC0415
 
     said = _one_of(status, ("success", "failure", "off"), "STATUS")
     wanted = None if said == "off" else cast('Literal["SUCCESS", "FAILURE"]', said.upper())
@@ -170,9 +170,9 @@ def _ask(
     participle: str,
 ) -> str:
     """Ask for it, of the running task unless one is named; return the task's id."""
-    from executive.cli.connection import Connection  # noqa: PLC0415
-    from skills.ports.keys import Nothing  # noqa: PLC0415
-    from skills.ports.tasks import TASK_CANCEL, TASK_INFO  # noqa: PLC0415
+    from tandem.executive.cli.connection import Connection  # noqa: PLC0415
+    from tandem.skills.ports.keys import Nothing  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_CANCEL, TASK_INFO  # noqa: PLC0415
 
     with Connection(options) as connection:
         key = connection.cancel_key() if service is TASK_CANCEL else service.key

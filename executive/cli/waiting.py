@@ -10,12 +10,12 @@ import typer
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from executive.cli.connection import Connection
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
-from skills.ports.bus import Pending
-from skills.ports.keys import Latest
-from skills.ports.tasks import TASK_HISTORY, AskHistory, TaskStatus
+from tandem.executive.cli.connection import Connection
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.skills.ports.bus import Pending
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.tasks import TASK_HISTORY, AskHistory, TaskStatus
 
 ASK_EVERY: Final = 2.0
 """Seconds of silence after which the task's status is asked for: one may have been lost with a lost link."""

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from executive.cli.arguments import connects
-from executive.options import BusOptions
+from tandem.executive.cli.arguments import connects
+from tandem.executive.options import BusOptions
 
 if TYPE_CHECKING:
     from rich.console import Group
 
-    from executive.cli.connection import Connection
-    from skills.ports.message import RobotTime
-    from skills.ports.tasks import TaskStatus, TreeSnapshot
+    from tandem.executive.cli.connection import Connection
+    from tandem.skills.ports.message import RobotTime
+    from tandem.skills.ports.tasks import TaskStatus, TreeSnapshot
 
 REFRESH: Final = 0.1
 """Seconds between two pictures, at the least."""
@@ -46,7 +46,7 @@ def watch(
     """Show the running task's tree as it runs, until Ctrl-C."""
     from rich.console import Console  # noqa: PLC0415
 
-    from executive.cli.connection import Connection  # noqa: PLC0415
+    from tandem.executive.cli.connection import Connection  # noqa: PLC0415
 
     console = Console()
     with Connection(bus) as connection:
@@ -62,8 +62,8 @@ def picture(view: View, *, height: int) -> Group:
     from rich.console import Group  # noqa: PLC0415
     from rich.text import Text  # noqa: PLC0415
 
-    from executive.render.signs import STATUS_STYLES  # noqa: PLC0415
-    from executive.render.text import lines  # noqa: PLC0415
+    from tandem.executive.render.signs import STATUS_STYLES  # noqa: PLC0415
+    from tandem.executive.render.text import lines  # noqa: PLC0415
 
     parts = [Text(head(view), style="bold")]
     if view.status is not None and view.status.failure is not None:
@@ -99,9 +99,9 @@ def _seconds(view: View) -> str:
 
 
 def _first(connection: Connection) -> View:
-    from executive.client.pages import listed  # noqa: PLC0415
-    from skills.ports.keys import Nothing  # noqa: PLC0415
-    from skills.ports.tasks import TASK_LIST, TREE_NOW  # noqa: PLC0415
+    from tandem.executive.client.pages import listed  # noqa: PLC0415
+    from tandem.skills.ports.keys import Nothing  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_LIST, TREE_NOW  # noqa: PLC0415
 
     tasks = listed(lambda each: connection.ask(TASK_LIST, each))
     tree = connection.ask(TREE_NOW, Nothing())
@@ -114,8 +114,8 @@ def _follow(connection: Connection, console: object, view: View) -> None:
     from rich.console import Console  # noqa: PLC0415
     from rich.live import Live  # noqa: PLC0415
 
-    from skills.ports.keys import CLOCK, Latest  # noqa: PLC0415
-    from skills.ports.tasks import TASK_STATUS, TREE, TaskState  # noqa: PLC0415
+    from tandem.skills.ports.keys import CLOCK, Latest  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_STATUS, TREE, TaskState  # noqa: PLC0415
 
     assert isinstance(console, Console)
     statuses, trees, clock = (Latest(connection.bus, topic) for topic in (TASK_STATUS, TREE, CLOCK))

@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from executive.cli.arguments import connects
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
-from executive.options import BusOptions
+from tandem.executive.cli.arguments import connects
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.options import BusOptions
 
 if TYPE_CHECKING:
-    from executive.cli.connection import Connection
-    from skills.ports.tasks import TaskStatus
+    from tandem.executive.cli.connection import Connection
+    from tandem.skills.ports.tasks import TaskStatus
 
 
 def add_to(app: typer.Typer) -> None:
@@ -39,10 +39,10 @@ def why(
     bus: BusOptions,
 ) -> None:
     """Tell why a task failed, what was tried, where things are, and what to do next."""
-    from executive.cli.connection import Connection  # noqa: PLC0415
-    from executive.cli.history import lately, of_ledger  # noqa: PLC0415
-    from executive.why import chosen, explain, last_picture  # noqa: PLC0415
-    from skills.ports.tasks import AskHistory  # noqa: PLC0415
+    from tandem.executive.cli.connection import Connection  # noqa: PLC0415
+    from tandem.executive.cli.history import lately, of_ledger  # noqa: PLC0415
+    from tandem.executive.why import chosen, explain, last_picture  # noqa: PLC0415
+    from tandem.skills.ports.tasks import AskHistory  # noqa: PLC0415
 
     known = of_ledger(bus, data, AskHistory(task=task)) if task else lately(bus, data)
     status = chosen(known, task)
@@ -66,8 +66,8 @@ def why(
 
 def _picture(connection: Connection, status: TaskStatus, path: Path) -> str:
     """Save the picture; return what there is to be told of it."""
-    from executive.why import last_picture  # noqa: PLC0415
-    from skills.ports.tasks import TASK_PICTURE, AskPicture  # noqa: PLC0415
+    from tandem.executive.why import last_picture  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_PICTURE, AskPicture  # noqa: PLC0415
 
     number = last_picture(status)
     asked = AskPicture(task=status.task, picture=number).model_dump_json().encode()

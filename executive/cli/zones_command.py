@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from executive.cli.errors import CommandError
+from tandem.executive.cli.errors import CommandError
 
 
 class ZonesFormat(StrEnum):
@@ -37,9 +37,9 @@ def draw(
     ] = None,
 ) -> None:
     """Draw where the left hand, the right hand, both or neither get a grasp. Takes some seconds."""
-    from executive.render.zones import png_zones, svg_zones, unicode_zones  # noqa: PLC0415
-    from sim.robot import compose_robot  # noqa: PLC0415
-    from skills.bimanual.zones import ZonesAsk, zones  # noqa: PLC0415
+    from tandem.executive.render.zones import png_zones, svg_zones, unicode_zones  # noqa: PLC0415
+    from tandem.sim.robot import compose_robot  # noqa: PLC0415
+    from tandem.skills.bimanual.zones import ZonesAsk, zones  # noqa: PLC0415
 
     found = zones(ZonesAsk(compose_robot().description.model_dump_json(), height, torso))
     if form is ZonesFormat.PNG:

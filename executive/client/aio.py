@@ -13,15 +13,15 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import Protocol, Self
 
-from executive.client.errors import ClientError, NotConnectedError, TaskFailedError, UnknownTaskError
-from executive.client.following import Following, FollowingTree
-from executive.client.questions import By, Forced, Questions, Request, When, new_id
-from executive.client.talks import LOST_AFTER, PATIENCE, T, Talk, Talks
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
-from executive.security.holders import KeysError
-from executive.security.identity import Identity
-from skills.ports.bus import Bus
-from skills.ports.tasks import (
+from tandem.executive.client.errors import ClientError, NotConnectedError, TaskFailedError, UnknownTaskError
+from tandem.executive.client.following import Following, FollowingTree
+from tandem.executive.client.questions import By, Forced, Questions, Request, When, new_id
+from tandem.executive.client.talks import LOST_AFTER, PATIENCE, T, Talk, Talks
+from tandem.executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
+from tandem.executive.security.holders import KeysError
+from tandem.executive.security.identity import Identity
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.tasks import (
     AskHistory,
     Breakpoint,
     ExecutiveInfo,
@@ -31,8 +31,8 @@ from skills.ports.tasks import (
     TaskStatus,
     TreeSnapshot,
 )
-from skills.wire.waking import LoopWaker
-from skills.wire.zenoh_bus import BusError, ZenohBus
+from tandem.skills.wire.waking import LoopWaker
+from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 
 class AsyncLink(Protocol):

@@ -13,7 +13,7 @@ ClientError
 
 from __future__ import annotations
 
-from skills.ports.tasks import Problem, TaskStatus
+from tandem.skills.ports.tasks import Problem, TaskStatus
 
 
 class ClientError(Exception):

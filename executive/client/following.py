@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections import deque
 from typing import Final, Generic, TypeVar
 
-from executive.client.errors import NotConnectedError, TimedOutError
-from executive.client.questions import Questions
-from executive.client.talks import Talk
-from skills.ports.keys import Latest, Topic
-from skills.ports.message import Message
-from skills.ports.tasks import TASK_STATUS, TREE, TaskStatus, TreeSnapshot
+from tandem.executive.client.errors import NotConnectedError, TimedOutError
+from tandem.executive.client.questions import Questions
+from tandem.executive.client.talks import Talk
+from tandem.skills.ports.keys import Latest, Topic
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import TASK_STATUS, TREE, TaskStatus, TreeSnapshot
 
 ASK_EVERY: Final = 2.0
 """Seconds without news after which the executive is asked: a status may be lost with a lost link."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from skills.ports.tasks import AskTasks, TaskList, TaskStatus
+from tandem.skills.ports.tasks import AskTasks, TaskList, TaskStatus
 
 
 def listed(ask: Callable[[AskTasks], TaskList]) -> tuple[TaskStatus, ...]:

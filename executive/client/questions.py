@@ -10,13 +10,13 @@ from typing import Final, Literal
 
 from pydantic import JsonValue
 
-from executive.client.errors import RefusedError, RejectedError, UnknownTaskError
-from executive.client.talks import Sent, Talk, Talks
-from executive.security.identity import Identity
-from executive.why import chosen, explain
-from skills.ports.keys import Nothing, Service
-from skills.ports.message import Message
-from skills.ports.tasks import (
+from tandem.executive.client.errors import RefusedError, RejectedError, UnknownTaskError
+from tandem.executive.client.talks import Sent, Talk, Talks
+from tandem.executive.security.identity import Identity
+from tandem.executive.why import chosen, explain
+from tandem.skills.ports.keys import Nothing, Service
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import (
     REQUEST,
     TASK_ABANDON,
     TASK_ANSWER,
@@ -58,7 +58,7 @@ Forced = Literal["SUCCESS", "FAILURE"] | None
 OF_THE_RUNNING: Final = frozenset({"pause", "resume", "step"})
 """Verbs whose task need not be named. Of the others an empty name by mistake must not meet what runs."""
 Request = Mapping[str, JsonValue] | Message
-"""A request's document, or its model such as ``trees.tasks.fetch.FetchRequest``."""
+"""A request's document, or its model such as ``tandem.trees.tasks.fetch.FetchRequest``."""
 
 
 def new_id() -> str:
@@ -68,7 +68,7 @@ def new_id() -> str:
 
 @dataclass(frozen=True)
 class Questions:
-    """Whoever is asked raises what ``executive.client.errors`` says.
+    """Whoever is asked raises what ``tandem.executive.client.errors`` says.
 
     Args:
         talks: asks until there is an answer.

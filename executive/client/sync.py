@@ -12,15 +12,15 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import Protocol, Self
 
-from executive.client.errors import ClientError, NotConnectedError, TaskFailedError, UnknownTaskError
-from executive.client.following import Following, FollowingTree
-from executive.client.questions import By, Forced, Questions, Request, When, new_id
-from executive.client.talks import LOST_AFTER, PATIENCE, T, Talk, Talks
-from executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
-from executive.security.holders import KeysError
-from executive.security.identity import Identity
-from skills.ports.bus import Bus
-from skills.ports.tasks import (
+from tandem.executive.client.errors import ClientError, NotConnectedError, TaskFailedError, UnknownTaskError
+from tandem.executive.client.following import Following, FollowingTree
+from tandem.executive.client.questions import By, Forced, Questions, Request, When, new_id
+from tandem.executive.client.talks import LOST_AFTER, PATIENCE, T, Talk, Talks
+from tandem.executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
+from tandem.executive.security.holders import KeysError
+from tandem.executive.security.identity import Identity
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.tasks import (
     AskHistory,
     Breakpoint,
     ExecutiveInfo,
@@ -30,7 +30,7 @@ from skills.ports.tasks import (
     TaskStatus,
     TreeSnapshot,
 )
-from skills.wire.zenoh_bus import BusError, ZenohBus
+from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 
 class Link(Protocol):
@@ -69,7 +69,7 @@ class Client:
     """One thread's client of one robot's executive. Use as a context, or ``close`` it.
 
     Times are seconds of the host. Each question is answered within ``patience`` or raises
-    ``NotConnectedError``; ``executive.client.errors`` has the tree of all errors.
+    ``NotConnectedError``; ``tandem.executive.client.errors`` has the tree of all errors.
 
     Args:
         endpoint: the router's, such as ``tcp/127.0.0.1:7447``.

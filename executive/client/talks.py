@@ -16,11 +16,11 @@ from typing import Final, TypeVar
 
 from pydantic import ValidationError
 
-from executive.client.errors import DeclinedError, NotConnectedError, OtherVersionError
-from skills.ports.bus import Bus, Pending
-from skills.ports.endpoint import Refusal
-from skills.ports.keys import Service
-from skills.ports.message import Message
+from tandem.executive.client.errors import DeclinedError, NotConnectedError, OtherVersionError
+from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.endpoint import Refusal
+from tandem.skills.ports.keys import Service
+from tandem.skills.ports.message import Message
 
 T = TypeVar("T")
 Sent = TypeVar("Sent", bound=Message)

@@ -7,9 +7,18 @@ from typing import Final
 
 import numpy as np
 
-from executive.experiments.settings import AROUND, FARTHEST, LEAST, POSITIONS, REGIONS, Kind, Region, Series
-from sim.scenario import Scenario, load_scenario
-from skills.ports.message import Message
+from tandem.executive.experiments.settings import (
+    AROUND,
+    FARTHEST,
+    LEAST,
+    POSITIONS,
+    REGIONS,
+    Kind,
+    Region,
+    Series,
+)
+from tandem.sim.scenario import Scenario, load_scenario
+from tandem.skills.ports.message import Message
 
 MOST_DRAWS: Final = 200
 APART: Final = 0.14

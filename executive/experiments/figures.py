@@ -7,8 +7,8 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
-from executive.experiments.run import ExperimentRun
-from skills.ports.message import Vector3
+from tandem.executive.experiments.run import ExperimentRun
+from tandem.skills.ports.message import Vector3
 
 SIZE: Final = (720, 560)
 MARGIN: Final = (56, 64, 24, 44)

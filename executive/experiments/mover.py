@@ -6,15 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
-from executive.experiments.draws import Spot, Step
-from executive.experiments.settings import CARTON, LEFT, Series
-from executive.experiments.timeline import Timeline
-from sim.controls import FAULT, FAULTS
-from sim.faults import FaultRequest, ItemMoves, Place
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.keys import Latest
-from skills.ports.message import Message
+from tandem.executive.experiments.draws import Spot, Step
+from tandem.executive.experiments.settings import CARTON, LEFT, Series
+from tandem.executive.experiments.timeline import Timeline
+from tandem.sim.controls import FAULT, FAULTS
+from tandem.sim.faults import FaultRequest, ItemMoves, Place
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import Message
 
 FIELD_LEAVES: Final = ("approach", "plan before item")
 GRASP_LEAVES: Final = ("grasp",)

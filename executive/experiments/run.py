@@ -8,22 +8,22 @@ from typing import Final
 import numpy as np
 from pydantic import JsonValue
 
-from executive.demo import Caller
-from executive.experiments.draws import Step, draw_run, scenario_of
-from executive.experiments.mover import Moved, Mover
-from executive.experiments.settings import CARTON, LEFT, RIGHT, Options
-from executive.experiments.timeline import Span, Timeline
-from executive.experiments.witness import Touch, Witness, lean, tilt
-from executive.systems import LockstepSystem, SystemFailure
-from skills.ports.actions.bimanual import RIGHT_OF_WAY
-from skills.ports.clocks import robot_seconds
-from skills.ports.failure import Failure
-from skills.ports.keys import Latest
-from skills.ports.message import Message, Vector3
-from skills.ports.site import Site, SiteItem
-from skills.ports.tasks import TaskState
-from skills.ports.world import SIDES, Side
-from skills.site import load
+from tandem.executive.demo import Caller
+from tandem.executive.experiments.draws import Step, draw_run, scenario_of
+from tandem.executive.experiments.mover import Moved, Mover
+from tandem.executive.experiments.settings import CARTON, LEFT, RIGHT, Options
+from tandem.executive.experiments.timeline import Span, Timeline
+from tandem.executive.experiments.witness import Touch, Witness, lean, tilt
+from tandem.executive.systems import LockstepSystem, SystemFailure
+from tandem.skills.ports.actions.bimanual import RIGHT_OF_WAY
+from tandem.skills.ports.clocks import robot_seconds
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import Message, Vector3
+from tandem.skills.ports.site import Site, SiteItem
+from tandem.skills.ports.tasks import TaskState
+from tandem.skills.ports.world import SIDES, Side
+from tandem.skills.site import load
 
 WARM_UP: Final = 0.3
 TASK_WITHIN: Final = 240.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import MappingProxyType
 from typing import Final, Literal
 
-from skills.ports.message import Message
+from tandem.skills.ports.message import Message
 
 Kind = Literal["uncoordinated", "crossing", "coordinated"]
 Method = Literal["apf_rrtconnect", "rrtconnect", "rrtconnect_replan"]

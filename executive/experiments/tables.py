@@ -6,9 +6,9 @@ import statistics
 from collections.abc import Callable, Iterator, Sequence
 from typing import Final
 
-from executive.experiments.run import ArmRun, ExperimentRun
-from executive.experiments.settings import Options
-from executive.experiments.thesis import OFFSETS, ROWS, SUCCESS, TIME_ROWS, TIMES
+from tandem.executive.experiments.run import ArmRun, ExperimentRun
+from tandem.executive.experiments.settings import Options
+from tandem.executive.experiments.thesis import OFFSETS, ROWS, SUCCESS, TIME_ROWS, TIMES
 
 NONE: Final = "-"
 Row = tuple[str, str, str]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.keys import Latest
-from skills.ports.tasks import TREE, NodeStatus, TreeNode
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.tasks import TREE, NodeStatus, TreeNode
 
 
 @dataclass(eq=False)

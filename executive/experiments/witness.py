@@ -6,15 +6,15 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
-from sim.scene import item_name
-from skills.ports.geometry import Pose, invert, rotate, transform
-from skills.ports.hand_grasps import TIP
-from skills.ports.message import Message, Vector3
-from skills.ports.site import SiteItem
-from skills.ports.world import SIDES, Side
+from tandem.sim.scene import item_name
+from tandem.skills.ports.geometry import Pose, invert, rotate, transform
+from tandem.skills.ports.hand_grasps import TIP
+from tandem.skills.ports.message import Message, Vector3
+from tandem.skills.ports.site import SiteItem
+from tandem.skills.ports.world import SIDES, Side
 
 if TYPE_CHECKING:
-    from sim.station import Station
+    from tandem.sim.station import Station
 
 CLEAR: Final = 0.02
 """Metres above where it stood from which on a thing is off the table: beyond what a push may raise it."""
@@ -81,7 +81,7 @@ class Witness:
 
     def tool(self, side: Side) -> Pose:
         """Return where a hand's tool frame truly is in the map."""
-        from sim.camera import pose_of  # noqa: PLC0415 - pybullet prints when it is imported
+        from tandem.sim.camera import pose_of  # noqa: PLC0415 - pybullet prints when it is imported
 
         frame = self.station.model.description.end_effector(side).frame
         return pose_of(self.station.body.frame_matrix(frame))

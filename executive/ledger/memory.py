@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Final
 
-from executive.ledger.port import Entry, Reading, SentGoal, Transition
-from executive.ledger.stubs import stub_of
-from executive.requests import asked_by
-from executive.task_memory import TaskMemory
-from skills.ports.action import GoalState
-from skills.ports.tasks import AskHistory, History, TaskStatus
+from tandem.executive.ledger.port import Entry, Reading, SentGoal, Transition
+from tandem.executive.ledger.stubs import stub_of
+from tandem.executive.requests import asked_by
+from tandem.executive.task_memory import TaskMemory
+from tandem.skills.ports.action import GoalState
+from tandem.skills.ports.tasks import AskHistory, History, TaskStatus
 
 KEPT_IDS: Final = 2000
 """Clients' ids that are kept beyond the history, in memory."""

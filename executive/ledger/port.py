@@ -10,9 +10,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from executive.on_restart import OnRestart
-from executive.task_memory import TaskMemory
-from skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
+from tandem.executive.on_restart import OnRestart
+from tandem.executive.task_memory import TaskMemory
+from tandem.skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
 
 
 class LedgerError(RuntimeError):

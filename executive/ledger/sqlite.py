@@ -14,14 +14,14 @@ from functools import wraps
 from pathlib import Path
 from typing import Concatenate, Final, ParamSpec, TypeVar
 
-from executive.ledger.memory import PAST, split
-from executive.ledger.port import Entry, LedgerError, LedgerLockedError, Reading, SentGoal, Transition
-from executive.ledger.schema import MIGRATIONS
-from executive.ledger.stubs import KEPT_IDS, stub_of
-from executive.on_restart import OnRestart
-from executive.requests import asked_by
-from executive.task_memory import TaskMemory
-from skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
+from tandem.executive.ledger.memory import PAST, split
+from tandem.executive.ledger.port import Entry, LedgerError, LedgerLockedError, Reading, SentGoal, Transition
+from tandem.executive.ledger.schema import MIGRATIONS
+from tandem.executive.ledger.stubs import KEPT_IDS, stub_of
+from tandem.executive.on_restart import OnRestart
+from tandem.executive.requests import asked_by
+from tandem.executive.task_memory import TaskMemory
+from tandem.skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
 
 FILE: Final = "ledger.sqlite"
 LOCK: Final = "ledger.lock"
@@ -62,7 +62,7 @@ class SqliteLedger:
 
     Args:
         folder: where the file is, or is to be; made when it is not there.
-        migrations: the tables (``executive.ledger.schema``).
+        migrations: the tables (``tandem.executive.ledger.schema``).
 
     Raises:
         LedgerLockedError: when another process has it open.

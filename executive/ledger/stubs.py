@@ -9,7 +9,7 @@ from typing import Final
 
 from pydantic import JsonValue
 
-from skills.ports.tasks import TaskStatus
+from tandem.skills.ports.tasks import TaskStatus
 
 KEPT_IDS: Final = 50_000
 """Clients' ids that are kept beyond the history: some 25 MB, and years of a robot's work."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 
-from executive.render.signs import EDGES, FILLS, KIND_SIGNS
-from skills.ports.tasks import TreeNode
+from tandem.executive.render.signs import EDGES, FILLS, KIND_SIGNS
+from tandem.skills.ports.tasks import TreeNode
 
 
 def dot(root: TreeNode) -> str:

@@ -7,17 +7,17 @@ from collections.abc import Mapping
 from pydantic import JsonValue
 from pydantic.fields import FieldInfo
 
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import TreeNode
-from skills.ports.world import SIDES
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
-from trees.clients import Clients
-from trees.context import TreeContext
-from trees.knowledge import Knowledge
-from trees.snapshot import snapshot
-from trees.task import TaskType
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import TreeNode
+from tandem.skills.ports.world import SIDES
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
+from tandem.trees.clients import Clients
+from tandem.trees.context import TreeContext
+from tandem.trees.knowledge import Knowledge
+from tandem.trees.snapshot import snapshot
+from tandem.trees.task import TaskType
 
 
 class NoExampleError(ValueError):

@@ -6,14 +6,14 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Final
 
-from executive.render.dot import dot
-from executive.render.svg import svg
-from executive.render.text import ascii_text, unicode_text
-from skills.ports.tasks import TreeNode
+from tandem.executive.render.dot import dot
+from tandem.executive.render.svg import svg
+from tandem.executive.render.text import ascii_text, unicode_text
+from tandem.skills.ports.tasks import TreeNode
 
 
 def _png(root: TreeNode) -> bytes:
-    from executive.render.png import png  # noqa: PLC0415 - OpenCV takes longer to load than all the rest
+    from tandem.executive.render.png import png  # noqa: PLC0415 - OpenCV takes longer to load than all the rest
 
     return png(root)
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Final
 
-from skills.ports.tasks import TreeNode
+from tandem.skills.ports.tasks import TreeNode
 
 BOX_HEIGHT: Final = 24.0
 ROW: Final = 32.0

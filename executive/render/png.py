@@ -8,9 +8,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from executive.render.layout import BOX_HEIGHT, Layout, PlacedNode, lay_out
-from executive.render.signs import EDGES, FILLS, KIND_SIGNS_ASCII
-from skills.ports.tasks import TreeNode
+from tandem.executive.render.layout import BOX_HEIGHT, Layout, PlacedNode, lay_out
+from tandem.executive.render.signs import EDGES, FILLS, KIND_SIGNS_ASCII
+from tandem.skills.ports.tasks import TreeNode
 
 SCALE: Final = 2.0
 """Pixels of the picture for one of the layout."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import MappingProxyType
 from typing import Final
 
-from skills.ports.tasks import NodeStatus, TreeNode
+from tandem.skills.ports.tasks import NodeStatus, TreeNode
 
 KIND_SIGNS: Final = MappingProxyType(
     {

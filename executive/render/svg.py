@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from typing import Final
 from xml.sax.saxutils import escape
 
-from executive.render.layout import BOX_HEIGHT, Layout, PlacedNode, lay_out
-from executive.render.signs import EDGES, FILLS, KIND_SIGNS
-from skills.ports.tasks import TreeNode
+from tandem.executive.render.layout import BOX_HEIGHT, Layout, PlacedNode, lay_out
+from tandem.executive.render.signs import EDGES, FILLS, KIND_SIGNS
+from tandem.skills.ports.tasks import TreeNode
 
 TIP_NAMES: Final = 3
 """Names of a path that a tooltip shows: its own and the nearest above."""

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from executive.render.signs import (
+from tandem.executive.render.signs import (
     KIND_SIGNS,
     KIND_SIGNS_ASCII,
     STATUS_SIGNS,
     STATUS_SIGNS_ASCII,
     has_run,
 )
-from skills.ports.tasks import NodeStatus, TreeNode
+from tandem.skills.ports.tasks import NodeStatus, TreeNode
 
 
 @dataclass(frozen=True)

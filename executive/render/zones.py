@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
 if TYPE_CHECKING:
-    from skills.bimanual.zones import ZonesFound
-    from skills.ports.actions.bimanual import ZoneRow
+    from tandem.skills.bimanual.zones import ZonesFound
+    from tandem.skills.ports.actions.bimanual import ZoneRow
 
 COLOURS: Final = {"L": "#9ecae9", "R": "#f6b48f", "C": "#b5d6a7", "U": "#eeeeee"}
 SIGNS: Final = {"L": "◧", "R": "◨", "C": "■", "U": "·"}

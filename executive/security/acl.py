@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Final, Literal
 
-from executive.security.holders import Holder
-from executive.security.rights import Rights, rights_of
-from skills.ports.delivery import KEPT
-from skills.ports.keys import TRAJECTORY
-from skills.ports.message import MAX_REQUEST_BYTES, Message
+from tandem.executive.security.holders import Holder
+from tandem.executive.security.rights import Rights, rights_of
+from tandem.skills.ports.delivery import KEPT
+from tandem.skills.ports.keys import TRAJECTORY
+from tandem.skills.ports.message import MAX_REQUEST_BYTES, Message
 
 Flow = Literal["ingress", "egress"]
 Kind = Literal[

@@ -19,7 +19,7 @@ from cryptography.hazmat.primitives import hashes, serialization
 from cryptography.hazmat.primitives.asymmetric import ec
 from cryptography.x509.oid import ExtendedKeyUsageOID, NameOID
 
-from executive.security.holders import (
+from tandem.executive.security.holders import (
     AUTHORITY,
     LIST,
     NAME,
@@ -30,7 +30,7 @@ from executive.security.holders import (
     read_holders,
     write_holders,
 )
-from executive.security.role import PARTS, Part, Role
+from tandem.executive.security.role import PARTS, Part, Role
 
 LOOPBACK: Final = ("localhost", "127.0.0.1", "::1")
 """Names under which every router may be reached."""

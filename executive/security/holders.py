@@ -13,8 +13,8 @@ from typing import Final
 
 from pydantic import ValidationError
 
-from executive.security.role import ROLES, Part, Role
-from skills.ports.message import Message
+from tandem.executive.security.role import ROLES, Part, Role
+from tandem.skills.ports.message import Message
 
 NAME: Final = re.compile(r"[a-z0-9][a-z0-9_-]{0,31}")
 """A name is one part of a key and of a certificate's common name."""

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from executive.parts import Role as ProcessRole
-from executive.security.holders import AUTHORITY, KeysError, role_in
-from executive.security.rights import Rights, rights_of
-from executive.security.role import PARTS, Part, Role
-from skills.wire.credentials import Credentials
-from skills.wire.endpoints import host_of
+from tandem.executive.parts import Role as ProcessRole
+from tandem.executive.security.holders import AUTHORITY, KeysError, role_in
+from tandem.executive.security.rights import Rights, rights_of
+from tandem.executive.security.role import PARTS, Part, Role
+from tandem.skills.wire.credentials import Credentials
+from tandem.skills.wire.endpoints import host_of
 
 _PARTS: Final[dict[ProcessRole, Part]] = {
     "router": "router",
@@ -60,7 +60,7 @@ class Identity:
 
     def role(self) -> Role:
         """Return the role that the client's certificate tells."""
-        from executive.security.authority import common_name_of  # noqa: PLC0415 - loads a library
+        from tandem.executive.security.authority import common_name_of  # noqa: PLC0415 - loads a library
 
         path = self.folder / f"{self.stem()}.pem"
         common = common_name_of(path)
@@ -107,7 +107,7 @@ def refuse_other_hosts(identity: Identity, endpoints: Sequence[str]) -> None:
     Raises:
         KeysError: naming the host, and those that the certificate is for.
     """
-    from executive.security.authority import hosts_of  # noqa: PLC0415 - loads a library
+    from tandem.executive.security.authority import hosts_of  # noqa: PLC0415 - loads a library
 
     certified = hosts_of(identity.part("router").certificate)
     for endpoint in endpoints:

@@ -1,6 +1,6 @@
 """What each role may do on the bus, as data: ``access.yaml`` read into frozen models.
 
-The file ships with the program. ``executive.security.acl`` makes zenoh's access rules of it.
+The file ships with the program. ``tandem.executive.security.acl`` makes zenoh's access rules of it.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ from typing import Final
 
 from pydantic import TypeAdapter
 
-from executive.security.role import Part, Role
-from skills.ports.message import Message
-from skills.yaml_file import parse_document
+from tandem.executive.security.role import Part, Role
+from tandem.skills.ports.message import Message
+from tandem.skills.yaml_file import parse_document
 
 NAME_IN_KEY: Final = "{name}"
 _FOR_ALL_CLIENTS: Final = "clients"
@@ -45,7 +45,7 @@ class Rights(Message):
 
 @cache
 def _table() -> dict[str, Rights]:
-    text = files("executive.security").joinpath("access.yaml").read_text("utf-8")
+    text = files("tandem.executive.security").joinpath("access.yaml").read_text("utf-8")
     return TypeAdapter(dict[str, Rights]).validate_python(parse_document(text, "access.yaml")[0])
 
 

@@ -11,10 +11,10 @@ from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, star
 from prometheus_client.core import HistogramMetricFamily
 from prometheus_client.registry import Collector
 
-from skills.ports.action import GoalState, GoalStatus
-from skills.ports.message import RobotTime
-from skills.ports.refusals import Refusals
-from skills.ports.tasks import ExecutivePulse, TaskState, TaskStatus, Times, TreeSnapshot
+from tandem.skills.ports.action import GoalState, GoalStatus
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.refusals import Refusals
+from tandem.skills.ports.tasks import ExecutivePulse, TaskState, TaskStatus, Times, TreeSnapshot
 
 SKILL_BOUNDS: Final = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 60.0, 180.0)
 """Robot seconds: a look takes tenths, a drive through the room up to a minute."""

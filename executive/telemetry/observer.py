@@ -10,13 +10,13 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Final, Protocol
 
-from skills.ports.action import GoalStatus
-from skills.ports.bus import Bus, Pending
-from skills.ports.clocks import Clocks
-from skills.ports.hearing import Heard
-from skills.ports.keys import Latest
-from skills.ports.refusals import REFUSALS, Refusals
-from skills.ports.tasks import (
+from tandem.skills.ports.action import GoalStatus
+from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.hearing import Heard
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.refusals import REFUSALS, Refusals
+from tandem.skills.ports.tasks import (
     TASK_LIST,
     TASK_PULSE,
     TASK_STATUS,

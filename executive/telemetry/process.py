@@ -6,12 +6,12 @@ import logging
 from collections.abc import Callable
 from contextlib import ExitStack
 
-from executive.settings import RefusalError, WorkerSettings
-from executive.telemetry.observer import Observer, Record
-from skills.ports.clocks import Clocks
-from skills.wire.clocks import ProcessClocks
-from skills.wire.loop import run
-from skills.wire.zenoh_bus import ZenohBus
+from tandem.executive.settings import RefusalError, WorkerSettings
+from tandem.executive.telemetry.observer import Observer, Record
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.wire.clocks import ProcessClocks
+from tandem.skills.wire.loop import run
+from tandem.skills.wire.zenoh_bus import ZenohBus
 
 _LOG = logging.getLogger(__name__)
 
@@ -48,7 +48,7 @@ def host_and_port(text: str) -> tuple[str, int]:
 def _metrics(address: str, until: ExitStack) -> Record:
     from prometheus_client import CollectorRegistry  # noqa: PLC0415 - only where it is asked for
 
-    from executive.telemetry.metrics import Metrics, Page  # noqa: PLC0415
+    from tandem.executive.telemetry.metrics import Metrics, Page  # noqa: PLC0415
 
     registry = CollectorRegistry()
     host, port = host_and_port(address)
@@ -63,7 +63,7 @@ def _metrics(address: str, until: ExitStack) -> Record:
 
 def _traces(endpoint: str, robot: str, clocks: Clocks) -> Record:
     try:
-        from executive.telemetry.traces import Traces, batching_provider, otlp_exporter  # noqa: PLC0415
+        from tandem.executive.telemetry.traces import Traces, batching_provider, otlp_exporter  # noqa: PLC0415
     except ImportError as error:
         raise RefusalError(
             f"traces need the extra: pip install 'tandem-executive[otel]' ({error.name} is missing)"

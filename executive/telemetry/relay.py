@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from executive.parts import LogFormat
-from executive.telemetry.logs import JsonLines
+from tandem.executive.parts import LogFormat
+from tandem.executive.telemetry.logs import JsonLines
 
 
 @dataclass(eq=False)
@@ -42,7 +42,7 @@ class LogRelay:
         start, size = self._read.get(log, 0), log.stat().st_size
         if size == start:
             return
-        if size < start:  # begun anew (`executive.telemetry.log_files`)
+        if size < start:  # begun anew (`tandem.executive.telemetry.log_files`)
             start = 0
         with log.open("rb") as stream:
             stream.seek(start)

@@ -17,12 +17,19 @@ from opentelemetry.sdk.trace import TracerProvider
 from opentelemetry.sdk.trace.export import BatchSpanProcessor, SpanExporter
 from opentelemetry.trace import Span, StatusCode, Tracer, set_span_in_context
 
-from skills.ports.action import GoalState, GoalStatus, node_of, task_of
-from skills.ports.clocks import Clocks
-from skills.ports.failure import Failure
-from skills.ports.message import RobotTime
-from skills.ports.refusals import Refusals
-from skills.ports.tasks import ExecutivePulse, NodeStatus, TaskState, TaskStatus, TreeNode, TreeSnapshot
+from tandem.skills.ports.action import GoalState, GoalStatus, node_of, task_of
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.refusals import Refusals
+from tandem.skills.ports.tasks import (
+    ExecutivePulse,
+    NodeStatus,
+    TaskState,
+    TaskStatus,
+    TreeNode,
+    TreeSnapshot,
+)
 
 SERVICE: Final = "tandem"
 TRACES: Final = "/v1/traces"

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skills.kinematics.transforms import Array
+from tandem.skills.kinematics.transforms import Array
 
 GRID = 240
 """Points on a curve's grid."""

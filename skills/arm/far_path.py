@@ -9,15 +9,15 @@ from typing import Final
 
 import numpy as np
 
-from skills.arm.planning.motions import Motions, Space
-from skills.arm.planning.path import find_path
-from skills.arm.planning.settings import PlannerSettings
-from skills.arm.problem import Arm, Moment
-from skills.kinematics.described import load_hulls
-from skills.kinematics.transforms import Array
-from skills.ports.actions.arm import MoveGoal
-from skills.ports.compute import Compute
-from skills.ports.hardware import RobotDescription
+from tandem.skills.arm.planning.motions import Motions, Space
+from tandem.skills.arm.planning.path import find_path
+from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.arm.problem import Arm, Moment
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.actions.arm import MoveGoal
+from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.hardware import RobotDescription
 
 CHECK_COST: Final = 25e-6
 """Robot seconds that lockstep charges for a collision check."""

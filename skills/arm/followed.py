@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 
-from skills.ports.actions.arm import MoveGoal
-from skills.ports.bus import Bus
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.grasping import standing_in_map
-from skills.ports.keys import Latest
-from skills.ports.message import Vector3
-from skills.ports.world import WORLD, WorldState
+from tandem.skills.ports.actions.arm import MoveGoal
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.grasping import standing_in_map
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.world import WORLD, WorldState
 
 
 class FollowedItem:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from skills.ports.actions.bimanual import ORDER_LOST_AFTER, RIGHT_OF_WAY, ArmOrder, Order
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.keys import Latest
-from skills.ports.world import Side
+from tandem.skills.ports.actions.bimanual import ORDER_LOST_AFTER, RIGHT_OF_WAY, ArmOrder, Order
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.world import Side
 
 
 class Gate:

@@ -6,12 +6,12 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from typing import Final
 
-from skills.arm.trajectory import Trajectory
-from skills.ports.bus import Bus, Pending
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.hardware import CancelMotion, GroupStatus, MotionState, TrajectoryGoal
-from skills.ports.keys import STOP_STATE, Latest, group_cancel, group_goal, group_status
+from tandem.skills.arm.trajectory import Trajectory
+from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.hardware import CancelMotion, GroupStatus, MotionState, TrajectoryGoal
+from tandem.skills.ports.keys import STOP_STATE, Latest, group_cancel, group_goal, group_status
 
 ANSWER_WITHIN: Final = 2.0
 """Robot seconds for the hardware's answer to a goal or a cancel."""

@@ -13,24 +13,24 @@ from typing import Final
 
 import numpy as np
 
-from skills.arm.followed import FollowedItem
-from skills.arm.gate import Gate
-from skills.arm.motion import Ended, GroupDriver
-from skills.arm.plan_move import MovePlanner, Steps
-from skills.arm.planning.settings import PlannerSettings
-from skills.arm.problem import Arm, Moment, Plan
-from skills.arm.silence import SILENT_AFTER, joints_silent
-from skills.arm.status import ArmStatusBoard
-from skills.arm.watch import MotionWatch
-from skills.ports.actions.arm import ArmState, MoveFeedback, MoveGoal, MovePhase, MoveResult, move
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.compute import Compute
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import distance
-from skills.ports.keys import JOINT_STATES, Latest
-from skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
-from skills.ports.world import ROBOT_POSE, SCENE
+from tandem.skills.arm.followed import FollowedItem
+from tandem.skills.arm.gate import Gate
+from tandem.skills.arm.motion import Ended, GroupDriver
+from tandem.skills.arm.plan_move import MovePlanner, Steps
+from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.arm.problem import Arm, Moment, Plan
+from tandem.skills.arm.silence import SILENT_AFTER, joints_silent
+from tandem.skills.arm.status import ArmStatusBoard
+from tandem.skills.arm.watch import MotionWatch
+from tandem.skills.ports.actions.arm import ArmState, MoveFeedback, MoveGoal, MovePhase, MoveResult, move
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import distance
+from tandem.skills.ports.keys import JOINT_STATES, Latest
+from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
+from tandem.skills.ports.world import ROBOT_POSE, SCENE
 
 UNIT_COST: Final = 25e-6
 """Robot seconds that lockstep charges for one collision check or iteration."""

@@ -7,24 +7,24 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skills.arm.curve import through
-from skills.arm.far_path import FarJob, FarProblem, elsewhere
-from skills.arm.planning.motions import Motions, Space, halving
-from skills.arm.planning.path import find_path
-from skills.arm.planning.settings import PlannerName, PlannerSettings
-from skills.arm.planning.straight import Broken, Hand, Line, follow, foresee, line_ends
-from skills.arm.problem import Arm, Moment, Plan, words
-from skills.arm.retreat import deepest, longest_first, ways_back
-from skills.arm.scene import to_base
-from skills.arm.timing import time_curve, time_path
-from skills.arm.trajectory import Trajectory
-from skills.kinematics.collision import CollisionChecker
-from skills.kinematics.ik import IkAnswer
-from skills.kinematics.transforms import Array, to_se3
-from skills.ports.actions.arm import Candidate, MoveGoal
-from skills.ports.compute import Compute
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import Pose
+from tandem.skills.arm.curve import through
+from tandem.skills.arm.far_path import FarJob, FarProblem, elsewhere
+from tandem.skills.arm.planning.motions import Motions, Space, halving
+from tandem.skills.arm.planning.path import find_path
+from tandem.skills.arm.planning.settings import PlannerName, PlannerSettings
+from tandem.skills.arm.planning.straight import Broken, Hand, Line, follow, foresee, line_ends
+from tandem.skills.arm.problem import Arm, Moment, Plan, words
+from tandem.skills.arm.retreat import deepest, longest_first, ways_back
+from tandem.skills.arm.scene import to_base
+from tandem.skills.arm.timing import time_curve, time_path
+from tandem.skills.arm.trajectory import Trajectory
+from tandem.skills.kinematics.collision import CollisionChecker
+from tandem.skills.kinematics.ik import IkAnswer
+from tandem.skills.kinematics.transforms import Array, to_se3
+from tandem.skills.ports.actions.arm import Candidate, MoveGoal
+from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import Pose
 
 Steps = Generator[int, None, Plan | Failure]
 """Yields units of work (a collision check each, about), 0 while a worker is waited for."""

@@ -7,22 +7,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skills.arm.planning.motions import weigh
-from skills.arm.scene import allowed, obstacles
-from skills.arm.trajectory import MotionLimits, Trajectory
-from skills.kinematics.batch import BatchChain
-from skills.kinematics.bodies import Obstacle
-from skills.kinematics.collision import CollisionChecker, Contact
-from skills.kinematics.described import by_name, carried, home_positions
-from skills.kinematics.extent import Extent
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.ik import SeedTable, Solver
-from skills.kinematics.model import Limits
-from skills.kinematics.transforms import Array
-from skills.ports.actions.arm import MoveGoal
-from skills.ports.geometry import FloorPose, Pose
-from skills.ports.hardware import EndEffector, JointStates, RobotDescription
-from skills.ports.world import PlanningScene
+from tandem.skills.arm.planning.motions import weigh
+from tandem.skills.arm.scene import allowed, obstacles
+from tandem.skills.arm.trajectory import MotionLimits, Trajectory
+from tandem.skills.kinematics.batch import BatchChain
+from tandem.skills.kinematics.bodies import Obstacle
+from tandem.skills.kinematics.collision import CollisionChecker, Contact
+from tandem.skills.kinematics.described import by_name, carried, home_positions
+from tandem.skills.kinematics.extent import Extent
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.ik import SeedTable, Solver
+from tandem.skills.kinematics.model import Limits
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.actions.arm import MoveGoal
+from tandem.skills.ports.geometry import FloorPose, Pose
+from tandem.skills.ports.hardware import EndEffector, JointStates, RobotDescription
+from tandem.skills.ports.world import PlanningScene
 
 LIMIT_MARGIN = 0.01
 """Radians (or metres) that plans stay inside the joints' limits: smoothed motions overshoot a little."""

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from skills.arm.field.approach import Approach
-from skills.arm.move import Move
-from skills.arm.planning.settings import PlannerSettings
-from skills.arm.problem import Arm
-from skills.arm.status import ArmStatusBoard
-from skills.arm.survey import Survey
-from skills.kinematics.described import load_hulls
-from skills.kinematics.hulls import RobotHulls
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.compute import Compute
-from skills.ports.hardware import RobotDescription
-from skills.ports.node import Node
-from skills.server import ActionServer
+from tandem.skills.arm.field.approach import Approach
+from tandem.skills.arm.move import Move
+from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.arm.problem import Arm
+from tandem.skills.arm.status import ArmStatusBoard
+from tandem.skills.arm.survey import Survey
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.node import Node
+from tandem.skills.server import ActionServer
 
 
 def nodes(

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from skills.arm.planning.straight import Hand, Line
-from skills.kinematics.collision import MAX_RESTING_DEPTH
-from skills.kinematics.transforms import Array
-from skills.ports.actions.arm import MoveGoal
-from skills.ports.geometry import IDENTITY, Pose, compose, distance
+from tandem.skills.arm.planning.straight import Hand, Line
+from tandem.skills.kinematics.collision import MAX_RESTING_DEPTH
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.actions.arm import MoveGoal
+from tandem.skills.ports.geometry import IDENTITY, Pose, compose, distance
 
 UP: Final = 0.10
 """Metres straight up in the map: what is tried after all ways of the goal."""

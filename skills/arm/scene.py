@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from skills.kinematics.bodies import BoxShape, Obstacle
-from skills.ports.geometry import FloorPose, Pose, compose, invert, to_pose
-from skills.ports.world import PlanningScene, SceneObject
+from tandem.skills.kinematics.bodies import BoxShape, Obstacle
+from tandem.skills.ports.geometry import FloorPose, Pose, compose, invert, to_pose
+from tandem.skills.ports.world import PlanningScene, SceneObject
 
 PADDING = {"furniture": (0.015, 0.003), "clutter": (0.01, 0.004), "item": (0.004, 0.002)}
 """Metres, sideways and up: sideways the base's own pose is less well known than heights are."""

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.clocks import Clocks
-from skills.ports.hardware import JointStates
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.hardware import JointStates
 
 SILENT_AFTER: Final = 0.5
 """Robot seconds: 50 of the hardware's periods. A busy machine holds up a process for 0.2 s."""

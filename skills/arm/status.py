@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.arm.problem import Arm
-from skills.kinematics.described import by_name, carried
-from skills.kinematics.extent import Extent
-from skills.ports.actions.arm import ArmState, ArmStatus, arm_status
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.keys import JOINT_STATES, Latest
-from skills.ports.world import SCENE
+from tandem.skills.arm.problem import Arm
+from tandem.skills.kinematics.described import by_name, carried
+from tandem.skills.kinematics.extent import Extent
+from tandem.skills.ports.actions.arm import ArmState, ArmStatus, arm_status
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.keys import JOINT_STATES, Latest
+from tandem.skills.ports.world import SCENE
 
 PERIOD: Final = 0.1
 """Robot seconds between two messages without a change."""

@@ -13,16 +13,16 @@ from typing import Final
 
 import numpy as np
 
-from skills.arm.plan_move import MovePlanner
-from skills.arm.planning.settings import PlannerSettings
-from skills.arm.problem import Arm, Moment
-from skills.ports.actions.arm import MoveGoal, SurveyFeedback, SurveyGoal, SurveyResult, survey
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.keys import JOINT_STATES, Latest
-from skills.ports.skill import ActionType, Command, Run, Slice, canceled, failed, succeeded
-from skills.ports.world import SCENE
+from tandem.skills.arm.plan_move import MovePlanner
+from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.arm.problem import Arm, Moment
+from tandem.skills.ports.actions.arm import MoveGoal, SurveyFeedback, SurveyGoal, SurveyResult, survey
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.keys import JOINT_STATES, Latest
+from tandem.skills.ports.skill import ActionType, Command, Run, Slice, canceled, failed, succeeded
+from tandem.skills.ports.world import SCENE
 
 HEARD_WITHIN: Final = 2.0
 """Robot seconds in which joint states and scene must have come."""

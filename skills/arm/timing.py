@@ -15,9 +15,9 @@ from typing import Final
 import numpy as np
 import ruckig
 
-from skills.arm.curve import Curve
-from skills.arm.trajectory import MotionLimits, Trajectory
-from skills.kinematics.transforms import Array
+from tandem.skills.arm.curve import Curve
+from tandem.skills.arm.trajectory import MotionLimits, Trajectory
+from tandem.skills.kinematics.transforms import Array
 
 PERIOD: Final = 0.02
 """Seconds between the points that are sent."""

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skills.kinematics.transforms import Array
-from skills.ports.hardware import TrajectoryPoint
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.hardware import TrajectoryPoint
 
 
 @dataclass(frozen=True)

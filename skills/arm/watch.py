@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Generator
 from typing import Final
 
-from skills.arm.plan_move import MovePlanner
-from skills.arm.problem import Moment, Plan
-from skills.ports.actions.arm import MoveGoal
-from skills.ports.failure import Failure
-from skills.ports.keys import Latest
-from skills.ports.world import PlanningScene, SceneObject
+from tandem.skills.arm.plan_move import MovePlanner
+from tandem.skills.arm.problem import Moment, Plan
+from tandem.skills.ports.actions.arm import MoveGoal
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.world import PlanningScene, SceneObject
 
 EVERY: Final = 0.1
 """Seconds of the motion between two checks at the least."""

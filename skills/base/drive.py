@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from skills.base.journey import Course, Journey, Progress
-from skills.base.ride import Ride
-from skills.base.status import BaseStatusBoard
-from skills.base.wheels import Wheels
-from skills.ports.actions.base import DRIVE, BaseState, DriveFeedback, DriveGoal, DriveResult
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.skill import ActionType, Run, failed
+from tandem.skills.base.journey import Course, Journey, Progress
+from tandem.skills.base.ride import Ride
+from tandem.skills.base.status import BaseStatusBoard
+from tandem.skills.base.wheels import Wheels
+from tandem.skills.ports.actions.base import DRIVE, BaseState, DriveFeedback, DriveGoal, DriveResult
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.skill import ActionType, Run, failed
 
 
 class Drive:

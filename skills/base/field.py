@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skills.base.floor import FloatArray, IntArray
+from tandem.skills.base.floor import FloatArray, IntArray
 
 
 @dataclass(frozen=True)

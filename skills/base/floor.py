@@ -7,7 +7,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from skills.ports.geometry import FloorPose, wrap
+from tandem.skills.ports.geometry import FloorPose, wrap
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]

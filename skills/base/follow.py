@@ -12,11 +12,11 @@ from typing import Final
 
 import numpy as np
 
-from skills.base.path import Path
-from skills.base.planner import Clearances
-from skills.base.wheels import stopping_speed
-from skills.ports.geometry import FloorPose, wrap
-from skills.ports.hardware import Drive
+from tandem.skills.base.path import Path
+from tandem.skills.base.planner import Clearances
+from tandem.skills.base.wheels import stopping_speed
+from tandem.skills.ports.geometry import FloorPose, wrap
+from tandem.skills.ports.hardware import Drive
 
 LATENCY: Final = 0.05
 """Seconds between a command and what the base does about it."""

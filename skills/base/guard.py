@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.base.localiser import Localiser
-from skills.ports.actions.arm import ArmState, arm_status
-from skills.ports.actions.base import ARM_MARGIN
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.hardware import RobotDescription
-from skills.ports.keys import BUMPERS, STOP_STATE, Latest
-from skills.ports.message import RobotTime
+from tandem.skills.base.localiser import Localiser
+from tandem.skills.ports.actions.arm import ArmState, arm_status
+from tandem.skills.ports.actions.base import ARM_MARGIN
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.keys import BUMPERS, STOP_STATE, Latest
+from tandem.skills.ports.message import RobotTime
 
 SILENCE: Final = 0.5
 """Robot seconds without scan or odometry after which the base does not move."""

@@ -7,20 +7,20 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from typing import Final
 
-from skills.base.follow import Follower
-from skills.base.guard import Guard
-from skills.base.localiser import Localiser
-from skills.base.map import SiteMap
-from skills.base.obstacles import Obstacles
-from skills.base.path import Path
-from skills.base.planner import Clearances, Planner
-from skills.base.ride import Motion, Ride
-from skills.base.watch import Block, Watch
-from skills.ports.actions.base import DRIVE, DriveFeedback, DriveGoal, DriveResult
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import FloorPose, floor_distance, wrap
-from skills.ports.hardware import Drive
-from skills.ports.skill import Command, Outcome, Run, Slice, canceled, failed, succeeded
+from tandem.skills.base.follow import Follower
+from tandem.skills.base.guard import Guard
+from tandem.skills.base.localiser import Localiser
+from tandem.skills.base.map import SiteMap
+from tandem.skills.base.obstacles import Obstacles
+from tandem.skills.base.path import Path
+from tandem.skills.base.planner import Clearances, Planner
+from tandem.skills.base.ride import Motion, Ride
+from tandem.skills.base.watch import Block, Watch
+from tandem.skills.ports.actions.base import DRIVE, DriveFeedback, DriveGoal, DriveResult
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
+from tandem.skills.ports.hardware import Drive
+from tandem.skills.ports.skill import Command, Outcome, Run, Slice, canceled, failed, succeeded
 
 MARGIN: Final = 0.03
 """Metres that a plan keeps between the footprint and everything."""

@@ -8,21 +8,27 @@ from typing import Final
 
 import numpy as np
 
-from skills.base.floor import FloatArray, compose, invert, points_in
-from skills.base.guard import Guard
-from skills.base.localiser import Localiser
-from skills.base.map import SiteMap
-from skills.base.ride import Ride
-from skills.base.scan import ScanPoints
-from skills.base.search import Found, Search, near, whole_floor
-from skills.base.status import BaseStatusBoard
-from skills.base.wheels import Wheels
-from skills.ports.actions.base import LOCALISE, BaseState, LocaliseFeedback, LocaliseGoal, LocaliseResult
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import FloorPose
-from skills.ports.message import RobotTime
-from skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
+from tandem.skills.base.floor import FloatArray, compose, invert, points_in
+from tandem.skills.base.guard import Guard
+from tandem.skills.base.localiser import Localiser
+from tandem.skills.base.map import SiteMap
+from tandem.skills.base.ride import Ride
+from tandem.skills.base.scan import ScanPoints
+from tandem.skills.base.search import Found, Search, near, whole_floor
+from tandem.skills.base.status import BaseStatusBoard
+from tandem.skills.base.wheels import Wheels
+from tandem.skills.ports.actions.base import (
+    LOCALISE,
+    BaseState,
+    LocaliseFeedback,
+    LocaliseGoal,
+    LocaliseResult,
+)
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
 
 SCANS: Final = 4
 """Scans at rest that are searched with together: their noise averages out."""

@@ -12,18 +12,18 @@ from collections import deque
 from dataclasses import dataclass
 from typing import Final
 
-from skills.base.floor import ORIGIN, FloatArray, compose, invert, points_in
-from skills.base.map import SiteMap
-from skills.base.matcher import Match, carried, diagonal, match, share_near
-from skills.base.odometry import OdometryBuffer, ahead
-from skills.base.scan import ScanGeometry, ScanPoints
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.geometry import FloorPose, floor_distance, wrap
-from skills.ports.hardware import LaserScan, Odometry, RobotDescription
-from skills.ports.keys import LASER, ODOMETRY, Latest
-from skills.ports.message import RobotTime
-from skills.ports.world import ROBOT_POSE, RobotPose
+from tandem.skills.base.floor import ORIGIN, FloatArray, compose, invert, points_in
+from tandem.skills.base.map import SiteMap
+from tandem.skills.base.matcher import Match, carried, diagonal, match, share_near
+from tandem.skills.base.odometry import OdometryBuffer, ahead
+from tandem.skills.base.scan import ScanGeometry, ScanPoints
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
+from tandem.skills.ports.hardware import LaserScan, Odometry, RobotDescription
+from tandem.skills.ports.keys import LASER, ODOMETRY, Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 
 PERIOD: Final = 0.05
 """Seconds between two messages."""

@@ -13,12 +13,12 @@ from typing import Final
 
 import numpy as np
 
-from skills.base.field import DistanceField
-from skills.base.floor import BoolArray, FloatArray
-from skills.ports.chain import Chain
-from skills.ports.geometry import FloorPose, rotate, to_floor
-from skills.ports.hardware import RobotDescription
-from skills.ports.site import Site, SiteBox
+from tandem.skills.base.field import DistanceField
+from tandem.skills.base.floor import BoolArray, FloatArray
+from tandem.skills.ports.chain import Chain
+from tandem.skills.ports.geometry import FloorPose, rotate, to_floor
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.site import Site, SiteBox
 
 STEP: Final = 0.025
 """Metres between the fields' nodes."""

@@ -12,9 +12,9 @@ from typing import Final
 
 import numpy as np
 
-from skills.base.field import DistanceField
-from skills.base.floor import FloatArray, points_in
-from skills.ports.geometry import FloorPose, wrap
+from tandem.skills.base.field import DistanceField
+from tandem.skills.base.floor import FloatArray, points_in
+from tandem.skills.ports.geometry import FloorPose, wrap
 
 NEAR: Final = 0.1
 """Metres: a beam that ends as near to a mapped surface counts as explained."""

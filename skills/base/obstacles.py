@@ -10,13 +10,13 @@ from typing import Final
 
 import numpy as np
 
-from skills.base.field import DistanceField
-from skills.base.floor import BoolArray, FloatArray, IntArray, compose, invert, points_in
-from skills.base.localiser import Localiser, PlacedScan
-from skills.base.map import SiteMap
-from skills.base.scan import ScanGeometry
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.hardware import LaserSensor
+from tandem.skills.base.field import DistanceField
+from tandem.skills.base.floor import BoolArray, FloatArray, IntArray, compose, invert, points_in
+from tandem.skills.base.localiser import Localiser, PlacedScan
+from tandem.skills.base.map import SiteMap
+from tandem.skills.base.scan import ScanGeometry
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.hardware import LaserSensor
 
 UNMAPPED: Final = 0.10
 """Metres from everything mapped at which a hit is something else; grows with the range."""

@@ -7,10 +7,10 @@ from bisect import bisect_left
 from collections import deque
 from typing import Final
 
-from skills.base.floor import between, compose
-from skills.ports.geometry import FloorPose
-from skills.ports.hardware import Odometry
-from skills.ports.message import RobotTime
+from tandem.skills.base.floor import between, compose
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.hardware import Odometry
+from tandem.skills.ports.message import RobotTime
 
 SAME: Final = 1e-9
 """Seconds between two moments that are one: stamps are rounded to 1e-6."""

@@ -8,8 +8,8 @@ from functools import cached_property
 
 import numpy as np
 
-from skills.base.floor import FloatArray
-from skills.ports.geometry import wrap
+from tandem.skills.base.floor import FloatArray
+from tandem.skills.ports.geometry import wrap
 
 
 @dataclass(frozen=True)

@@ -14,11 +14,11 @@ from typing import Final
 
 import numpy as np
 
-from skills.base.field import DistanceField
-from skills.base.floor import FloatArray
-from skills.base.obstacles import with_obstacles
-from skills.base.path import Path
-from skills.ports.geometry import FloorPose
+from tandem.skills.base.field import DistanceField
+from tandem.skills.base.floor import FloatArray
+from tandem.skills.base.obstacles import with_obstacles
+from tandem.skills.base.path import Path
+from tandem.skills.ports.geometry import FloorPose
 
 EXPANSIONS: Final = 100
 """Nodes expanded in a slice."""

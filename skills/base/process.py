@@ -4,22 +4,22 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from skills.base.drive import Drive
-from skills.base.guard import Guard
-from skills.base.journey import Course
-from skills.base.localise import Localise
-from skills.base.localiser import Localiser
-from skills.base.map import build_map
-from skills.base.obstacles import Obstacles
-from skills.base.rotate import Rotate
-from skills.base.status import BaseStatusBoard
-from skills.base.wheels import Wheels
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.hardware import RobotDescription
-from skills.ports.node import Node
-from skills.ports.site import Site
-from skills.server import ActionServer
+from tandem.skills.base.drive import Drive
+from tandem.skills.base.guard import Guard
+from tandem.skills.base.journey import Course
+from tandem.skills.base.localise import Localise
+from tandem.skills.base.localiser import Localiser
+from tandem.skills.base.map import build_map
+from tandem.skills.base.obstacles import Obstacles
+from tandem.skills.base.rotate import Rotate
+from tandem.skills.base.status import BaseStatusBoard
+from tandem.skills.base.wheels import Wheels
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.node import Node
+from tandem.skills.ports.site import Site
+from tandem.skills.server import ActionServer
 
 
 @dataclass(frozen=True)

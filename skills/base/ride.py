@@ -10,16 +10,16 @@ import math
 from collections.abc import Callable, Generator
 from typing import Final, Generic, TypeVar
 
-from skills.base.floor import compose
-from skills.base.guard import Guard
-from skills.base.localiser import Localiser
-from skills.base.odometry import ahead
-from skills.base.wheels import Wheels, stopping_speed
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import FloorPose, wrap
-from skills.ports.message import Message
-from skills.ports.skill import Command, Slice
+from tandem.skills.base.floor import compose
+from tandem.skills.base.guard import Guard
+from tandem.skills.base.localiser import Localiser
+from tandem.skills.base.odometry import ahead
+from tandem.skills.base.wheels import Wheels, stopping_speed
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import FloorPose, wrap
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.skill import Command, Slice
 
 CYCLE: Final = 0.02
 """Robot seconds between two commands to the wheels: as often as odometry comes."""

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.base.guard import Guard
-from skills.base.localiser import Localiser
-from skills.base.ride import Ride
-from skills.base.status import BaseStatusBoard
-from skills.base.wheels import Wheels
-from skills.ports.actions.base import ROTATE, BaseState, RotateFeedback, RotateGoal, RotateResult
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import wrap
-from skills.ports.hardware import Drive
-from skills.ports.skill import ActionType, Outcome, Run, canceled, failed, succeeded
+from tandem.skills.base.guard import Guard
+from tandem.skills.base.localiser import Localiser
+from tandem.skills.base.ride import Ride
+from tandem.skills.base.status import BaseStatusBoard
+from tandem.skills.base.wheels import Wheels
+from tandem.skills.ports.actions.base import ROTATE, BaseState, RotateFeedback, RotateGoal, RotateResult
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import wrap
+from tandem.skills.ports.hardware import Drive
+from tandem.skills.ports.skill import ActionType, Outcome, Run, canceled, failed, succeeded
 
 MOST_CORRECTIONS: Final = 2
 SETTLE: Final = 0.15

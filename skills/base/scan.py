@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skills.base.floor import FloatArray, points_in
-from skills.ports.geometry import FloorPose
-from skills.ports.hardware import LaserScan, LaserSensor
-from skills.ports.message import RobotTime
+from tandem.skills.base.floor import FloatArray, points_in
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.hardware import LaserScan, LaserSensor
+from tandem.skills.ports.message import RobotTime
 
 
 @dataclass(frozen=True)

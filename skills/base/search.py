@@ -14,10 +14,10 @@ from typing import Final
 
 import numpy as np
 
-from skills.base.floor import FloatArray, points_in
-from skills.base.map import SiteMap
-from skills.base.matcher import diagonal, match
-from skills.ports.geometry import FloorPose, wrap
+from tandem.skills.base.floor import FloatArray, points_in
+from tandem.skills.base.map import SiteMap
+from tandem.skills.base.matcher import diagonal, match
+from tandem.skills.ports.geometry import FloorPose, wrap
 
 CELL: Final = 0.05
 """Metres: the score grid."""

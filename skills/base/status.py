@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from skills.ports.actions.base import BASE_STATUS, BaseState, BaseStatus
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.actions.base import BASE_STATUS, BaseState, BaseStatus
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
 
 PERIOD: Final = 0.1
 

@@ -7,10 +7,10 @@ from typing import Final
 
 import numpy as np
 
-from skills.base.floor import FloatArray
-from skills.base.localiser import Localiser
-from skills.base.obstacles import Obstacles
-from skills.base.path import Path
+from tandem.skills.base.floor import FloatArray
+from tandem.skills.base.localiser import Localiser
+from tandem.skills.base.obstacles import Obstacles
+from tandem.skills.base.path import Path
 
 AHEAD: Final = 2.2
 """Metres of path that are watched: more than the base needs to stop."""

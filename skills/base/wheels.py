@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.hardware import BaseVelocity, Drive
-from skills.ports.keys import BASE_VELOCITY
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.hardware import BaseVelocity, Drive
+from tandem.skills.ports.keys import BASE_VELOCITY
 
 LONGEST_STEP = 0.1
 """Seconds: after a longer pause the speeds change as if it had been this long."""

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from skills.bimanual.coordination import WORSE, Situation
-from skills.ports.actions.bimanual import ArmOrder, Order
-from skills.ports.world import SIDES
+from tandem.skills.bimanual.coordination import WORSE, Situation
+from tandem.skills.ports.actions.bimanual import ArmOrder, Order
+from tandem.skills.ports.world import SIDES
 
 
 @dataclass(frozen=True)

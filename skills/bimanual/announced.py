@@ -11,17 +11,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
-from skills.bimanual.observer import ArmObserver
-from skills.bimanual.way import joined, straight, thinned
-from skills.kinematics.described import by_name
-from skills.kinematics.follow import PoseFollower
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.transforms import Array
-from skills.ports.actions.approach import GOAL_RADIUS
-from skills.ports.geometry import transform
-from skills.ports.hardware import JointStates, RobotDescription
-from skills.ports.message import Vector3
-from skills.ports.world import Side
+from tandem.skills.bimanual.observer import ArmObserver
+from tandem.skills.bimanual.way import joined, straight, thinned
+from tandem.skills.kinematics.described import by_name
+from tandem.skills.kinematics.follow import PoseFollower
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.actions.approach import GOAL_RADIUS
+from tandem.skills.ports.geometry import transform
+from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.world import Side
 
 OUT: Final = 5
 """Positions that are looked at of the way out."""

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from skills.bimanual.coordinator import Coordinator
-from skills.ports.actions.bimanual import (
+from tandem.skills.bimanual.coordinator import Coordinator
+from tandem.skills.ports.actions.bimanual import (
     COORDINATE,
     CoordinateFeedback,
     CoordinateGoal,
     CoordinateResult,
 )
-from skills.ports.failure import Failure
-from skills.ports.skill import ActionType, Command, Run, canceled
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.skill import ActionType, Command, Run, canceled
 
 
 class Coordinate:

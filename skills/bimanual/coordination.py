@@ -27,8 +27,8 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Final, Literal
 
-from skills.ports.actions.bimanual import ArmOrder, Order
-from skills.ports.world import SIDES, Side
+from tandem.skills.ports.actions.bimanual import ArmOrder, Order
+from tandem.skills.ports.world import SIDES, Side
 
 WORSE: Final = 0.01
 """Metres by which the clearance must have shrunk to be worse."""

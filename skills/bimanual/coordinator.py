@@ -9,21 +9,21 @@ from typing import Final
 
 import numpy as np
 
-from skills.bimanual.alone import Alone
-from skills.bimanual.announced import CREEP, NEXT, Announced
-from skills.bimanual.coordination import FIELD_ROOM, Coordination, Mode, Situation, Stage
-from skills.bimanual.observer import ArmObserver
-from skills.bimanual.way import MARGIN, clear
-from skills.kinematics.clearance import ArmsClearance
-from skills.kinematics.described import by_name, carried
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.transforms import Array
-from skills.ports.actions.bimanual import CROSSING, RIGHT_OF_WAY, Order, RightOfWay
-from skills.ports.bus import Bus
-from skills.ports.hardware import ArmsCrossing, CancelMotion, JointStates, RobotDescription
-from skills.ports.keys import JOINT_STATES, Latest, group_cancel
-from skills.ports.message import RobotTime, RobotTimer
-from skills.ports.world import SCENE, SIDES, Side
+from tandem.skills.bimanual.alone import Alone
+from tandem.skills.bimanual.announced import CREEP, NEXT, Announced
+from tandem.skills.bimanual.coordination import FIELD_ROOM, Coordination, Mode, Situation, Stage
+from tandem.skills.bimanual.observer import ArmObserver
+from tandem.skills.bimanual.way import MARGIN, clear
+from tandem.skills.kinematics.clearance import ArmsClearance
+from tandem.skills.kinematics.described import by_name, carried
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.actions.bimanual import CROSSING, RIGHT_OF_WAY, Order, RightOfWay
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.hardware import ArmsCrossing, CancelMotion, JointStates, RobotDescription
+from tandem.skills.ports.keys import JOINT_STATES, Latest, group_cancel
+from tandem.skills.ports.message import RobotTime, RobotTimer
+from tandem.skills.ports.world import SCENE, SIDES, Side
 
 PERIOD: Final = 0.05
 """Robot seconds between two messages without a change."""

@@ -9,7 +9,16 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from skills.ports.geometry import Pose, add, angle_between, conjugate, length, multiply, scale, subtract
+from tandem.skills.ports.geometry import (
+    Pose,
+    add,
+    angle_between,
+    conjugate,
+    length,
+    multiply,
+    scale,
+    subtract,
+)
 
 
 @dataclass(frozen=True)

@@ -7,13 +7,13 @@ from typing import Final
 
 import numpy as np
 
-from skills.kinematics.follow import Followed, PoseFollower
-from skills.kinematics.model import Limits, RobotKinematics
-from skills.kinematics.transforms import Array
-from skills.ports.geometry import Pose
-from skills.ports.hardware import RobotDescription, SetPoint
-from skills.ports.message import RobotTime
-from skills.ports.world import Side
+from tandem.skills.kinematics.follow import Followed, PoseFollower
+from tandem.skills.kinematics.model import Limits, RobotKinematics
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.hardware import RobotDescription, SetPoint
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.world import Side
 
 LIMIT_MARGIN: Final = 0.01
 """Radians that the joints keep from their limits."""

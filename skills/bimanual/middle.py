@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from skills.ports.geometry import (
+from tandem.skills.ports.geometry import (
     Pose,
     add,
     compose,
@@ -22,7 +22,7 @@ from skills.ports.geometry import (
     scale,
     subtract,
 )
-from skills.ports.message import Vector3
+from tandem.skills.ports.message import Vector3
 
 _UP: Vector3 = (0.0, 0.0, 1.0)
 

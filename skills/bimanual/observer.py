@@ -7,15 +7,15 @@ from typing import Final
 
 import numpy as np
 
-from skills.bimanual.coordination import ArmNow
-from skills.kinematics.transforms import Array
-from skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
-from skills.ports.bus import Bus
-from skills.ports.chain import Chain
-from skills.ports.hardware import ArmsCrossing, JointStates, RobotDescription
-from skills.ports.keys import Latest
-from skills.ports.message import RobotTimer
-from skills.ports.world import Side
+from tandem.skills.bimanual.coordination import ArmNow
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.chain import Chain
+from tandem.skills.ports.hardware import ArmsCrossing, JointStates, RobotDescription
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import RobotTimer
+from tandem.skills.ports.world import Side
 
 STILL: Final = 0.02
 """rad/s below which a joint stands."""

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from skills.bimanual.coordinate import Coordinate
-from skills.bimanual.coordinator import Coordinator
-from skills.bimanual.hold import TwoArms
-from skills.bimanual.two_hands import HoldWithTwo
-from skills.bimanual.zones_node import ZonesBoard
-from skills.kinematics.hulls import RobotHulls
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.compute import Compute
-from skills.ports.hardware import RobotDescription
-from skills.ports.node import Node
-from skills.ports.site import Site
-from skills.server import ActionServer
+from tandem.skills.bimanual.coordinate import Coordinate
+from tandem.skills.bimanual.coordinator import Coordinator
+from tandem.skills.bimanual.hold import TwoArms
+from tandem.skills.bimanual.two_hands import HoldWithTwo
+from tandem.skills.bimanual.zones_node import ZonesBoard
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.node import Node
+from tandem.skills.ports.site import Site
+from tandem.skills.server import ActionServer
 
 
 def nodes(

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from skills.bimanual.middle import Span
-from skills.ports.geometry import (
+from tandem.skills.bimanual.middle import Span
+from tandem.skills.ports.geometry import (
     Pose,
     about,
     add,
@@ -18,9 +18,9 @@ from skills.ports.geometry import (
     scale,
     transform,
 )
-from skills.ports.message import Quaternion, Vector3
-from skills.ports.site import SiteItem
-from skills.ports.world import SIDES
+from tandem.skills.ports.message import Quaternion, Vector3
+from tandem.skills.ports.site import SiteItem
+from tandem.skills.ports.world import SIDES
 
 STRAIGHT: Final[Quaternion] = (0.0, 0.0, 0.0, 1.0)
 """No turn."""

@@ -6,9 +6,9 @@ from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from skills.bimanual.lead import LedArm
-from skills.ports.geometry import Pose
-from skills.ports.world import Side
+from tandem.skills.bimanual.lead import LedArm
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.world import Side
 
 REACHED: Final = 0.004
 """Metres and radians by which joint positions may miss a hand's pose before it is out of reach."""

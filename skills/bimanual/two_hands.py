@@ -11,30 +11,30 @@ import math
 from collections.abc import Callable, Generator, Sequence
 from typing import Final, TypeVar
 
-from skills.bimanual.glide import Bounds, Glide, glide
-from skills.bimanual.hold import TwoArms
-from skills.bimanual.landing import Landing
-from skills.bimanual.middle import HandsApartError, tilt
-from skills.bimanual.ready import STRAIGHT, between, ready_tools, swing, ways_back
-from skills.bimanual.squeeze import TOUCH, agree
-from skills.bimanual.trial import SLICE, OutOfReach, try_way
-from skills.ports.actions.bimanual import (
+from tandem.skills.bimanual.glide import Bounds, Glide, glide
+from tandem.skills.bimanual.hold import TwoArms
+from tandem.skills.bimanual.landing import Landing
+from tandem.skills.bimanual.middle import HandsApartError, tilt
+from tandem.skills.bimanual.ready import STRAIGHT, between, ready_tools, swing, ways_back
+from tandem.skills.bimanual.squeeze import TOUCH, agree
+from tandem.skills.bimanual.trial import SLICE, OutOfReach, try_way
+from tandem.skills.ports.actions.bimanual import (
     TWO_HANDS,
     TwoHands,
     TwoHandsFeedback,
     TwoHandsGoal,
     TwoHandsResult,
 )
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import FloorPose, Pose, compose, invert, to_pose
-from skills.ports.grasping import standing_in_map
-from skills.ports.keys import Latest
-from skills.ports.message import Quaternion
-from skills.ports.site import Site
-from skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
-from skills.ports.world import ROBOT_POSE, SIDES, WORLD
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import FloorPose, Pose, compose, invert, to_pose
+from tandem.skills.ports.grasping import standing_in_map
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import Quaternion
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
+from tandem.skills.ports.world import ROBOT_POSE, SIDES, WORLD
 
 FORCE: Final = 70.0
 """Newtons of each hand unless a goal says otherwise.

@@ -11,11 +11,11 @@ from typing import Final
 
 import numpy as np
 
-from skills.kinematics.clearance import ArmsClearance
-from skills.kinematics.follow import PoseFollower
-from skills.kinematics.transforms import Array
-from skills.ports.geometry import Pose, add, length, scale, subtract
-from skills.ports.message import Vector3
+from tandem.skills.kinematics.clearance import ArmsClearance
+from tandem.skills.kinematics.follow import PoseFollower
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.geometry import Pose, add, length, scale, subtract
+from tandem.skills.ports.message import Vector3
 
 MARGIN: Final = 0.06
 """Metres between the arms that ways must leave: twice what the reflex stops at."""

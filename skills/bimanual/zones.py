@@ -16,18 +16,18 @@ from typing import Final, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from skills.kinematics.batch import BatchChain
-from skills.kinematics.collision import CollisionChecker
-from skills.kinematics.described import home_positions, load_hulls
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.ik import IkSettings, SeedTable, Solver
-from skills.kinematics.model import Limits
-from skills.kinematics.transforms import to_se3
-from skills.ports.actions.bimanual import ZoneRow
-from skills.ports.geometry import Pose, from_rpy
-from skills.ports.hardware import RobotDescription
-from skills.ports.message import Quaternion, Vector3
-from skills.ports.world import SIDES, Side
+from tandem.skills.kinematics.batch import BatchChain
+from tandem.skills.kinematics.collision import CollisionChecker
+from tandem.skills.kinematics.described import home_positions, load_hulls
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.ik import IkSettings, SeedTable, Solver
+from tandem.skills.kinematics.model import Limits
+from tandem.skills.kinematics.transforms import to_se3
+from tandem.skills.ports.actions.bimanual import ZoneRow
+from tandem.skills.ports.geometry import Pose, from_rpy
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.message import Quaternion, Vector3
+from tandem.skills.ports.world import SIDES, Side
 
 T = TypeVar("T")
 Reached = npt.NDArray[np.bool_]

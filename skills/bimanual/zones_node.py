@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.bimanual.zones import COST, ZonesAsk, ZonesFound, zones
-from skills.ports.actions.bimanual import ZONES, Zones
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.compute import Compute, Job
-from skills.ports.hardware import RobotDescription
+from tandem.skills.bimanual.zones import COST, ZonesAsk, ZonesFound, zones
+from tandem.skills.ports.actions.bimanual import ZONES, Zones
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.compute import Compute, Job
+from tandem.skills.ports.hardware import RobotDescription
 
 PERIOD: Final = 1.0
 """Robot seconds between two messages."""

@@ -10,14 +10,14 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 from typing import Final
 
-from skills.gripper.commands import Order, name_command
-from skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
-from skills.ports.bus import Bus, Pending
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.hardware import Answer, EndEffector, GripperCommand, GripperMotion, GripperState
-from skills.ports.keys import STOP_STATE, Latest, gripper_command, gripper_state
-from skills.ports.skill import ActionType, Command, Outcome, Run, canceled, failed, succeeded
+from tandem.skills.gripper.commands import Order, name_command
+from tandem.skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
+from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.hardware import Answer, EndEffector, GripperCommand, GripperMotion, GripperState
+from tandem.skills.ports.keys import STOP_STATE, Latest, gripper_command, gripper_state
+from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, canceled, failed, succeeded
 
 WIDTH_TOLERANCE: Final = 0.012
 """Metres by which a held item's width may differ from what was expected (it may be held askew)."""

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.gripper.commands import Order, order_of
-from skills.gripper.grip import EMPTY_BELOW, HOLDING_FORCE, WIDTH_TOLERANCE
-from skills.ports.actions.gripper import HandState, HandStatus, hand_status
-from skills.ports.bus import Bus
-from skills.ports.hardware import EndEffector, GripperMotion, GripperState
-from skills.ports.keys import Latest, gripper_state
-from skills.ports.message import RobotTimer
+from tandem.skills.gripper.commands import Order, order_of
+from tandem.skills.gripper.grip import EMPTY_BELOW, HOLDING_FORCE, WIDTH_TOLERANCE
+from tandem.skills.ports.actions.gripper import HandState, HandStatus, hand_status
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.hardware import EndEffector, GripperMotion, GripperState
+from tandem.skills.ports.keys import Latest, gripper_state
+from tandem.skills.ports.message import RobotTimer
 
 PERIOD: Final = 0.1
 """Robot seconds between two messages without a change."""

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from skills.gripper.grip import Gripping
-from skills.gripper.hand_watch import HandWatch
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.hardware import RobotDescription
-from skills.ports.node import Node
-from skills.server import ActionServer
+from tandem.skills.gripper.grip import Gripping
+from tandem.skills.gripper.hand_watch import HandWatch
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.node import Node
+from tandem.skills.server import ActionServer
 
 
 def nodes(

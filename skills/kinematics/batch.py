@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 import pinocchio as pin
 
-from skills.kinematics.model import Chain, Limits
-from skills.kinematics.transforms import Array
+from tandem.skills.kinematics.model import Chain, Limits
+from tandem.skills.kinematics.transforms import Array
 
 
 class BatchChain:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import coal
 
-from skills.ports.geometry import Pose
+from tandem.skills.ports.geometry import Pose
 
 
 @dataclass(frozen=True)

@@ -12,12 +12,12 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
-from skills.kinematics.bodies import Carried, geometry
-from skills.kinematics.collision import Clearance
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.transforms import Array, to_se3
-from skills.ports.hardware import RobotDescription
-from skills.ports.world import SIDES
+from tandem.skills.kinematics.bodies import Carried, geometry
+from tandem.skills.kinematics.collision import Clearance
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.transforms import Array, to_se3
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.world import SIDES
 
 AHEAD: Final = (0.0, 0.5, 1.0)
 """Shares of the way to rest at which the clearance is looked at."""

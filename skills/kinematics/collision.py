@@ -12,11 +12,11 @@ from dataclasses import dataclass
 import numpy as np
 import pinocchio as pin
 
-from skills.kinematics.bodies import Carried, Obstacle
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.model import Chain
-from skills.kinematics.pairs import Bodies
-from skills.kinematics.transforms import Array
+from tandem.skills.kinematics.bodies import Carried, Obstacle
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.model import Chain
+from tandem.skills.kinematics.pairs import Bodies
+from tandem.skills.kinematics.transforms import Array
 
 
 @dataclass(frozen=True)

@@ -7,11 +7,11 @@ from typing import Final
 
 import numpy as np
 
-from skills.kinematics.bodies import BoxShape, Carried
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.model import RobotKinematics
-from skills.ports.hardware import RobotDescription
-from skills.ports.world import PlanningScene
+from tandem.skills.kinematics.bodies import BoxShape, Carried
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.model import RobotKinematics
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.world import PlanningScene
 
 HOME: Final = "home"
 """The postures of this name are known to be free of collisions."""

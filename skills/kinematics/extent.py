@@ -8,9 +8,9 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from skills.kinematics.bodies import BoxShape, Carried
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.transforms import Array, to_se3
+from tandem.skills.kinematics.bodies import BoxShape, Carried
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.transforms import Array, to_se3
 
 
 class Extent:

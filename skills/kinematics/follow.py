@@ -8,9 +8,9 @@ from typing import Final
 
 import numpy as np
 
-from skills.kinematics.model import Chain, Limits, RobotKinematics
-from skills.kinematics.transforms import Array, to_se3
-from skills.ports.geometry import Pose
+from tandem.skills.kinematics.model import Chain, Limits, RobotKinematics
+from tandem.skills.kinematics.transforms import Array, to_se3
+from tandem.skills.ports.geometry import Pose
 
 DAMPING: Final = 1e-4
 """Of the least squares: (metre, radian)^2. Holds joints back near a singularity only."""

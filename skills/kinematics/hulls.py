@@ -10,8 +10,8 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from skills.kinematics.model import Chain, RobotKinematics
-from skills.kinematics.transforms import Array
+from tandem.skills.kinematics.model import Chain, RobotKinematics
+from tandem.skills.kinematics.transforms import Array
 
 ALWAYS = 0.95
 """A pair in contact in this share of random configurations is so by construction."""

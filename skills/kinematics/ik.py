@@ -15,9 +15,9 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from skills.kinematics.batch import BatchChain, left
-from skills.kinematics.model import Chain, Limits
-from skills.kinematics.transforms import Array
+from tandem.skills.kinematics.batch import BatchChain, left
+from tandem.skills.kinematics.model import Chain, Limits
+from tandem.skills.kinematics.transforms import Array
 
 TURN_WEIGHT = 0.25
 """Metres that a radian counts when the table's nearest hands are looked for."""

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from skills.kinematics.transforms import Array
+from tandem.skills.kinematics.transforms import Array
 
 
 def supports(model: pin.Model, parents: Sequence[int]) -> npt.NDArray[np.bool_]:

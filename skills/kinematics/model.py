@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 import pinocchio as pin
 
-from skills.kinematics.transforms import Array, to_pose
-from skills.ports.geometry import Pose
-from skills.ports.packages import resolve
-from skills.ports.urdf_check import SEVERAL_NUMBERS, Mimic, UrdfError, mimics, parsed
+from tandem.skills.kinematics.transforms import Array, to_pose
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.packages import resolve
+from tandem.skills.ports.urdf_check import SEVERAL_NUMBERS, Mimic, UrdfError, mimics, parsed
 
 
 class UnknownNameError(KeyError):

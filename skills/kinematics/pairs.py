@@ -9,10 +9,10 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from skills.kinematics.bodies import BoxShape, Carried, Obstacle, geometry
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.model import Chain
-from skills.kinematics.transforms import Array, to_se3
+from tandem.skills.kinematics.bodies import BoxShape, Carried, Obstacle, geometry
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.model import Chain
+from tandem.skills.kinematics.transforms import Array, to_se3
 
 Pairs = npt.NDArray[np.bool_]
 SLACK = 0.01

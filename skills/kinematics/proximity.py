@@ -16,10 +16,10 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from skills.kinematics.bodies import Carried, Obstacle, geometry
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.levers import lever_arms, reach_of, supports
-from skills.kinematics.transforms import Array, to_se3
+from tandem.skills.kinematics.bodies import Carried, Obstacle, geometry
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.levers import lever_arms, reach_of, supports
+from tandem.skills.kinematics.transforms import Array, to_se3
 
 MANY = 25
 """Pairs for which it pays to look at the balls around the bodies first."""

@@ -10,10 +10,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from skills.ports.chain import Chain
-from skills.ports.geometry import Pose, invert, transform
-from skills.ports.hardware import JointGroup, RobotDescription
-from skills.ports.message import Vector3
+from tandem.skills.ports.chain import Chain
+from tandem.skills.ports.geometry import Pose, invert, transform
+from tandem.skills.ports.hardware import JointGroup, RobotDescription
+from tandem.skills.ports.message import Vector3
 
 HEAD: Final = "head"
 APART: Final = 0.1

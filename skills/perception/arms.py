@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import pairwise
 
-from skills.ports.chain import Chain
-from skills.ports.geometry import transform
-from skills.ports.hardware import RobotDescription
-from skills.ports.message import Vector3
+from tandem.skills.ports.chain import Chain
+from tandem.skills.ports.geometry import transform
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.message import Vector3
 
 _BEYOND_TOOL = 0.06
 """Metres beyond the tool frame, for what is held."""

@@ -7,8 +7,8 @@ from typing import Final
 
 import numpy as np
 
-from skills.ports.geometry import Pose, angle_between, distance
-from skills.ports.image import RgbdImage
+from tandem.skills.ports.geometry import Pose, angle_between, distance
+from tandem.skills.ports.image import RgbdImage
 
 THIN: Final = 4
 """Every fourth pixel of every fourth row is looked at: a millisecond would be much otherwise."""

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Generator
 from typing import Final
 
-from skills.perception.session import LookError, Session
-from skills.ports.actions.perception import LookFeedback
-from skills.ports.bus import Bus
-from skills.ports.failure import FailureKind
-from skills.ports.hardware import RgbdHeader
-from skills.ports.hearing import Heard
-from skills.ports.image import header_of
-from skills.ports.keys import RGBD
-from skills.ports.message import RobotTime
-from skills.ports.skill import Command, Slice
+from tandem.skills.perception.session import LookError, Session
+from tandem.skills.ports.actions.perception import LookFeedback
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.hardware import RgbdHeader
+from tandem.skills.ports.hearing import Heard
+from tandem.skills.ports.image import header_of
+from tandem.skills.ports.keys import RGBD
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.skill import Command, Slice
 
 SILENT_AFTER: Final = 3.0
 """Robot seconds without a fresh picture."""

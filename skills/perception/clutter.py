@@ -13,12 +13,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from skills.perception.depth import back_project
-from skills.perception.rigid import Matrix, points_from, points_in
-from skills.ports.geometry import Pose, about, compose, invert, transform
-from skills.ports.image import RgbdImage
-from skills.ports.message import Vector3
-from skills.ports.world import Box
+from tandem.skills.perception.depth import back_project
+from tandem.skills.perception.rigid import Matrix, points_from, points_in
+from tandem.skills.ports.geometry import Pose, about, compose, invert, transform
+from tandem.skills.ports.image import RgbdImage
+from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.world import Box
 
 COST: Final = 0.08
 """Robot seconds that one picture's clutter is charged in lockstep."""

@@ -13,12 +13,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from skills.perception.aim import Aim
-from skills.perception.clutter import RANGE
-from skills.perception.rigid import Matrix, points_from, points_in
-from skills.ports.geometry import FloorPose, compose, to_pose
-from skills.ports.hardware import CameraSensor
-from skills.ports.world import Box
+from tandem.skills.perception.aim import Aim
+from tandem.skills.perception.clutter import RANGE
+from tandem.skills.perception.rigid import Matrix, points_from, points_in
+from tandem.skills.ports.geometry import FloorPose, compose, to_pose
+from tandem.skills.ports.hardware import CameraSensor
+from tandem.skills.ports.world import Box
 
 COST: Final = 0.05
 """Robot seconds that the choice is charged in lockstep; measured: 30 to 50 ms."""

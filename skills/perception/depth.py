@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from skills.ports.hardware import RgbdHeader
+from tandem.skills.ports.hardware import RgbdHeader
 
 Array = NDArray[np.float64]
 

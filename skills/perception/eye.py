@@ -9,25 +9,25 @@ from collections.abc import Generator, Iterable
 from dataclasses import dataclass
 from typing import Final
 
-from skills.perception import tags
-from skills.perception.blind import BlindCheck
-from skills.perception.camera import Camera
-from skills.perception.frames import CameraMount, JointHistory, RobotPoseHistory
-from skills.perception.jobs import Shot, TagJob, TagsFound, find_tags
-from skills.perception.session import LookError, Session
-from skills.ports.actions.perception import LookFeedback
-from skills.ports.bus import Bus
-from skills.ports.compute import Compute
-from skills.ports.failure import FailureKind
-from skills.ports.geometry import compose, to_pose
-from skills.ports.grasping import standing_in_map
-from skills.ports.hardware import RgbdHeader, RobotDescription
-from skills.ports.image import decode
-from skills.ports.keys import Latest
-from skills.ports.message import RobotTime
-from skills.ports.site import Site
-from skills.ports.skill import Command, Slice
-from skills.ports.world import WORLD, Box, ItemFact, Sighting
+from tandem.skills.perception import tags
+from tandem.skills.perception.blind import BlindCheck
+from tandem.skills.perception.camera import Camera
+from tandem.skills.perception.frames import CameraMount, JointHistory, RobotPoseHistory
+from tandem.skills.perception.jobs import Shot, TagJob, TagsFound, find_tags
+from tandem.skills.perception.session import LookError, Session
+from tandem.skills.ports.actions.perception import LookFeedback
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.geometry import compose, to_pose
+from tandem.skills.ports.grasping import standing_in_map
+from tandem.skills.ports.hardware import RgbdHeader, RobotDescription
+from tandem.skills.ports.image import decode
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.skill import Command, Slice
+from tandem.skills.ports.world import WORLD, Box, ItemFact, Sighting
 
 POSE_AFTER: Final = 1.0
 """Robot seconds for joints and the robot's pose to be heard."""

@@ -7,13 +7,13 @@ from collections import deque
 from collections.abc import Mapping, Sequence
 from typing import Final
 
-from skills.ports.bus import Bus
-from skills.ports.chain import Chain
-from skills.ports.geometry import FloorPose, Pose, wrap
-from skills.ports.hardware import JointStates, RobotDescription
-from skills.ports.keys import JOINT_STATES, Latest
-from skills.ports.message import RobotTime
-from skills.ports.world import ROBOT_POSE, RobotPose
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.chain import Chain
+from tandem.skills.ports.geometry import FloorPose, Pose, wrap
+from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.keys import JOINT_STATES, Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 
 _KEPT: Final = 256
 _MAX_GAP: Final = 0.25

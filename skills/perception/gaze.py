@@ -19,11 +19,11 @@ from typing import Final, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from skills.perception.rigid import Matrix, points_from, points_in, rotation_of
-from skills.ports.geometry import Pose
-from skills.ports.hardware import CameraSensor
-from skills.ports.message import Vector3
-from skills.ports.world import Box
+from tandem.skills.perception.rigid import Matrix, points_from, points_in, rotation_of
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.hardware import CameraSensor
+from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.world import Box
 
 GAIN: Final = 0.5
 """By how much more another view must be worth for the head to turn ..."""

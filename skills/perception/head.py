@@ -8,16 +8,16 @@ from typing import Final
 
 from pydantic import ValidationError
 
-from skills.perception.aim import HEAD
-from skills.perception.frames import JointHistory
-from skills.perception.ramp import rest_to_rest
-from skills.perception.session import LookError, Session
-from skills.ports.actions.perception import LookFeedback
-from skills.ports.bus import Bus, Pending
-from skills.ports.failure import FailureKind
-from skills.ports.hardware import CancelMotion, GroupStatus, JointGroup, MotionState, TrajectoryGoal
-from skills.ports.keys import Latest, group_cancel, group_goal, group_status
-from skills.ports.skill import Command, Slice
+from tandem.skills.perception.aim import HEAD
+from tandem.skills.perception.frames import JointHistory
+from tandem.skills.perception.ramp import rest_to_rest
+from tandem.skills.perception.session import LookError, Session
+from tandem.skills.ports.actions.perception import LookFeedback
+from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.hardware import CancelMotion, GroupStatus, JointGroup, MotionState, TrajectoryGoal
+from tandem.skills.ports.keys import Latest, group_cancel, group_goal, group_status
+from tandem.skills.ports.skill import Command, Slice
 
 SETTLE: Final = 0.05
 """Robot seconds between the head's rest and the picture: what still swings, settles."""

@@ -6,13 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skills.perception import clutter, tags
-from skills.perception.open_view import in_the_open
-from skills.perception.rigid import Matrix
-from skills.ports.geometry import FloorPose, Pose, compose, conjugate, rotate, to_pose
-from skills.ports.grasping import tag_of_item
-from skills.ports.image import decode
-from skills.ports.world import Box, Sighting
+from tandem.skills.perception import clutter, tags
+from tandem.skills.perception.open_view import in_the_open
+from tandem.skills.perception.rigid import Matrix
+from tandem.skills.ports.geometry import FloorPose, Pose, compose, conjugate, rotate, to_pose
+from tandem.skills.ports.grasping import tag_of_item
+from tandem.skills.ports.image import decode
+from tandem.skills.ports.world import Box, Sighting
 
 
 @dataclass(frozen=True)

@@ -7,30 +7,30 @@ from typing import Final
 
 import numpy as np
 
-from skills.perception import clutter, cover
-from skills.perception.aim import Aim
-from skills.perception.arms import Arms
-from skills.perception.camera import Camera
-from skills.perception.cover import ViewsJob, further_views
-from skills.perception.eye import WORK_AFTER, Eye, Steps, View
-from skills.perception.frames import JointHistory, RobotPoseHistory
-from skills.perception.head import SETTLE, Head
-from skills.perception.jobs import ClutterJob, Shot, find_clutter
-from skills.perception.merge import merge
-from skills.perception.rigid import Matrix
-from skills.perception.session import Canceled, LookError, Session
-from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.compute import Compute
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import invert, to_pose, transform
-from skills.ports.hardware import RobotDescription
-from skills.ports.keys import STOP_STATE, Latest
-from skills.ports.message import RobotTime
-from skills.ports.site import Site
-from skills.ports.skill import ActionType, Run, canceled, failed, succeeded
-from skills.ports.world import CLUTTER, SCENE, SIGHTINGS, Box, Clutter, Sighting, Sightings
+from tandem.skills.perception import clutter, cover
+from tandem.skills.perception.aim import Aim
+from tandem.skills.perception.arms import Arms
+from tandem.skills.perception.camera import Camera
+from tandem.skills.perception.cover import ViewsJob, further_views
+from tandem.skills.perception.eye import WORK_AFTER, Eye, Steps, View
+from tandem.skills.perception.frames import JointHistory, RobotPoseHistory
+from tandem.skills.perception.head import SETTLE, Head
+from tandem.skills.perception.jobs import ClutterJob, Shot, find_clutter
+from tandem.skills.perception.merge import merge
+from tandem.skills.perception.rigid import Matrix
+from tandem.skills.perception.session import Canceled, LookError, Session
+from tandem.skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import invert, to_pose, transform
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.keys import STOP_STATE, Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.skill import ActionType, Run, canceled, failed, succeeded
+from tandem.skills.ports.world import CLUTTER, SCENE, SIGHTINGS, Box, Clutter, Sighting, Sightings
 
 WHERE: Final = "perception/look"
 

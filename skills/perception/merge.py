@@ -19,9 +19,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from skills.ports.geometry import Pose, angle_between, rotate, scale
-from skills.ports.message import Quaternion, Vector3
-from skills.ports.world import Sighting
+from tandem.skills.ports.geometry import Pose, angle_between, rotate, scale
+from tandem.skills.ports.message import Quaternion, Vector3
+from tandem.skills.ports.world import Sighting
 
 SAME_FACE: Final = math.radians(40.0)
 """Sightings of an item that look less apart than this are of one face; its faces are 90 degrees apart."""

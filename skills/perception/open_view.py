@@ -13,12 +13,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from skills.perception import depth
-from skills.perception.gaze import BORDER, CLOSEST
-from skills.perception.rigid import Matrix, points_in, rotation_of
-from skills.ports.geometry import Pose, compose, invert
-from skills.ports.hardware import RgbdHeader
-from skills.ports.image import RgbdImage
+from tandem.skills.perception import depth
+from tandem.skills.perception.gaze import BORDER, CLOSEST
+from tandem.skills.perception.rigid import Matrix, points_in, rotation_of
+from tandem.skills.ports.geometry import Pose, compose, invert
+from tandem.skills.ports.hardware import RgbdHeader
+from tandem.skills.ports.image import RgbdImage
 
 EDGE: Final = 8.0
 """Pixels that the tag must keep from the picture's edge: a robot's pose is some millimetres off."""

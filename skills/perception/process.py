@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from skills.perception.jobs import warm_up
-from skills.perception.look import Look
-from skills.perception.snapshot import Snapshots
-from skills.perception.track import Track
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.compute import Compute
-from skills.ports.hardware import RobotDescription
-from skills.ports.node import Node
-from skills.ports.site import Site
-from skills.server import ActionServer
+from tandem.skills.perception.jobs import warm_up
+from tandem.skills.perception.look import Look
+from tandem.skills.perception.snapshot import Snapshots
+from tandem.skills.perception.track import Track
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.node import Node
+from tandem.skills.ports.site import Site
+from tandem.skills.server import ActionServer
 
 
 def nodes(

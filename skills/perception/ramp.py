@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from skills.ports.hardware import JointLimit, TrajectoryPoint
+from tandem.skills.ports.hardware import JointLimit, TrajectoryPoint
 
 
 def rest_to_rest(

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from skills.ports.geometry import Pose, from_axes
-from skills.ports.message import Vector3
+from tandem.skills.ports.geometry import Pose, from_axes
+from tandem.skills.ports.message import Vector3
 
 Matrix = NDArray[np.float64]
 

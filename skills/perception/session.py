@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 from typing import TypeAlias
 
-from skills.ports.actions.perception import LookFeedback
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.hardware import StopState
-from skills.ports.keys import Latest
-from skills.ports.message import RobotTime
-from skills.ports.skill import Command, Slice
+from tandem.skills.ports.actions.perception import LookFeedback
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.hardware import StopState
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.skill import Command, Slice
 
 Steps: TypeAlias = Generator[LookFeedback | Slice, Command, bool]
 """A part of a run; returns whether what it waited for came true."""

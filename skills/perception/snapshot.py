@@ -6,16 +6,16 @@ from typing import Final
 
 import cv2
 
-from skills.ports.actions.perception import PICTURE
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.compute import Compute, Job
-from skills.ports.endpoint import Call, endpoint
-from skills.ports.hardware import RgbdHeader
-from skills.ports.hearing import Heard
-from skills.ports.image import decode, header_of
-from skills.ports.keys import RGBD, Nothing, Service
-from skills.ports.serving import Endpoints
+from tandem.skills.ports.actions.perception import PICTURE
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.compute import Compute, Job
+from tandem.skills.ports.endpoint import Call, endpoint
+from tandem.skills.ports.hardware import RgbdHeader
+from tandem.skills.ports.hearing import Heard
+from tandem.skills.ports.image import decode, header_of
+from tandem.skills.ports.keys import RGBD, Nothing, Service
+from tandem.skills.ports.serving import Endpoints
 
 NEXT_PICTURE: Final = Service(PICTURE, Nothing, Nothing, reads=True, exact=True)
 """Answered with a JPEG; with nothing when no picture came."""

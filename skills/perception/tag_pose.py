@@ -21,10 +21,10 @@ from typing import Final
 import cv2
 import numpy as np
 
-from skills.perception import depth as depth_image
-from skills.perception.rigid import Matrix, pose_of, skew, turn
-from skills.ports.geometry import Pose
-from skills.ports.hardware import RgbdHeader
+from tandem.skills.perception import depth as depth_image
+from tandem.skills.perception.rigid import Matrix, pose_of, skew, turn
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.hardware import RgbdHeader
 
 _CORNER_SIGMA: Final = 0.06
 """Pixels; what the edge fits leave in pictures with noise."""

@@ -11,13 +11,13 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from skills.perception import corners as edges
-from skills.perception import depth as depth_image
-from skills.perception.rigid import Matrix
-from skills.perception.tag_pose import DepthPoints, Estimate, estimate
-from skills.ports.geometry import Pose, length
-from skills.ports.image import RgbdImage
-from skills.ports.message import Vector3
+from tandem.skills.perception import corners as edges
+from tandem.skills.perception import depth as depth_image
+from tandem.skills.perception.rigid import Matrix
+from tandem.skills.perception.tag_pose import DepthPoints, Estimate, estimate
+from tandem.skills.ports.geometry import Pose, length
+from tandem.skills.ports.image import RgbdImage
+from tandem.skills.ports.message import Vector3
 
 COST: Final = 0.06
 """Robot seconds that one picture is charged in lockstep."""

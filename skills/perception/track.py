@@ -16,27 +16,27 @@ from collections.abc import Generator
 from dataclasses import dataclass, field
 from typing import Final
 
-from skills.perception.aim import Aim
-from skills.perception.camera import Camera
-from skills.perception.eye import Eye, Steps, View
-from skills.perception.frames import JointHistory, RobotPoseHistory
-from skills.perception.gaze import Gaze
-from skills.perception.head import SETTLE, Head
-from skills.perception.jobs import Shot, TagsFound
-from skills.perception.merge import things
-from skills.perception.session import Canceled, LookError, Session
-from skills.ports.actions.perception import TRACK, LookFeedback, TrackGoal, TrackResult
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.compute import Compute
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import angle_between, compose, to_pose
-from skills.ports.hardware import RobotDescription
-from skills.ports.keys import STOP_STATE, Latest
-from skills.ports.message import Quaternion, RobotTime, RobotTimer, Vector3
-from skills.ports.site import Site
-from skills.ports.skill import ActionType, Command, Run, Slice, canceled, failed
-from skills.ports.world import SIGHTINGS, Sighting, Sightings
+from tandem.skills.perception.aim import Aim
+from tandem.skills.perception.camera import Camera
+from tandem.skills.perception.eye import Eye, Steps, View
+from tandem.skills.perception.frames import JointHistory, RobotPoseHistory
+from tandem.skills.perception.gaze import Gaze
+from tandem.skills.perception.head import SETTLE, Head
+from tandem.skills.perception.jobs import Shot, TagsFound
+from tandem.skills.perception.merge import things
+from tandem.skills.perception.session import Canceled, LookError, Session
+from tandem.skills.ports.actions.perception import TRACK, LookFeedback, TrackGoal, TrackResult
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import angle_between, compose, to_pose
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.keys import STOP_STATE, Latest
+from tandem.skills.ports.message import Quaternion, RobotTime, RobotTimer, Vector3
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.skill import ActionType, Command, Run, Slice, canceled, failed
+from tandem.skills.ports.world import SIGHTINGS, Sighting, Sightings
 
 WHERE: Final = "perception/track"
 GONE_AFTER: Final = 2

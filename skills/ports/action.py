@@ -10,11 +10,11 @@ from enum import StrEnum
 
 from pydantic import JsonValue
 
-from skills.ports.failure import Failure
-from skills.ports.keys import Service, Topic
-from skills.ports.lease import Leased
-from skills.ports.message import Count, Message, RobotTime
-from skills.ports.skill import Command
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.keys import Service, Topic
+from tandem.skills.ports.lease import Leased
+from tandem.skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.skill import Command
 
 
 class GoalState(StrEnum):

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Protocol
 
-from skills.ports.lease import Lease
-from skills.ports.message import MAX_REQUEST_BYTES
+from tandem.skills.ports.lease import Lease
+from tandem.skills.ports.message import MAX_REQUEST_BYTES
 
 if TYPE_CHECKING:
-    from skills.ports.hearing import Ear
+    from tandem.skills.ports.hearing import Ear
 
 
 class Sample(Protocol):
@@ -29,7 +29,7 @@ class Sample(Protocol):
 class Request(Protocol):
     """One query that waits for its answer. Answer once; unanswered, it ends empty when dropped.
 
-    Only ``skills.ports.serving`` reads these: whether a query may do anything is decided there.
+    Only ``tandem.skills.ports.serving`` reads these: whether a query may do anything is decided there.
     """
 
     @property

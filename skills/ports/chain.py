@@ -11,8 +11,8 @@ import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from skills.ports.geometry import IDENTITY, Pose, about, compose, from_rpy, scale
-from skills.ports.message import Vector3
+from tandem.skills.ports.geometry import IDENTITY, Pose, about, compose, from_rpy, scale
+from tandem.skills.ports.message import Vector3
 
 _FIXED = "fixed"
 _TURNING = frozenset({"revolute", "continuous"})

@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import singledispatch
 from typing import Final
 
-from skills.ports.hardware import (
+from tandem.skills.ports.hardware import (
     GripperState,
     GroupStatus,
     JointStates,
@@ -18,7 +18,7 @@ from skills.ports.hardware import (
     SetPoint,
     Wrench,
 )
-from skills.ports.message import Message, RobotTime
+from tandem.skills.ports.message import Message, RobotTime
 
 LARGEST: Final = 1e6
 """No length, angle, speed or force that a robot tells is larger, in its SI unit. Beyond it sums and products

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from skills.ports.message import RobotTime
+from tandem.skills.ports.message import RobotTime
 
 
 class Clocks(Protocol):

@@ -16,7 +16,7 @@ from enum import StrEnum
 from functools import lru_cache
 from typing import Final
 
-from skills.ports.match import matches
+from tandem.skills.ports.match import matches
 
 KEPT: Final = "kept/"
 """Before the key of a state: where its publisher answers with what it said last."""

@@ -16,9 +16,9 @@ from typing import Final
 
 from pydantic import JsonValue, ValidationError
 
-from skills.ports.limits import MAX_DEPTH
-from skills.ports.message import MAX_REQUEST_BYTES
-from skills.ports.tasks import Problem
+from tandem.skills.ports.limits import MAX_DEPTH
+from tandem.skills.ports.message import MAX_REQUEST_BYTES
+from tandem.skills.ports.tasks import Problem
 
 WHOLE: Final = "(the document)"
 """The path of the document itself."""

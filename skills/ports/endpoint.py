@@ -8,9 +8,9 @@ from typing import Generic, TypeVar, cast
 
 from pydantic import JsonValue
 
-from skills.ports.keys import Service
-from skills.ports.message import Message
-from skills.ports.tasks import Problem
+from tandem.skills.ports.keys import Service
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import Problem
 
 Asked = TypeVar("Asked", bound=Message)
 Answered = TypeVar("Answered", bound=Message)

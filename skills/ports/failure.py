@@ -9,7 +9,7 @@ from typing import Final
 
 from pydantic import Field
 
-from skills.ports.message import Message, Whole
+from tandem.skills.ports.message import Message, Whole
 
 
 class FailureKind(StrEnum):

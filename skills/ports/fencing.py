@@ -6,11 +6,11 @@ import time
 from collections.abc import Callable
 from typing import Final
 
-from skills.ports.bus import Bus
-from skills.ports.documents import in_words
-from skills.ports.endpoint import Endpoint, Problems, endpoint
-from skills.ports.keys import LEASE, LEASES, Latest
-from skills.ports.lease import (
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.documents import in_words
+from tandem.skills.ports.endpoint import Endpoint, Problems, endpoint
+from tandem.skills.ports.keys import LEASE, LEASES, Latest
+from tandem.skills.ports.lease import (
     Fence,
     Lease,
     LeaseAnswer,

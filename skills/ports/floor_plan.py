@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from skills.ports.site import Site, SiteBox
+from tandem.skills.ports.site import Site, SiteBox
 
 
 class _Rectangle(NamedTuple):

@@ -11,7 +11,7 @@ from typing import Annotated
 
 from pydantic import AfterValidator
 
-from skills.ports.message import Message, Quaternion, Vector3
+from tandem.skills.ports.message import Message, Quaternion, Vector3
 
 
 def _unit(quaternion: Quaternion) -> Quaternion:

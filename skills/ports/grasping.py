@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from skills.ports.geometry import (
+from tandem.skills.ports.geometry import (
     FloorPose,
     Pose,
     about,
@@ -30,7 +30,7 @@ from skills.ports.geometry import (
     scale,
     subtract,
 )
-from skills.ports.message import Message, Quaternion, Vector3
+from tandem.skills.ports.message import Message, Quaternion, Vector3
 
 TAG_TURN: Final = from_axes((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
 """The tag on the face along the item's x: x_tag = y_item, y_tag = z_item, z_tag = x_item."""

@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from skills.ports.geometry import Pose, about, add, compose, invert, multiply, rotate, scale
-from skills.ports.grasping import AWAY, PITCHES, UP, face, grasp, tag_of_item
-from skills.ports.message import Count, Message, Vector3
-from skills.ports.site import GraspPoint
+from tandem.skills.ports.geometry import Pose, about, add, compose, invert, multiply, rotate, scale
+from tandem.skills.ports.grasping import AWAY, PITCHES, UP, face, grasp, tag_of_item
+from tandem.skills.ports.message import Count, Message, Vector3
+from tandem.skills.ports.site import GraspPoint
 
 FACES: Final = 4
 MOST_AWAY: Final = math.radians(100.0)

@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING, Final, Generic, TypeVar
 
 from pydantic import ValidationError
 
-from skills.ports.checks import LARGEST, LONGEST, misfit, too_large
-from skills.ports.message import Message, RobotTime
+from tandem.skills.ports.checks import LARGEST, LONGEST, misfit, too_large
+from tandem.skills.ports.message import Message, RobotTime
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
-    from skills.ports.bus import Bus
-    from skills.ports.hardware import RobotDescription
+    from tandem.skills.ports.bus import Bus
+    from tandem.skills.ports.hardware import RobotDescription
 
 M = TypeVar("M", bound=Message)
 V = TypeVar("V")
@@ -52,7 +52,7 @@ class Reason(StrEnum):
     OLDER = "older"
     """Its stamp lies before that of the last one, of the same boot."""
     FENCED = "fenced"
-    """Its sender holds no lease, or has been replaced (``skills.ports.lease``)."""
+    """Its sender holds no lease, or has been replaced (``tandem.skills.ports.lease``)."""
 
 
 class Ear:
@@ -111,7 +111,7 @@ class Entrance(Generic[M]):
     def read(self, key: str, payload: bytes) -> M | None:
         """Return the message, or None for one that is refused for what it says, or that is said again.
 
-        A state is said twice (``skills.ports.delivery``), for those who missed it the first time.
+        A state is said twice (``tandem.skills.ports.delivery``), for those who missed it the first time.
         """
         if self._said.get(key) == payload:
             return None

@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from skills.ports.hardware import RgbdHeader
+from tandem.skills.ports.hardware import RgbdHeader
 
 ENCODING: Final = "application/vnd.tandem.rgbd"
 _LENGTH: Final = struct.Struct("<I")

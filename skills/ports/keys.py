@@ -9,8 +9,8 @@ import math
 from dataclasses import dataclass
 from typing import Final, Generic, TypeVar
 
-from skills.ports.bus import Bus, Inbox, Pending
-from skills.ports.hardware import (
+from tandem.skills.ports.bus import Bus, Inbox, Pending
+from tandem.skills.ports.hardware import (
     Answer,
     BaseVelocity,
     Bumpers,
@@ -30,10 +30,10 @@ from skills.ports.hardware import (
     TrajectoryGoal,
     Wrench,
 )
-from skills.ports.hearing import Entrance
-from skills.ports.lease import LeaseAnswer, Leased, LeaseRequest, Leases
-from skills.ports.limits import SMALL, Limits
-from skills.ports.message import Message
+from tandem.skills.ports.hearing import Entrance
+from tandem.skills.ports.lease import LeaseAnswer, Leased, LeaseRequest, Leases
+from tandem.skills.ports.limits import SMALL, Limits
+from tandem.skills.ports.message import Message
 
 M = TypeVar("M", bound=Message)
 Asked = TypeVar("Asked", bound=Message)
@@ -67,7 +67,7 @@ class Topic(Generic[M]):
 
 @dataclass(frozen=True)
 class Service(Generic[Asked, Answered]):
-    """A key that is queried: what is asked and what is answered, as JSON (``skills.ports.serving``).
+    """A key that is queried: what is asked and what is answered, as JSON (``tandem.skills.ports.serving``).
 
     With ``reads`` it is a question: it changes nothing, so that anybody who looks around may ask it, with a
     wildcard and without a document. Otherwise it is a command. With ``exact`` it is a question whose answer
@@ -153,7 +153,7 @@ STOP_STATE: Final = Topic("hw/stop/state", StopState)
 LEASE: Final = Service("hw/lease", LeaseRequest, LeaseAnswer)
 LEASES: Final = Topic("hw/leases", Leases)
 RGBD: Final = "hw/camera/head/rgbd"
-"""Binary: see ``skills.ports.image``."""
+"""Binary: see ``tandem.skills.ports.image``."""
 
 
 def group_goal(group: str) -> Service[TrajectoryGoal, Answer]:

@@ -5,7 +5,7 @@ Every command carries the lease of its sender, and a lower epoch is refused: a p
 can't move anything, even if it lives on and does not know it. An epoch counts within one boot of the
 hardware; a lease of another boot is worth nothing and is asked for anew.
 
-This module is the arithmetic: no bus, no clock. ``skills.ports.fencing`` joins it to the bus.
+This module is the arithmetic: no bus, no clock. ``tandem.skills.ports.fencing`` joins it to the bus.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Annotated, Final
 
 from pydantic import Field
 
-from skills.ports.message import Count, Message
+from tandem.skills.ports.message import Count, Message
 
 MAX_EPOCH: Final = 2**53 - 1
 """The largest whole number that every reader of JSON keeps exactly."""

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from skills.ports.message import MAX_REQUEST_BYTES
+from tandem.skills.ports.message import MAX_REQUEST_BYTES
 
 SENDERS: Final = 256
 """Senders whose rate is remembered; the one that was silent longest is forgotten first."""

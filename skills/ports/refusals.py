@@ -6,9 +6,9 @@ from typing import Annotated, Final
 
 from pydantic import Field
 
-from skills.ports.hearing import KINDS, Ear, Reason
-from skills.ports.keys import Topic
-from skills.ports.message import MOST, Message
+from tandem.skills.ports.hearing import KINDS, Ear, Reason
+from tandem.skills.ports.keys import Topic
+from tandem.skills.ports.message import MOST, Message
 
 Count = Annotated[int, Field(ge=1, le=MOST)]
 

@@ -22,12 +22,12 @@ from typing import Final
 
 from pydantic import ValidationError
 
-from skills.ports.bus import Bus, Inbox, Request
-from skills.ports.documents import WHOLE, in_words, parse, problems_of
-from skills.ports.endpoint import AnyDocument, Call, Endpoint, Problems, Refusal
-from skills.ports.limits import Rates
-from skills.ports.message import Message
-from skills.ports.tasks import Problem
+from tandem.skills.ports.bus import Bus, Inbox, Request
+from tandem.skills.ports.documents import WHOLE, in_words, parse, problems_of
+from tandem.skills.ports.endpoint import AnyDocument, Call, Endpoint, Problems, Refusal
+from tandem.skills.ports.limits import Rates
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import Problem
 
 TOLD: Final = 20.0
 """Refusals for its rate that a sender is told in a second; more end unanswered: an answer costs more than the

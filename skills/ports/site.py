@@ -6,9 +6,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from skills.ports.geometry import FloorPose, Pose, about
-from skills.ports.message import Message, Vector3
-from skills.ports.world import Box
+from tandem.skills.ports.geometry import FloorPose, Pose, about
+from tandem.skills.ports.message import Message, Vector3
+from tandem.skills.ports.world import Box
 
 Edge = Annotated[float, Field(gt=0.0)]
 

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Generic, Protocol, TypeVar
 
-from skills.ports.failure import Failure
-from skills.ports.message import Message
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.message import Message
 
 G = TypeVar("G", bound=Message)
 F = TypeVar("F", bound=Message)

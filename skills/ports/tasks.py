@@ -7,10 +7,10 @@ from typing import Annotated, Final, Literal
 
 from pydantic import Field, JsonValue
 
-from skills.ports.failure import Failure
-from skills.ports.keys import Nothing, Service, Topic
-from skills.ports.limits import Limits
-from skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.keys import Nothing, Service, Topic
+from tandem.skills.ports.limits import Limits
+from tandem.skills.ports.message import Count, Message, RobotTime
 
 
 class TaskState(StrEnum):

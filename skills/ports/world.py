@@ -6,9 +6,9 @@ from typing import Annotated, Final, Literal
 
 from pydantic import Field
 
-from skills.ports.geometry import FloorPose, Pose
-from skills.ports.keys import Topic
-from skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.geometry import FloorPose, Pose
+from tandem.skills.ports.keys import Topic
+from tandem.skills.ports.message import Count, Message, RobotTime
 
 Side = Literal["left", "right"]
 SIDES: Final[tuple[Side, Side]] = ("left", "right")

@@ -10,8 +10,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from skills.ports.geometry import Pose, rotate, wrap
-from skills.ports.hardware import ArmsCrossing
+from tandem.skills.ports.geometry import Pose, rotate, wrap
+from tandem.skills.ports.hardware import ArmsCrossing
 
 
 @dataclass(frozen=True)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.actions.bimanual import CROSSING, Crossing
-from skills.ports.bus import Bus
-from skills.ports.keys import JOINT_STATES, Latest
-from skills.ports.message import RobotTime
-from skills.ports.world import SCENE
-from skills.reflex.watch import ArmsWatch
+from tandem.skills.ports.actions.bimanual import CROSSING, Crossing
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.keys import JOINT_STATES, Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.world import SCENE
+from tandem.skills.reflex.watch import ArmsWatch
 
 MOVING_PERIOD: Final = 0.02
 """Robot seconds between two messages while an arm moves."""

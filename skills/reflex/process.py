@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from skills.kinematics.hulls import RobotHulls
-from skills.ports.bus import Bus
-from skills.ports.hardware import RobotDescription
-from skills.ports.node import Node
-from skills.ports.site import Site
-from skills.reflex.node import CrossingReflex
-from skills.reflex.watch import ArmsWatch
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.node import Node
+from tandem.skills.ports.site import Site
+from tandem.skills.reflex.node import CrossingReflex
+from tandem.skills.reflex.watch import ArmsWatch
 
 
 def nodes(bus: Bus, description: RobotDescription, site: Site, hulls: RobotHulls) -> tuple[Node, ...]:

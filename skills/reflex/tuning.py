@@ -14,17 +14,17 @@ from typing import Final, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from skills.kinematics.batch import BatchChain
-from skills.kinematics.clearance import ArmsClearance
-from skills.kinematics.collision import CollisionChecker
-from skills.kinematics.described import home_positions
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.ik import SeedTable, Solver
-from skills.kinematics.model import Limits
-from skills.kinematics.transforms import Array, to_se3
-from skills.ports.geometry import Pose, from_rpy
-from skills.ports.hardware import ArmsCrossing, RobotDescription
-from skills.ports.world import SIDES
+from tandem.skills.kinematics.batch import BatchChain
+from tandem.skills.kinematics.clearance import ArmsClearance
+from tandem.skills.kinematics.collision import CollisionChecker
+from tandem.skills.kinematics.described import home_positions
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.ik import SeedTable, Solver
+from tandem.skills.kinematics.model import Limits
+from tandem.skills.kinematics.transforms import Array, to_se3
+from tandem.skills.ports.geometry import Pose, from_rpy
+from tandem.skills.ports.hardware import ArmsCrossing, RobotDescription
+from tandem.skills.ports.world import SIDES
 
 T = TypeVar("T")
 

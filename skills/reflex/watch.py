@@ -8,14 +8,14 @@ from typing import Final
 
 import numpy as np
 
-from skills.kinematics.clearance import ArmsClearance
-from skills.kinematics.described import carried
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.transforms import Array
-from skills.ports.hardware import ArmsCrossing, JointStates, RobotDescription
-from skills.ports.site import Site
-from skills.ports.world import SIDES, PlanningScene, SceneObject
-from skills.reflex.crossing import arms_crossing
+from tandem.skills.kinematics.clearance import ArmsClearance
+from tandem.skills.kinematics.described import carried
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.hardware import ArmsCrossing, JointStates, RobotDescription
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.world import SIDES, PlanningScene, SceneObject
+from tandem.skills.reflex.crossing import arms_crossing
 
 REACTION: Final = 0.03
 """Seconds from a message of the joints to the arms' braking: three periods."""

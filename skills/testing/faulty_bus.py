@@ -13,11 +13,11 @@ from typing import Annotated, Final, Generic, Protocol, TypeVar
 
 from pydantic import Field
 
-from skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
-from skills.ports.clocks import Clocks
-from skills.ports.hearing import Ear
-from skills.ports.lease import Lease
-from skills.ports.message import MAX_REQUEST_BYTES, Message
+from tandem.skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.hearing import Ear
+from tandem.skills.ports.lease import Lease
+from tandem.skills.ports.message import MAX_REQUEST_BYTES, Message
 
 T = TypeVar("T", Sample, Request)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from skills.ports.hardware import (
+from tandem.skills.ports.hardware import (
     CameraSensor,
     Drive,
     EndEffector,
@@ -13,7 +13,7 @@ from skills.ports.hardware import (
     Posture,
     RobotDescription,
 )
-from skills.ports.world import SIDES
+from tandem.skills.ports.world import SIDES
 
 
 def mock_description() -> RobotDescription:

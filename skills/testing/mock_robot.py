@@ -13,14 +13,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, Protocol, TypeVar
 
-from skills.ports.actions.approach import (
+from tandem.skills.ports.actions.approach import (
     ApproachFeedback,
     ApproachGoal,
     ApproachPhase,
     ApproachResult,
     approach,
 )
-from skills.ports.actions.arm import (
+from tandem.skills.ports.actions.arm import (
     ArmState,
     ArmStatus,
     MoveFeedback,
@@ -34,7 +34,7 @@ from skills.ports.actions.arm import (
     move,
     survey,
 )
-from skills.ports.actions.base import (
+from tandem.skills.ports.actions.base import (
     DRIVE,
     LOCALISE,
     ROTATE,
@@ -48,7 +48,7 @@ from skills.ports.actions.base import (
     RotateGoal,
     RotateResult,
 )
-from skills.ports.actions.bimanual import (
+from tandem.skills.ports.actions.bimanual import (
     COORDINATE,
     CROSSING,
     TWO_HANDS,
@@ -60,22 +60,22 @@ from skills.ports.actions.bimanual import (
     TwoHandsGoal,
     TwoHandsResult,
 )
-from skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
-from skills.ports.actions.perception import LOOK, TRACK, LookFeedback, LookGoal, LookResult
-from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.endpoint import answering
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import IDENTITY, FloorPose, Pose, wrap
-from skills.ports.grasping import standing_in_map
-from skills.ports.keys import DESCRIPTION
-from skills.ports.message import Message, RobotTime, Vector3
-from skills.ports.node import Node
-from skills.ports.serving import Endpoints
-from skills.ports.site import Site
-from skills.ports.skill import ActionType, Outcome, failed, succeeded
-from skills.ports.world import (
+from tandem.skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
+from tandem.skills.ports.actions.perception import LOOK, TRACK, LookFeedback, LookGoal, LookResult
+from tandem.skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.endpoint import answering
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import IDENTITY, FloorPose, Pose, wrap
+from tandem.skills.ports.grasping import standing_in_map
+from tandem.skills.ports.keys import DESCRIPTION
+from tandem.skills.ports.message import Message, RobotTime, Vector3
+from tandem.skills.ports.node import Node
+from tandem.skills.ports.serving import Endpoints
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.skill import ActionType, Outcome, failed, succeeded
+from tandem.skills.ports.world import (
     ROBOT_POSE,
     SCENE,
     SIDES,
@@ -91,10 +91,10 @@ from skills.ports.world import (
     Sighting,
     WorldState,
 )
-from skills.server import ActionServer
-from skills.testing.mock_description import mock_description
-from skills.testing.mock_skill import Fault, MockSkill
-from skills.testing.mock_zones import mock_zones
+from tandem.skills.server import ActionServer
+from tandem.skills.testing.mock_description import mock_description
+from tandem.skills.testing.mock_skill import Fault, MockSkill
+from tandem.skills.testing.mock_zones import mock_zones
 
 G = TypeVar("G", bound=Message)
 F = TypeVar("F", bound=Message)

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Generic
 
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.failure import Failure
-from skills.ports.message import Message
-from skills.ports.skill import ActionType, Command, F, G, Outcome, R, Run, canceled, failed
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.skill import ActionType, Command, F, G, Outcome, R, Run, canceled, failed
 
 
 @dataclass(frozen=True)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.actions.bimanual import ZoneRow, Zones
-from skills.ports.message import RobotTime
+from tandem.skills.ports.actions.bimanual import ZoneRow, Zones
+from tandem.skills.ports.message import RobotTime
 
 CELL: Final = 0.1
 NEAREST: Final = 0.3

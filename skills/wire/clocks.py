@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import time
 
-from skills.ports.bus import Bus
-from skills.ports.hardware import Clock
-from skills.ports.keys import CLOCK, Latest
-from skills.ports.message import RobotTime, RobotTimer
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.hardware import Clock
+from tandem.skills.ports.keys import CLOCK, Latest
+from tandem.skills.ports.message import RobotTime, RobotTimer
 
 
 class ProcessClocks:

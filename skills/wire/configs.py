@@ -8,8 +8,8 @@ from typing import Final
 
 import zenoh
 
-from skills.ports.delivery import LARGE
-from skills.wire.credentials import Credentials
+from tandem.skills.ports.delivery import LARGE
+from tandem.skills.wire.credentials import Credentials
 
 QUEUE: Final = {"data": 16, "data_low": 16}
 """Batches of 64 KiB that may wait for a link, by priority; 16 is zenoh's most. Each small message takes one,

@@ -6,7 +6,7 @@ from collections import OrderedDict
 from collections.abc import Callable, Iterator
 from typing import Final
 
-from skills.ports.delivery import AGAIN_AFTER, KEPT_KEYS
+from tandem.skills.ports.delivery import AGAIN_AFTER, KEPT_KEYS
 
 AT_ONCE: Final = 8
 """States that are said again with one beat, and questions that are answered: a turn must stay short."""

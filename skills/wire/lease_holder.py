@@ -12,13 +12,13 @@ from typing import Final
 
 from pydantic import ValidationError
 
-from skills.ports.bus import Pending
-from skills.ports.clocks import Clocks
-from skills.ports.keys import LEASE, LEASES, Latest
-from skills.ports.lease import Claim, LeaseAnswer, LeaseRequest, Leases
-from skills.ports.node import Node
-from skills.wire.presence import Presence, RivalError
-from skills.wire.zenoh_bus import ZenohBus
+from tandem.skills.ports.bus import Pending
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.keys import LEASE, LEASES, Latest
+from tandem.skills.ports.lease import Claim, LeaseAnswer, LeaseRequest, Leases
+from tandem.skills.ports.node import Node
+from tandem.skills.wire.presence import Presence, RivalError
+from tandem.skills.wire.zenoh_bus import ZenohBus
 
 ASK_WITHIN: Final = 0.5
 """Host seconds after which an unanswered question is asked again. The hardware answers once a period (10

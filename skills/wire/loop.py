@@ -10,11 +10,11 @@ import gc
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from skills.ports.keys import Topic
-from skills.ports.message import Count, Message
-from skills.ports.node import Node
-from skills.wire.clocks import ProcessClocks
-from skills.wire.zenoh_bus import ZenohBus
+from tandem.skills.ports.keys import Topic
+from tandem.skills.ports.message import Count, Message
+from tandem.skills.ports.node import Node
+from tandem.skills.wire.clocks import ProcessClocks
+from tandem.skills.wire.zenoh_bus import ZenohBus
 
 IDLE_WAIT: Final = 0.05
 """Host seconds after which nodes are stepped although nothing came: liveliness and time-outs of links."""

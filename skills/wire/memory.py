@@ -7,12 +7,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
-from skills.ports.hearing import Ear
-from skills.ports.lease import Lease
-from skills.ports.match import intersects, matches
-from skills.ports.message import MAX_REQUEST_BYTES
-from skills.wire.keyed_queue import DESK_DEPTH
+from tandem.skills.ports.bus import Desk, Inbox, Pending, Request, Sample
+from tandem.skills.ports.hearing import Ear
+from tandem.skills.ports.lease import Lease
+from tandem.skills.ports.match import intersects, matches
+from tandem.skills.ports.message import MAX_REQUEST_BYTES
+from tandem.skills.wire.keyed_queue import DESK_DEPTH
 
 
 @dataclass(frozen=True)
@@ -200,7 +200,7 @@ class MemoryHub:
 
 
 class MemoryBus:
-    """One node's end of a ``MemoryHub``; implements ``skills.ports.bus.Bus``."""
+    """One node's end of a ``MemoryHub``; implements ``tandem.skills.ports.bus.Bus``."""
 
     def __init__(self, hub: MemoryHub | None = None) -> None:
         """Join ``hub``, or a new one."""

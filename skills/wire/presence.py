@@ -21,8 +21,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, Literal
 
-from skills.ports.lease import Claim, claim_name, present_claims
-from skills.wire.zenoh_bus import ZenohBus
+from tandem.skills.ports.lease import Claim, claim_name, present_claims
+from tandem.skills.wire.zenoh_bus import ZenohBus
 
 CLAIMS: Final = "claim"
 LOOK_WITHIN: Final = 2.0

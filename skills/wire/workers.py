@@ -8,8 +8,8 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import dataclass
 from typing import Generic
 
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.compute import Argument, Job, Result
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.compute import Argument, Job, Result
 
 
 @dataclass(frozen=True)

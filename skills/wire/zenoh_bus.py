@@ -13,18 +13,18 @@ from typing import Final
 
 import zenoh
 
-from skills.ports.bus import Desk, Inbox, Pending, Request, Sample
-from skills.ports.delivery import KEPT, LARGE, Delivery, delivery_of
-from skills.ports.hearing import Ear
-from skills.ports.lease import Lease
-from skills.ports.message import MAX_REQUEST_BYTES
-from skills.ports.refusals import REFUSALS, RefusalTeller
-from skills.wire.configs import client_config
-from skills.wire.credentials import Credentials
-from skills.wire.kept import AT_ONCE, Kept
-from skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
-from skills.wire.memory import MemorySample
-from skills.wire.pulse import BEAT, SILENT_AFTER, Pulse
+from tandem.skills.ports.bus import Desk, Inbox, Pending, Request, Sample
+from tandem.skills.ports.delivery import KEPT, LARGE, Delivery, delivery_of
+from tandem.skills.ports.hearing import Ear
+from tandem.skills.ports.lease import Lease
+from tandem.skills.ports.message import MAX_REQUEST_BYTES
+from tandem.skills.ports.refusals import REFUSALS, RefusalTeller
+from tandem.skills.wire.configs import client_config
+from tandem.skills.wire.credentials import Credentials
+from tandem.skills.wire.kept import AT_ONCE, Kept
+from tandem.skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
+from tandem.skills.wire.memory import MemorySample
+from tandem.skills.wire.pulse import BEAT, SILENT_AFTER, Pulse
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 PROCESS: Final = "process/"

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from skills.ports.geometry import Pose, about, distance, rotate
-from skills.ports.grasping import standing_in_map, tag_of_item
-from skills.ports.message import RobotTime, Vector3
-from skills.ports.site import Site
-from skills.ports.world import (
+from tandem.skills.ports.geometry import Pose, about, distance, rotate
+from tandem.skills.ports.grasping import standing_in_map, tag_of_item
+from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.world import (
     Box,
     Clutter,
     HeldItem,
@@ -23,9 +23,9 @@ from skills.ports.world import (
     Sighting,
     WorldState,
 )
-from skills.world import clutter, recorder
-from skills.world.doubles import Doubles, matched
-from skills.world.journal import Remembered
+from tandem.skills.world import clutter, recorder
+from tandem.skills.world.doubles import Doubles, matched
+from tandem.skills.world.journal import Remembered
 
 MOVED: Final = 0.02
 """Metres between two sightings from which on the item has moved, however badly it is seen now."""

@@ -6,9 +6,9 @@ from collections.abc import Iterable, Sequence
 from itertools import product
 from typing import Final
 
-from skills.ports.geometry import invert, transform
-from skills.ports.message import Vector3
-from skills.ports.world import Box
+from tandem.skills.ports.geometry import invert, transform
+from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.world import Box
 
 _SLACK: Final = 0.02
 """Metres: a box that sticks out of another by less than this says nothing new."""

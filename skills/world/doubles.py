@@ -11,8 +11,8 @@ import math
 from collections.abc import Collection, Iterable, Sequence
 from typing import Final
 
-from skills.ports.message import RobotTime, Vector3
-from skills.ports.world import Box, ItemFact
+from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.world import Box, ItemFact
 
 MOST: Final = 8
 """Doubles of one number that are kept, the newest: more are a mistake, and each is an obstacle to check."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.skill import ActionType, Run, failed, succeeded
-from skills.ports.world import Placed
-from skills.world.beliefs import Saved
-from skills.world.keeper import Keeper
+from tandem.skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.skill import ActionType, Run, failed, succeeded
+from tandem.skills.ports.world import Placed
+from tandem.skills.world.beliefs import Saved
+from tandem.skills.world.keeper import Keeper
 
 WHERE: Final = "world/edit"
 

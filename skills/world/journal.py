@@ -17,9 +17,9 @@ from typing import Final
 
 from pydantic import ValidationError
 
-from skills.journal_file import JournalFile
-from skills.ports.message import Count, Message
-from skills.ports.world import Box, HeldItem, ItemFact, Placed
+from tandem.skills.journal_file import JournalFile
+from tandem.skills.ports.message import Count, Message
+from tandem.skills.ports.world import Box, HeldItem, ItemFact, Placed
 
 COMPACT_AFTER: Final = 1000
 """Lines after which the file is rewritten."""

@@ -5,15 +5,15 @@ from __future__ import annotations
 import logging
 from typing import Final
 
-from skills.ports.actions.gripper import HandState, HandStatus, hand_status
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.keys import Latest
-from skills.ports.message import RobotTime
-from skills.ports.site import Site
-from skills.ports.world import CLUTTER, SCENE, SIDES, SIGHTINGS, WORLD, Side
-from skills.world.beliefs import Beliefs
-from skills.world.journal import Journal
+from tandem.skills.ports.actions.gripper import HandState, HandStatus, hand_status
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.world import CLUTTER, SCENE, SIDES, SIGHTINGS, WORLD, Side
+from tandem.skills.world.beliefs import Beliefs
+from tandem.skills.world.journal import Journal
 
 log = logging.getLogger(__name__)
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.node import Node
-from skills.ports.site import Site
-from skills.server import ActionServer
-from skills.world.edit import Edit
-from skills.world.journal import Journal
-from skills.world.keeper import Keeper
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.node import Node
+from tandem.skills.ports.site import Site
+from tandem.skills.server import ActionServer
+from tandem.skills.world.edit import Edit
+from tandem.skills.world.journal import Journal
+from tandem.skills.world.keeper import Keeper
 
 
 def nodes(

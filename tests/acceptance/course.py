@@ -8,15 +8,15 @@ from dataclasses import dataclass, field
 
 import pybullet
 
-from executive.demo import Caller
-from executive.report import walk
-from executive.systems import LockstepSystem
-from sim.scenario import Scenario
-from sim.truth import Truth, lies_on
-from skills.ports.action import GoalStatus
-from skills.ports.keys import Latest
-from skills.ports.site import Site
-from skills.ports.tasks import (
+from tandem.executive.demo import Caller
+from tandem.executive.report import walk
+from tandem.executive.systems import LockstepSystem
+from tandem.sim.scenario import Scenario
+from tandem.sim.truth import Truth, lies_on
+from tandem.skills.ports.action import GoalStatus
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import (
     TASK_CANCEL,
     TASK_LIST,
     TASK_STATUS,
@@ -29,8 +29,8 @@ from skills.ports.tasks import (
     TaskStatus,
     TreeSnapshot,
 )
-from skills.ports.world import WORLD, WorldState
-from skills.site import load
+from tandem.skills.ports.world import WORLD, WorldState
+from tandem.skills.site import load
 
 REST_FOR = 0.5
 """Robot seconds over which a robot at rest must not have moved."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 import sys
 
-from executive.lockstep import Digest, Lockstep
-from sim.scenario import load_scenario
-from skills.ports.geometry import FloorPose
-from skills.ports.tasks import REQUEST
+from tandem.executive.lockstep import Digest, Lockstep
+from tandem.sim.scenario import load_scenario
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.tasks import REQUEST
 
 BEFORE_THE_TABLE = FloorPose(x=-0.55, y=0.50, yaw=0.0)
 

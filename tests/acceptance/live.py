@@ -14,17 +14,17 @@ from pathlib import Path
 
 import yaml
 
-from executive.options import BusOptions, RunOptions
-from executive.parts import Role
-from executive.processes import Supervisor
-from executive.settings import WorkerSettings
-from executive.systems import ProcessSystem, wait_for
-from sim.scenario import Scenario
-from skills.ports.tasks import REQUEST, TASK_LIST, AskTasks, TaskAnswer, TaskList
+from tandem.executive.options import BusOptions, RunOptions
+from tandem.executive.parts import Role
+from tandem.executive.processes import Supervisor
+from tandem.executive.settings import WorkerSettings
+from tandem.executive.systems import ProcessSystem, wait_for
+from tandem.sim.scenario import Scenario
+from tandem.skills.ports.tasks import REQUEST, TASK_LIST, AskTasks, TaskAnswer, TaskList
 from tests.fakes.ports import free_endpoint
 
 ROOT = Path(__file__).parents[2]
-COMMAND = [sys.executable, "-c", "from executive.cli.main import run; run()"]
+COMMAND = [sys.executable, "-c", "from tandem.executive.cli.main import run; run()"]
 _STATE = tempfile.TemporaryDirectory(prefix="tandem-state-")
 ENVIRONMENT = os.environ | {"PYTHONPATH": str(ROOT), "XDG_STATE_HOME": _STATE.name}
 """Of commands under test: what they keep goes with the tests."""

@@ -10,28 +10,28 @@ from pathlib import Path
 
 import pytest
 
-from executive.cli.exit_codes import ExitCode
-from executive.demo import Caller
-from executive.ledger.sqlite import FILE, SqliteLedger
-from executive.options import RunOptions
-from executive.parts import ROLES, Role
-from executive.processes import RESTARTS
-from executive.systems import LedgerFailure, ProcessSystem, RefusedError, SystemFailure, wait_for
-from sim.scenario import load_scenario
-from sim.truth import lies_on
-from skills.ports.action import GoalState, status_topic
-from skills.ports.actions.arm import move
-from skills.ports.actions.base import DRIVE
-from skills.ports.actions.perception import LOOK
-from skills.ports.actions.world import EDIT
-from skills.ports.geometry import FloorPose
-from skills.ports.keys import Latest
-from skills.ports.tasks import (
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.demo import Caller
+from tandem.executive.ledger.sqlite import FILE, SqliteLedger
+from tandem.executive.options import RunOptions
+from tandem.executive.parts import ROLES, Role
+from tandem.executive.processes import RESTARTS
+from tandem.executive.systems import LedgerFailure, ProcessSystem, RefusedError, SystemFailure, wait_for
+from tandem.sim.scenario import load_scenario
+from tandem.sim.truth import lies_on
+from tandem.skills.ports.action import GoalState, status_topic
+from tandem.skills.ports.actions.arm import move
+from tandem.skills.ports.actions.base import DRIVE
+from tandem.skills.ports.actions.perception import LOOK
+from tandem.skills.ports.actions.world import EDIT
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.tasks import (
     TaskState,
     TaskStatus,
     task_status,
 )
-from skills.site import load
+from tandem.skills.site import load
 from tests.acceptance.live import (
     COMMAND,
     ENVIRONMENT,

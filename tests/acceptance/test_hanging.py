@@ -9,10 +9,10 @@ from collections.abc import Iterator
 import pytest
 
 from benchmarks.hanging import Moving, stands
-from executive.options import RunOptions
-from executive.parts import Role
-from executive.systems import ProcessSystem
-from skills.ports.action import GoalState
+from tandem.executive.options import RunOptions
+from tandem.executive.parts import Role
+from tandem.executive.systems import ProcessSystem
+from tandem.skills.ports.action import GoalState
 from tests.acceptance.live import go_on, own_bus
 
 pytestmark = [pytest.mark.processes, pytest.mark.xdist_group("processes")]

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from sim.scenario import load_scenario
-from skills.ports.geometry import FloorPose
-from skills.ports.tasks import TaskState
+from tandem.sim.scenario import load_scenario
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.tasks import TaskState
 from tests.acceptance.course import STILL, Course, course
 
 pytestmark = [pytest.mark.lockstep, pytest.mark.xdist_group("cancel")]

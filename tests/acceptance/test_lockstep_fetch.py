@@ -6,12 +6,12 @@ import math
 
 import pytest
 
-from sim.scenario import load_scenario
-from sim.things import TrueItem
-from skills.ports.failure import FailureKind
-from skills.ports.geometry import FloorPose, wrap, yaw_of
-from skills.ports.tasks import TaskState
-from skills.site import load
+from tandem.sim.scenario import load_scenario
+from tandem.sim.things import TrueItem
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.geometry import FloorPose, wrap, yaw_of
+from tandem.skills.ports.tasks import TaskState
+from tandem.skills.site import load
 from tests.acceptance.course import Course, course
 
 pytestmark = pytest.mark.lockstep

@@ -9,12 +9,12 @@ from pathlib import Path
 
 import pytest
 
-from sim.controls import FAULTS
-from sim.faults import HandOpens, ItemLifted
-from sim.scenario import load_scenario
-from skills.ports.geometry import FloorPose
-from skills.ports.keys import Latest
-from skills.ports.tasks import TaskState
+from tandem.sim.controls import FAULTS
+from tandem.sim.faults import HandOpens, ItemLifted
+from tandem.sim.scenario import load_scenario
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.tasks import TaskState
 from tests.acceptance.course import STILL, course
 
 pytestmark = pytest.mark.lockstep
@@ -57,7 +57,7 @@ def test_a_drawn_trouble_ends_as_it_must(tmp_path: Path, what: str, arguments: l
     report = tmp_path / "campaign.json"
     command = ["campaign", "recovery", *arguments, "--seed", "1", "--jobs", "1"]
     argv = ["tandem", *command, "--report", str(report)]
-    program = f"import sys; sys.argv = {argv!r}; from executive.cli.main import run; run()"
+    program = f"import sys; sys.argv = {argv!r}; from tandem.executive.cli.main import run; run()"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert json.loads(report.read_text("utf-8"))["result"][what] == 1

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import pytest
 
-from sim.controls import RESET, ResetRequest
-from sim.scenario import load_scenario
-from skills.ports.geometry import FloorPose
-from skills.ports.tasks import TaskState
-from skills.ports.world import WorldState
+from tandem.sim.controls import RESET, ResetRequest
+from tandem.sim.scenario import load_scenario
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.tasks import TaskState
+from tandem.skills.ports.world import WorldState
 from tests.acceptance.course import Course, course
 
 pytestmark = pytest.mark.lockstep

@@ -8,22 +8,22 @@ from pathlib import Path
 
 import pytest
 
-from executive.cli.exit_codes import ExitCode
-from executive.demo import Caller
-from executive.options import RunOptions
-from executive.parts import Role
-from executive.systems import ProcessSystem
-from sim.scenario import load_scenario
-from sim.truth import lies_on
-from skills.ports.geometry import FloorPose
-from skills.ports.keys import Latest
-from skills.ports.tasks import (
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.demo import Caller
+from tandem.executive.options import RunOptions
+from tandem.executive.parts import Role
+from tandem.executive.systems import ProcessSystem
+from tandem.sim.scenario import load_scenario
+from tandem.sim.truth import lies_on
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.tasks import (
     REQUEST,
     TASK_ANSWERS,
     TaskAnswer,
     TaskState,
 )
-from skills.site import load
+from tandem.skills.site import load
 from tests.acceptance.live import (
     COMMAND,
     ENVIRONMENT,

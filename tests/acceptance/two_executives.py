@@ -26,14 +26,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from executive.campaigns.crash_world import DEEDS, ITEM, Deed
-from executive.processes import Supervisor
-from executive.settings import REFUSED, WorkerSettings
-from skills.ports.bus import Pending
-from skills.ports.keys import Nothing
-from skills.ports.lease import present_claims
-from skills.ports.tasks import REQUEST, TASK_INFO, TaskAnswer
-from skills.wire.zenoh_bus import BusError, ZenohBus, wait_until
+from tandem.executive.campaigns.crash_world import DEEDS, ITEM, Deed
+from tandem.executive.processes import Supervisor
+from tandem.executive.settings import REFUSED, WorkerSettings
+from tandem.skills.ports.bus import Pending
+from tandem.skills.ports.keys import Nothing
+from tandem.skills.ports.lease import present_claims
+from tandem.skills.ports.tasks import REQUEST, TASK_INFO, TaskAnswer
+from tandem.skills.wire.zenoh_bus import BusError, ZenohBus, wait_until
 from tests.fakes.ports import free_endpoint
 
 PREFIX: Final = "pairs/mock"

@@ -10,10 +10,8 @@ from types import ModuleType
 import pytest
 from pydantic import JsonValue, TypeAdapter
 
-import sim
-import skills
-import trees
-from skills.ports.message import MOST, Message
+from tandem import sim, skills, trees
+from tandem.skills.ports.message import MOST, Message
 
 _ADAPTER: TypeAdapter[JsonValue] = TypeAdapter(JsonValue)
 

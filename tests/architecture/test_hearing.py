@@ -35,7 +35,9 @@ def called(path: Path) -> set[str]:
 def test_nobody_reads_what_has_not_been_checked(path: Path) -> None:
     name = str(path.relative_to(ROOT))
     if "subscribe" in called(path):
-        assert name in MAY_SUBSCRIBE, "hear through skills.ports.keys.Latest or skills.ports.hearing.Heard"
+        assert name in MAY_SUBSCRIBE, (
+            "hear through tandem.skills.ports.keys.Latest or tandem.skills.ports.hearing.Heard"
+        )
 
 
 def test_the_list_is_of_files_that_subscribe() -> None:

@@ -9,40 +9,50 @@ import sys
 import pytest
 
 HEAVY = ("numpy", "cv2", "ompl", "pinocchio", "coal", "pybullet", "ruckig", "yaml")
+ROOMS = {"executive", "skills", "sim", "trees"}
+"""Folders of the repository: what is in them is imported as ``tandem.<room>``."""
 CASES = {
-    "trees load no vendor but py_trees": ("trees.registry", "discover()", (*HEAVY, "zenoh")),
+    "trees load no vendor but py_trees": ("tandem.trees.registry", "discover()", (*HEAVY, "zenoh")),
     "the executive loads nothing heavy": (
-        "executive.service",
+        "tandem.executive.service",
         "Executive",
         tuple(name for name in HEAVY if name != "yaml"),
     ),
     "the executive's loop loads nothing heavy": (
-        "skills.wire.loop",
+        "tandem.skills.wire.loop",
         "run",
         tuple(name for name in HEAVY if name != "yaml"),
     ),
     "the vocabulary loads pydantic alone": (
-        "skills.ports.tasks",
+        "tandem.skills.ports.tasks",
         "TASK_STATUS",
         (*HEAVY, "zenoh", "py_trees"),
     ),
     "a process loads nothing that keeps records": (
-        "executive.worker",
+        "tandem.executive.worker",
         "main",
         ("prometheus_client", "opentelemetry", *HEAVY[:-1]),
     ),
     "the client loads no tree and nothing heavy": (
-        "executive.client.sync",
+        "tandem.executive.client.sync",
         "Client",
         (*HEAVY[:-1], "py_trees"),
     ),
-    "the client of asyncio does neither": ("executive.client.aio", "AsyncClient", (*HEAVY[:-1], "py_trees")),
+    "the client of asyncio does neither": (
+        "tandem.executive.client.aio",
+        "AsyncClient",
+        (*HEAVY[:-1], "py_trees"),
+    ),
     "the base loads no camera and no arm": (
-        "skills.base.process",
+        "tandem.skills.base.process",
         "build",
         ("cv2", "ompl", "pinocchio", "pybullet"),
     ),
-    "perception loads no arm": ("skills.perception.process", "nodes", ("ompl", "pinocchio", "pybullet")),
+    "perception loads no arm": (
+        "tandem.skills.perception.process",
+        "nodes",
+        ("ompl", "pinocchio", "pybullet"),
+    ),
 }
 
 
@@ -52,3 +62,4 @@ def test_a_process_loads_no_more_than_it_needs(module: str, use: str, forbidden:
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     loaded = {name.split(".")[0] for name in json.loads(done.stdout.splitlines()[-1])}
     assert sorted(loaded & set(forbidden)) == []
+    assert sorted(loaded & ROOMS) == [], "a module that is imported under two names exists twice"

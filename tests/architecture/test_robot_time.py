@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from skills.ports.message import RobotTime
+from tandem.skills.ports.message import RobotTime
 
 ROOT = Path(__file__).parents[2]
 ROOMS = ("executive", "skills", "sim", "trees")

@@ -87,7 +87,8 @@ def test_truth_is_read_by_tests_and_reports_only() -> None:
     readers = {
         str(path.relative_to(ROOT))
         for path in sources()
-        if "sim.truth" in path.read_text("utf-8") and not str(path.relative_to(ROOT)).startswith("sim/")
+        if "tandem.sim.truth" in path.read_text("utf-8")
+        and not str(path.relative_to(ROOT)).startswith("sim/")
     }
     assert readers <= {
         "executive/demo.py",

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from benchmarks.figures import fill, main, names
-from executive.figures import Figures, write_figures
-from executive.provenance import Provenance, provenance
-from skills.ports.message import Message
+from tandem.executive.figures import Figures, write_figures
+from tandem.executive.provenance import Provenance, provenance
+from tandem.skills.ports.message import Message
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted((ROOT / "docs").glob("*.md"))

@@ -8,13 +8,13 @@ import pytest
 
 from benchmarks import arm_planning, ledger, reaction, stillness, ticks
 from benchmarks.rows import Row
-from skills.ports.action import GoalState, GoalStatus
-from skills.ports.geometry import FloorPose
-from skills.ports.hardware import JointStates, Odometry
-from skills.ports.keys import JOINT_STATES, ODOMETRY
-from skills.ports.message import RobotTime
-from skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus
-from skills.wire.memory import MemoryBus
+from tandem.skills.ports.action import GoalState, GoalStatus
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.hardware import JointStates, Odometry
+from tandem.skills.ports.keys import JOINT_STATES, ODOMETRY
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus
+from tandem.skills.wire.memory import MemoryBus
 
 
 def told(rows: list[Row]) -> dict[str, Row]:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 
 from benchmarks.standing import STILL, Motion
-from sim.robot import compose_robot
-from skills.ports.geometry import FloorPose
-from skills.ports.hardware import BaseVelocity, JointStates, Odometry
-from skills.ports.keys import BASE_VELOCITY, JOINT_STATES, ODOMETRY
-from skills.ports.message import RobotTime
-from skills.wire.memory import MemoryBus
+from tandem.sim.robot import compose_robot
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.hardware import BaseVelocity, JointStates, Odometry
+from tandem.skills.ports.keys import BASE_VELOCITY, JOINT_STATES, ODOMETRY
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.wire.memory import MemoryBus
 
 DESCRIPTION = compose_robot().description
 LIMIT = DESCRIPTION.group("arm_left").limits[0]

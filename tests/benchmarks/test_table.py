@@ -13,9 +13,9 @@ import pytest
 from benchmarks.machine import Others, descendants, memory
 from benchmarks.rows import Row, quantile, spread
 from benchmarks.run import names, page, table
-from executive.cli import bench_command
-from executive.cli.errors import CommandError
-from executive.cli.main import main
+from tandem.executive.cli import bench_command
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.main import main
 
 
 @pytest.mark.parametrize(

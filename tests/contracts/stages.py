@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
-from skills.gripper.process import nodes as gripper_nodes
-from skills.ports.action import (
+from tandem.skills.gripper.process import nodes as gripper_nodes
+from tandem.skills.ports.action import (
     AskResult,
     GoalCommand,
     GoalStatus,
@@ -16,22 +16,22 @@ from skills.ports.action import (
     goal_service,
     result_service,
 )
-from skills.ports.actions.base import RotateGoal
-from skills.ports.actions.gripper import Grip, GripGoal
-from skills.ports.bus import Pending
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import FloorPose
-from skills.ports.hardware import Clock
-from skills.ports.keys import CLOCK
-from skills.ports.message import Message
-from skills.ports.skill import ActionType, Command, Skill, failed, succeeded
-from skills.server import ActionServer
-from skills.site import load
-from skills.testing.mock_description import mock_description
-from skills.testing.mock_skill import MockSkill
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
-from skills.world.process import nodes as world_nodes
+from tandem.skills.ports.actions.base import RotateGoal
+from tandem.skills.ports.actions.gripper import Grip, GripGoal
+from tandem.skills.ports.bus import Pending
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.hardware import Clock
+from tandem.skills.ports.keys import CLOCK
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.skill import ActionType, Command, Skill, failed, succeeded
+from tandem.skills.server import ActionServer
+from tandem.skills.site import load
+from tandem.skills.testing.mock_description import mock_description
+from tandem.skills.testing.mock_skill import MockSkill
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
+from tandem.skills.world.process import nodes as world_nodes
 from tests.fakes.arm_rig import PANDA_HOME, ArmRig, panda
 from tests.fakes.base_rig import make_rig
 from tests.fakes.planar_robot import PlanarNoise

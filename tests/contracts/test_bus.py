@@ -8,12 +8,12 @@ from dataclasses import dataclass
 
 import pytest
 
-from skills.ports.bus import Bus
-from skills.testing.faulty_bus import BusFaults, FaultyBus
-from skills.wire.clocks import SteppedClocks
-from skills.wire.configs import router_config
-from skills.wire.memory import MemoryBus, MemoryHub
-from skills.wire.zenoh_bus import ZenohBus, open_session
+from tandem.skills.ports.bus import Bus
+from tandem.skills.testing.faulty_bus import BusFaults, FaultyBus
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.configs import router_config
+from tandem.skills.wire.memory import MemoryBus, MemoryHub
+from tandem.skills.wire.zenoh_bus import ZenohBus, open_session
 from tests.fakes.ports import free_endpoint
 
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 
 import pytest
 
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.hardware import Clock
-from skills.ports.keys import CLOCK
-from skills.ports.message import RobotTime
-from skills.wire.clocks import ProcessClocks, SteppedClocks
-from skills.wire.memory import MemoryBus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.hardware import Clock
+from tandem.skills.ports.keys import CLOCK
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.wire.clocks import ProcessClocks, SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
 
 
 @dataclass

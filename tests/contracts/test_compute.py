@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import pytest
 
-from skills.ports.compute import Compute
-from skills.wire.clocks import SteppedClocks
-from skills.wire.workers import InlineCompute, ProcessCompute
-from skills.wire.zenoh_bus import Waker
+from tandem.skills.ports.compute import Compute
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.workers import InlineCompute, ProcessCompute
+from tandem.skills.wire.zenoh_bus import Waker
 
 
 @dataclass

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from executive.ledger.memory import PAST, MemoryLedger
-from executive.ledger.port import Entry, Ledger, Reading, SentGoal, Transition
-from executive.ledger.sqlite import SqliteLedger
-from executive.ledger.stubs import same_request
-from skills.ports.tasks import AskHistory, TaskState, TaskStatus
+from tandem.executive.ledger.memory import PAST, MemoryLedger
+from tandem.executive.ledger.port import Entry, Ledger, Reading, SentGoal, Transition
+from tandem.executive.ledger.sqlite import SqliteLedger
+from tandem.executive.ledger.stubs import same_request
+from tandem.skills.ports.tasks import AskHistory, TaskState, TaskStatus
 
 S = TaskState
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from skills.goal_journal import KEPT, GoalJournal
-from skills.ports.action import (
+from tandem.skills.goal_journal import KEPT, GoalJournal
+from tandem.skills.ports.action import (
     AskResult,
     GoalCommand,
     GoalState,
@@ -15,14 +15,14 @@ from skills.ports.action import (
     goal_service,
     result_service,
 )
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.keys import LEASES
-from skills.ports.lease import Claim, Held, Lease, Leases
-from skills.ports.message import Message
-from skills.ports.skill import ActionType, Command, Run
-from skills.server import ActionServer
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.keys import LEASES
+from tandem.skills.ports.lease import Claim, Held, Lease, Leases
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.skill import ActionType, Command, Run
+from tandem.skills.server import ActionServer
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
 
 
 class Nothing(Message):

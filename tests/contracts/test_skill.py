@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from skills.ports.action import GoalState, GoalStatus, goal_service, status_topic
-from skills.ports.failure import FailureKind
-from skills.ports.skill import Command
-from skills.wire.memory import MemoryBus
+from tandem.skills.ports.action import GoalState, GoalStatus, goal_service, status_topic
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.skill import Command
+from tandem.skills.wire.memory import MemoryBus
 from tests.contracts import stages
 from tests.contracts.stages import Stage
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from skills.ports.action import (
+from tandem.skills.ports.action import (
     AskResult,
     GoalCommand,
     GoalState,
@@ -12,12 +12,12 @@ from skills.ports.action import (
     goal_service,
     result_service,
 )
-from skills.ports.failure import Failure
-from skills.ports.message import Message
-from skills.ports.skill import ActionType, Command, Run, canceled
-from skills.server import ORPHANED_AFTER, ActionServer
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus, MemoryHub
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.skill import ActionType, Command, Run, canceled
+from tandem.skills.server import ORPHANED_AFTER, ActionServer
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus, MemoryHub
 
 
 class Nothing(Message):

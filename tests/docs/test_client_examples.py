@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from executive.client.sync import Client
+from tandem.executive.client.sync import Client
 from tests.fakes.mocked import mocked_system
 from tests.fakes.ports import free_endpoint
 

@@ -11,22 +11,22 @@ import pytest
 from py_trees.common import Status
 from pydantic import TypeAdapter
 
-from executive.testing import TreeBench
-from skills.gripper.grip import Gripping
-from skills.ports.actions.gripper import Grip, GripGoal, grip
-from skills.ports.geometry import FloorPose, Pose, from_axes
-from skills.ports.hardware import BaseVelocity, Odometry
-from skills.ports.keys import BASE_VELOCITY, CLOCK, ODOMETRY, Latest
-from skills.ports.message import RobotTime
-from skills.ports.tasks import Problem
-from skills.server import ActionServer
-from skills.site import load
-from skills.testing.mock_description import mock_description
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus, MemoryHub
-from trees import tasks
-from trees.client import ActionClient
-from trees.registry import discover
+from tandem.executive.testing import TreeBench
+from tandem.skills.gripper.grip import Gripping
+from tandem.skills.ports.actions.gripper import Grip, GripGoal, grip
+from tandem.skills.ports.geometry import FloorPose, Pose, from_axes
+from tandem.skills.ports.hardware import BaseVelocity, Odometry
+from tandem.skills.ports.keys import BASE_VELOCITY, CLOCK, ODOMETRY, Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.tasks import Problem
+from tandem.skills.server import ActionServer
+from tandem.skills.site import load
+from tandem.skills.testing.mock_description import mock_description
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus, MemoryHub
+from tandem.trees import tasks
+from tandem.trees.client import ActionClient
+from tandem.trees.registry import discover
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SITE = load("lab")
@@ -46,12 +46,12 @@ def example(name: str) -> ModuleType:
 @pytest.fixture
 def look_around(monkeypatch: pytest.MonkeyPatch) -> None:
     """Have the example stand among the tasks, as if its file lay in their folder."""
-    monkeypatch.setitem(sys.modules, "trees.tasks.look_around", example("look_around"))
+    monkeypatch.setitem(sys.modules, "tandem.trees.tasks.look_around", example("look_around"))
     folders = [*tasks.__path__, str(EXAMPLES)]
     found = {"fetch", "look_around"}
-    listed = importlib.import_module("trees.registry").pkgutil.iter_modules
+    listed = importlib.import_module("tandem.trees.registry").pkgutil.iter_modules
     monkeypatch.setattr(
-        "trees.registry.pkgutil.iter_modules",
+        "tandem.trees.registry.pkgutil.iter_modules",
         lambda _: [module for module in listed(folders) if module.name in found],
     )
 

@@ -5,18 +5,18 @@ from __future__ import annotations
 import sys
 import time
 
-from executive.service import Executive
-from executive.task_book import start_id
-from skills.ports.geometry import Pose, from_axes
-from skills.ports.hardware import Clock
-from skills.ports.keys import CLOCK
-from skills.ports.message import RobotTime
-from skills.site import load
-from skills.testing.mock_robot import MockRobot
-from skills.wire.clocks import ProcessClocks
-from skills.wire.configs import router_config
-from skills.wire.zenoh_bus import ZenohBus, open_session
-from trees.registry import discover
+from tandem.executive.service import Executive
+from tandem.executive.task_book import start_id
+from tandem.skills.ports.geometry import Pose, from_axes
+from tandem.skills.ports.hardware import Clock
+from tandem.skills.ports.keys import CLOCK
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.site import load
+from tandem.skills.testing.mock_robot import MockRobot
+from tandem.skills.wire.clocks import ProcessClocks
+from tandem.skills.wire.configs import router_config
+from tandem.skills.wire.zenoh_bus import ZenohBus, open_session
+from tandem.trees.registry import discover
 
 
 def main(port: str, duration: str, parts: str) -> None:

@@ -12,10 +12,10 @@ from py_trees.common import Status
 from py_trees.composites import Sequence
 from pydantic import Field
 
-from executive.ledger.memory import MemoryLedger
-from executive.ledger.port import Ledger
-from executive.service import Executive, Policy
-from skills.ports.action import (
+from tandem.executive.ledger.memory import MemoryLedger
+from tandem.executive.ledger.port import Ledger
+from tandem.executive.service import Executive, Policy
+from tandem.skills.ports.action import (
     GoalCommand,
     GoalState,
     GoalStatus,
@@ -24,14 +24,14 @@ from skills.ports.action import (
     goal_service,
     status_topic,
 )
-from skills.ports.bus import Inbox
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.hardware import Clock
-from skills.ports.keys import CLOCK, Service
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.skill import ActionType, Command
-from skills.ports.tasks import (
+from tandem.skills.ports.bus import Inbox
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.hardware import Clock
+from tandem.skills.ports.keys import CLOCK, Service
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.skill import ActionType, Command
+from tandem.skills.ports.tasks import (
     REQUEST,
     TASK_CANCEL,
     TASK_STATUS,
@@ -44,13 +44,13 @@ from skills.ports.tasks import (
     TaskStatus,
     TreeSnapshot,
 )
-from skills.ports.world import WORLD, WorldState
-from skills.site import load
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryHub
-from trees.client import GoalHandle
-from trees.context import TreeContext
-from trees.task import TaskType
+from tandem.skills.ports.world import WORLD, WorldState
+from tandem.skills.site import load
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryHub
+from tandem.trees.client import GoalHandle
+from tandem.trees.context import TreeContext
+from tandem.trees.task import TaskType
 
 M = TypeVar("M", bound=Message)
 

@@ -12,11 +12,11 @@ from jsonschema import Draft7Validator
 from pydantic import JsonValue
 from surroundings import Surroundings
 
-from executive.asyncapi import asyncapi
-from skills.ports import keys, tasks, world
-from skills.ports.keys import Service, Topic
-from skills.ports.message import Message
-from trees.registry import discover
+from tandem.executive.asyncapi import asyncapi
+from tandem.skills.ports import keys, tasks, world
+from tandem.skills.ports.keys import Service, Topic
+from tandem.skills.ports.message import Message
+from tandem.trees.registry import discover
 
 PAGE = Path(__file__).parents[2] / "docs" / "asyncapi.json"
 DOCUMENT = json.loads(PAGE.read_text(encoding="utf-8"))

@@ -11,11 +11,11 @@ from pathlib import Path
 import pytest
 from surroundings import Surroundings
 
-from executive.ledger.sqlite import SqliteLedger
-from skills.ports.geometry import Pose, from_axes
-from skills.ports.hardware import Clock
-from skills.ports.keys import CLOCK
-from skills.ports.tasks import (
+from tandem.executive.ledger.sqlite import SqliteLedger
+from tandem.skills.ports.geometry import Pose, from_axes
+from tandem.skills.ports.hardware import Clock
+from tandem.skills.ports.keys import CLOCK
+from tandem.skills.ports.tasks import (
     REQUEST,
     TASK_BREAKPOINT,
     TASK_CANCEL,
@@ -33,9 +33,9 @@ from skills.ports.tasks import (
     TaskStatus,
     by_client,
 )
-from skills.site import load
-from skills.testing.mock_robot import MockRobot
-from trees.registry import discover
+from tandem.skills.site import load
+from tandem.skills.testing.mock_robot import MockRobot
+from tandem.trees.registry import discover
 
 S = TaskState
 TAG = Pose(position=(0.5, 0.5, 0.74), orientation=from_axes((0, -1, 0), (0, 0, 1), (-1, 0, 0)))

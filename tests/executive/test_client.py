@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 import pytest
 from surroundings import Surroundings, WaitRequest
 
-from executive.client.aio import AsyncClient
-from executive.client.errors import (
+from tandem.executive.client.aio import AsyncClient
+from tandem.executive.client.errors import (
     ClientError,
     DeclinedError,
     NotConnectedError,
@@ -22,9 +22,9 @@ from executive.client.errors import (
     TimedOutError,
     UnknownTaskError,
 )
-from executive.client.sync import Client
-from skills.ports.tasks import ExecutiveInfo, NodeStatus, TaskState
-from skills.wire.memory import MemoryBus, MemoryPending
+from tandem.executive.client.sync import Client
+from tandem.skills.ports.tasks import ExecutiveInfo, NodeStatus, TaskState
+from tandem.skills.wire.memory import MemoryBus, MemoryPending
 
 WAIT = {"task": "wait", "item": 3}
 

@@ -7,13 +7,13 @@ from collections.abc import Iterator
 
 import pytest
 
-from executive.client.aio import AsyncClient
-from executive.client.errors import NotConnectedError, TaskFailedError
-from executive.client.sync import Client
-from skills.ports.tasks import TaskState
+from tandem.executive.client.aio import AsyncClient
+from tandem.executive.client.errors import NotConnectedError, TaskFailedError
+from tandem.executive.client.sync import Client
+from tandem.skills.ports.tasks import TaskState
+from tandem.trees.tasks.fetch import FetchRequest
 from tests.fakes.mocked import mocked_system
 from tests.fakes.ports import free_endpoint
-from trees.tasks.fetch import FetchRequest
 
 pytestmark = [pytest.mark.processes, pytest.mark.xdist_group("client_over_zenoh")]
 

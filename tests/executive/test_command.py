@@ -10,13 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from executive import options
-from executive.cli import request_command
-from executive.cli.exit_codes import MEANINGS, ExitCode
-from executive.cli.main import main
-from executive.cli.sending import _with_id, describe_failure
-from skills.ports.failure import Failure, FailureKind
-from skills.wire import zenoh_bus
+from tandem.executive import options
+from tandem.executive.cli import request_command
+from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
+from tandem.executive.cli.main import main
+from tandem.executive.cli.sending import _with_id, describe_failure
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.wire import zenoh_bus
 
 NOWHERE = ["--connect", "tcp/127.0.0.1:1"]
 
@@ -91,7 +91,7 @@ def test_a_mistake_of_ours_leaves_its_trace_in_the_log(
     def broken() -> None:
         raise RuntimeError("oh")
 
-    monkeypatch.setattr("trees.registry.discover", broken)
+    monkeypatch.setattr("tandem.trees.registry.discover", broken)
     log = tmp_path / "log"
     assert main(["--log", str(log), "schema"]) == ExitCode.BUG
     assert "Traceback" in log.read_text()
@@ -141,8 +141,8 @@ def test_one_default_endpoint() -> None:
 
 def test_help_loads_neither_messages_nor_trees_nor_zenoh() -> None:
     code = (
-        "import sys; from executive.cli.main import main; main(['--help']);"
-        "print([n for n in ('zenoh', 'py_trees', 'numpy', 'cv2', 'pybullet', 'skills.ports.message')"
+        "import sys; from tandem.executive.cli.main import main; main(['--help']);"
+        "print([n for n in ('zenoh', 'py_trees', 'numpy', 'cv2', 'pybullet', 'tandem.skills.ports.message')"
         " if n in sys.modules], file=sys.stderr)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -14,7 +14,7 @@ import pytest
 from typer.core import TyperCommand, TyperGroup
 from typer.main import get_command
 
-from executive.cli.main import build, main
+from tandem.executive.cli.main import build, main
 
 CLI: Final = Path(__file__).parents[2] / "executive" / "cli"
 SHARED: Final = {

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from executive.campaigns.crash_physics import MOMENTS, REQUESTS, SCENARIOS, Moment, wrong_in_truth
-from executive.render.example import tree_of
-from sim.scenario import load_scenario
-from sim.truth import TrueBody, TrueContact, Truth
-from skills.ports.geometry import IDENTITY, Pose
-from skills.ports.message import RobotTime
-from skills.ports.tasks import TreeNode
-from skills.site import load
-from trees.registry import discover
+from tandem.executive.campaigns.crash_physics import MOMENTS, REQUESTS, SCENARIOS, Moment, wrong_in_truth
+from tandem.executive.render.example import tree_of
+from tandem.sim.scenario import load_scenario
+from tandem.sim.truth import TrueBody, TrueContact, Truth
+from tandem.skills.ports.geometry import IDENTITY, Pose
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.tasks import TreeNode
+from tandem.skills.site import load
+from tandem.trees.registry import discover
 
 
 def leaves(node: TreeNode) -> list[str]:

@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from executive.campaigns import crash_points
-from executive.campaigns.crash_points import CrashPoints
-from executive.campaigns.crash_rig import CrashRig
-from executive.campaigns.crash_verbs import CASES, spread, verb_run
-from skills.ports import tasks
-from skills.ports.keys import Service
-from skills.ports.tasks import ControlAnswer
+from tandem.executive.campaigns import crash_points
+from tandem.executive.campaigns.crash_points import CrashPoints
+from tandem.executive.campaigns.crash_rig import CrashRig
+from tandem.executive.campaigns.crash_verbs import CASES, spread, verb_run
+from tandem.skills.ports import tasks
+from tandem.skills.ports.keys import Service
+from tandem.skills.ports.tasks import ControlAnswer
 from tests.fakes.ports import free_endpoint
 
 PLACES = {"breakpoint": 4, "cancel": 30, "answer": 4}

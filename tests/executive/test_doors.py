@@ -6,12 +6,12 @@ import json
 
 import pytest
 
-from executive.bounds import Bounds
-from executive.service import Executive, Policy
-from skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask, ControlAnswer, TaskAnswer, by_client
-from skills.site import load
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus, MemoryHub
+from tandem.executive.bounds import Bounds
+from tandem.executive.service import Executive, Policy
+from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask, ControlAnswer, TaskAnswer, by_client
+from tandem.skills.site import load
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus, MemoryHub
 from tests.executive.waiting import WAIT, WAITING
 
 BOUNDS = Bounds(rate=10.0, burst=3.0, open=2)

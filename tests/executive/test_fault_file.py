@@ -6,18 +6,18 @@ from pathlib import Path
 
 import pytest
 
-from executive.cli.main import main
-from executive.fault_file import check_faults, load_faults
-from executive.lockstep import Digest, Lockstep
-from executive.options import BusOptions, RunOptions
-from executive.systems import ProcessSystem
-from sim.faults import CameraDark, HandOpens, HardwareSilent, ItemLifted
-from sim.scenario import load_scenario
-from skills.ports.keys import BUMPERS, Latest
-from skills.ports.sources import DocumentError
-from skills.ports.tasks import REQUEST
-from skills.site import load
-from skills.testing.faulty_bus import BusFaults
+from tandem.executive.cli.main import main
+from tandem.executive.fault_file import check_faults, load_faults
+from tandem.executive.lockstep import Digest, Lockstep
+from tandem.executive.options import BusOptions, RunOptions
+from tandem.executive.systems import ProcessSystem
+from tandem.sim.faults import CameraDark, HandOpens, HardwareSilent, ItemLifted
+from tandem.sim.scenario import load_scenario
+from tandem.skills.ports.keys import BUMPERS, Latest
+from tandem.skills.ports.sources import DocumentError
+from tandem.skills.ports.tasks import REQUEST
+from tandem.skills.site import load
+from tandem.skills.testing.faulty_bus import BusFaults
 from tests.fakes.ports import free_endpoint
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples" / "faults").glob("*.yaml"))
@@ -94,7 +94,7 @@ def test_the_option_reaches_who_runs_it(
         asked.append(options)
         return 0
 
-    monkeypatch.setattr(f"executive.compose.run_{command}", run)
+    monkeypatch.setattr(f"tandem.executive.compose.run_{command}", run)
     assert main([command, "--faults", str(file)]) == 0
     assert [options.faults for options in asked] == [file]
 

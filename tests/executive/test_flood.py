@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from skills.ports.keys import Latest
-from skills.ports.tasks import REQUEST, TASK_STATUS, TaskAnswer, TaskState, by_client
-from skills.wire.zenoh_bus import ZenohBus, wait_until
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.tasks import REQUEST, TASK_STATUS, TaskAnswer, TaskState, by_client
+from tandem.skills.wire.zenoh_bus import ZenohBus, wait_until
 from tests.fakes.ports import free_endpoint
 
 pytestmark = pytest.mark.processes

@@ -9,13 +9,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from jsonschema import Draft202012Validator
 
-from executive.campaigns.from_schema import from_schema
-from executive.campaigns.fuzz import Target, fuzz
-from executive.campaigns.fuzz_all import fuzz_all
-from executive.campaigns.fuzz_inputs import TASK_HERE, Input
-from executive.schemas import separate_schemas
-from skills.ports.tasks import REQUEST
-from trees.registry import discover
+from tandem.executive.campaigns.from_schema import from_schema
+from tandem.executive.campaigns.fuzz import Target, fuzz
+from tandem.executive.campaigns.fuzz_all import fuzz_all
+from tandem.executive.campaigns.fuzz_inputs import TASK_HERE, Input
+from tandem.executive.schemas import separate_schemas
+from tandem.skills.ports.tasks import REQUEST
+from tandem.trees.registry import discover
 
 SCHEMAS = separate_schemas(discover())
 
@@ -43,7 +43,7 @@ class Careless(Target):
 
 
 def test_an_input_that_breaks_something_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("executive.campaigns.fuzz.Target", Careless)
+    monkeypatch.setattr("tandem.executive.campaigns.fuzz.Target", Careless)
     broken = fuzz(200, 1).broken
     assert broken.startswith("task/request b")
     assert broken.endswith("KeyError: 'task'")

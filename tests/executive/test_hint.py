@@ -5,11 +5,11 @@ from __future__ import annotations
 import datetime as dt
 from pathlib import Path
 
-from executive.hint import hint
-from executive.options import BusOptions, RunOptions
-from executive.security.authority import Wanted, begin, issue
-from sim.scenario import load_scenario
-from skills.site import load
+from tandem.executive.hint import hint
+from tandem.executive.options import BusOptions, RunOptions
+from tandem.executive.security.authority import Wanted, begin, issue
+from tandem.sim.scenario import load_scenario
+from tandem.skills.site import load
 
 LAB = load("lab")
 DEMO = load_scenario("Demo")

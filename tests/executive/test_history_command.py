@@ -7,14 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from executive.cli.errors import CommandError
-from executive.cli.history import moment
-from executive.cli.main import main
-from executive.ledger.port import Entry
-from executive.ledger.sqlite import SqliteLedger
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.message import RobotTime
-from skills.ports.tasks import Attempt, Progress, TaskState, TaskStatus
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.history import moment
+from tandem.executive.cli.main import main
+from tandem.executive.ledger.port import Entry
+from tandem.executive.ledger.sqlite import SqliteLedger
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.tasks import Attempt, Progress, TaskState, TaskStatus
 from tests.fakes.ports import free_endpoint
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import pytest
 from surroundings import Skill, Surroundings
 
-from executive.run import REST_WITHIN, WIND_DOWN_WITHIN
-from skills.ports.action import GoalState
-from skills.ports.failure import FailureKind
-from skills.ports.hardware import StopState
-from skills.ports.keys import STOP, STOP_STATE
-from skills.ports.skill import Command
-from skills.ports.tasks import TASK_PAUSE, TASK_RESUME, TASK_STEP, TaskState, TaskStatus
+from tandem.executive.run import REST_WITHIN, WIND_DOWN_WITHIN
+from tandem.skills.ports.action import GoalState
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.hardware import StopState
+from tandem.skills.ports.keys import STOP, STOP_STATE
+from tandem.skills.ports.skill import Command
+from tandem.skills.ports.tasks import TASK_PAUSE, TASK_RESUME, TASK_STEP, TaskState, TaskStatus
 
 WAIT = {"task": "wait", "item": 29}
 NUDGING = {**WAIT, "weight": 2.0}

@@ -12,19 +12,19 @@ from py_trees.common import Status
 from surroundings import WAIT as KIND
 from surroundings import Surroundings
 
-from executive.holds import FIRST_TRY, LAST_TRY
-from executive.ledger.sqlite import SqliteLedger
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import FloorPose
-from skills.ports.hardware import StopState
-from skills.ports.keys import STOP_STATE
-from skills.ports.message import Message
-from skills.ports.tasks import TASK_INFO, TaskState, TaskStatus
-from skills.ports.world import ROBOT_POSE, RobotPose
-from trees.conditions.robot_heard import unheard
-from trees.context import TreeContext
-from trees.registry import discover
-from trees.task import TaskType
+from tandem.executive.holds import FIRST_TRY, LAST_TRY
+from tandem.executive.ledger.sqlite import SqliteLedger
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.hardware import StopState
+from tandem.skills.ports.keys import STOP_STATE
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import TASK_INFO, TaskState, TaskStatus
+from tandem.skills.ports.world import ROBOT_POSE, RobotPose
+from tandem.trees.conditions.robot_heard import unheard
+from tandem.trees.context import TreeContext
+from tandem.trees.registry import discover
+from tandem.trees.task import TaskType
 
 S = TaskState
 WAIT = {"task": "wait", "item": 29}

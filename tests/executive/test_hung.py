@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from executive.hung import Hung
+from tandem.executive.hung import Hung
 
 
 class Looks:

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from executive.ledger.port import Entry, LedgerError, LedgerLockedError, Reading
-from executive.ledger.schema import MIGRATIONS, VERSION
-from executive.ledger.sqlite import FILE, SqliteLedger
-from skills.ports.tasks import TaskState, TaskStatus
+from tandem.executive.ledger.port import Entry, LedgerError, LedgerLockedError, Reading
+from tandem.executive.ledger.schema import MIGRATIONS, VERSION
+from tandem.executive.ledger.sqlite import FILE, SqliteLedger
+from tandem.skills.ports.tasks import TaskState, TaskStatus
 
 
 def entry(number: int, words: str = "") -> Entry:

@@ -10,15 +10,17 @@ from pathlib import Path
 import pytest
 from surroundings import Surroundings
 
-from executive.telemetry.log_files import UserLog, trim
-from executive.telemetry.logs import formatter
-from executive.telemetry.relay import LogRelay
+from tandem.executive.telemetry.log_files import UserLog, trim
+from tandem.executive.telemetry.logs import formatter
+from tandem.executive.telemetry.relay import LogRelay
 
 AT = 1_790_000_000.25
 
 
 def record(**about: object) -> logging.LogRecord:
-    made = logging.LogRecord("skills.server", logging.INFO, "server.py", 1, "goal %s", ("ended",), None)
+    made = logging.LogRecord(
+        "tandem.skills.server", logging.INFO, "server.py", 1, "goal %s", ("ended",), None
+    )
     made.created = AT
     for name, value in about.items():
         setattr(made, name, value)
@@ -31,7 +33,7 @@ def test_a_line_of_json_has_time_role_event_and_task() -> None:
         "time": "2026-09-21T14:13:20.250Z",
         "level": "info",
         "role": "base",
-        "logger": "skills.server",
+        "logger": "tandem.skills.server",
         "event": "goal ended",
         "task": "fetch-0001",
         "state": "FAILED",
@@ -40,7 +42,7 @@ def test_a_line_of_json_has_time_role_event_and_task() -> None:
 
 def test_a_line_for_people_says_the_same() -> None:
     line = formatter("text", "base").format(record(task="fetch-0001"))
-    assert line == "2026-09-21T14:13:20.250Z INFO    base skills.server: goal ended task=fetch-0001"
+    assert line == "2026-09-21T14:13:20.250Z INFO    base tandem.skills.server: goal ended task=fetch-0001"
 
 
 @pytest.mark.parametrize(("which", "lines"), [("json", 1), ("text", 4)])
@@ -57,7 +59,7 @@ def test_a_trace_of_the_stack_is_kept_together(which: str, lines: int) -> None:
 
 
 def test_a_tasks_changes_are_logged_with_its_id(caplog: pytest.LogCaptureFixture) -> None:
-    caplog.set_level(logging.INFO, logger="executive.task_log")
+    caplog.set_level(logging.INFO, logger="tandem.executive.task_log")
     here = Surroundings()
     here.ask({"task": "wait", "item": 1})
     here.world(2)
@@ -65,7 +67,7 @@ def test_a_tasks_changes_are_logged_with_its_id(caplog: pytest.LogCaptureFixture
     told = [
         (vars(each)["task"], vars(each)["state"], vars(each).get("kind", ""))
         for each in caplog.records
-        if each.name == "executive.task_log"
+        if each.name == "tandem.executive.task_log"
     ]
     assert told == [
         ("wait-0001", "QUEUED", ""),

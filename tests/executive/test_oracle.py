@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import pytest
 
-from executive.campaigns.oracle import Oracle, Verdict, misplaced
-from executive.campaigns.recovery import unstruck, wrong_in
-from executive.systems import LockstepSystem
-from sim.controls import MOVE, MoveRequest
-from sim.faults import BaseMoving, CameraDark, DepotTaken, Fault, FaultEvent, JointStall
-from sim.scenario import load_scenario
-from sim.truth import TrueBody, TrueContact, Truth
-from skills.ports.bus import Bus
-from skills.ports.geometry import IDENTITY, FloorPose, Pose
-from skills.ports.hardware import BaseVelocity
-from skills.ports.keys import BASE_VELOCITY
-from skills.ports.message import RobotTime, Vector3
-from skills.ports.world import WORLD, Placed, WorldState
-from skills.site import load
+from tandem.executive.campaigns.oracle import Oracle, Verdict, misplaced
+from tandem.executive.campaigns.recovery import unstruck, wrong_in
+from tandem.executive.systems import LockstepSystem
+from tandem.sim.controls import MOVE, MoveRequest
+from tandem.sim.faults import BaseMoving, CameraDark, DepotTaken, Fault, FaultEvent, JointStall
+from tandem.sim.scenario import load_scenario
+from tandem.sim.truth import TrueBody, TrueContact, Truth
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.geometry import IDENTITY, FloorPose, Pose
+from tandem.skills.ports.hardware import BaseVelocity
+from tandem.skills.ports.keys import BASE_VELOCITY
+from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.world import WORLD, Placed, WorldState
+from tandem.skills.site import load
 
 SITE = load("lab")
 SLOT = SITE.depots[0].slots[1].position

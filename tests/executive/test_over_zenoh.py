@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from executive.cli.main import main
+from tandem.executive.cli.main import main
 
 pytestmark = pytest.mark.processes
 HERE = Path(__file__).parent

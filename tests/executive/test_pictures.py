@@ -5,13 +5,13 @@ from __future__ import annotations
 import pytest
 from surroundings import Surroundings
 
-from executive.pictures import KEPT, KEPT_OF_A_TASK, PICTURE_WITHIN, Album
-from skills.ports.actions.perception import PICTURE
-from skills.ports.bus import Desk
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.tasks import TASK_LIST, TASK_PICTURE, AskPicture, Attempt
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryHub
+from tandem.executive.pictures import KEPT, KEPT_OF_A_TASK, PICTURE_WITHIN, Album
+from tandem.skills.ports.actions.perception import PICTURE
+from tandem.skills.ports.bus import Desk
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.tasks import TASK_LIST, TASK_PICTURE, AskPicture, Attempt
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryHub
 
 WAIT = {"task": "wait", "item": 29}
 

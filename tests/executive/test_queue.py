@@ -9,16 +9,16 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from surroundings import Skill, Surroundings, WaitForWorld
 
-from executive.service import Policy
-from executive.testing import TreeBench
-from skills.ports.action import GoalState
-from skills.ports.message import Message
-from skills.ports.skill import Command
-from skills.ports.tasks import TASK_REPRIORITISE, Reprioritise, TaskState
-from skills.site import load
-from trees.behaviours.interruptible import Interruptible
-from trees.context import TreeContext
-from trees.task import TaskType
+from tandem.executive.service import Policy
+from tandem.executive.testing import TreeBench
+from tandem.skills.ports.action import GoalState
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.skill import Command
+from tandem.skills.ports.tasks import TASK_REPRIORITISE, Reprioritise, TaskState
+from tandem.skills.site import load
+from tandem.trees.behaviours.interruptible import Interruptible
+from tandem.trees.context import TreeContext
+from tandem.trees.task import TaskType
 
 S = TaskState
 WAIT = {"task": "wait", "item": 29}

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from executive.campaigns.reachable import Reachable
-from sim.robot import compose_robot
-from sim.scenario import Scenario, load_scenario
-from sim.things import BoxShape, Obstacle
-from skills.site import load
+from tandem.executive.campaigns.reachable import Reachable
+from tandem.sim.robot import compose_robot
+from tandem.sim.scenario import Scenario, load_scenario
+from tandem.sim.things import BoxShape, Obstacle
+from tandem.skills.site import load
 
 DEMO = load_scenario("Demo").model_copy(update={"obstacles": (), "items": (load_scenario("Demo").item(29),)})
 

@@ -9,17 +9,17 @@ from typing import Literal
 import pytest
 from py_trees.behaviours import Success
 
-from executive.cli.tree_commands import Format
-from executive.render.example import NoExampleError, example_request, tree_of
-from executive.render.formats import FORMATS
-from executive.render.layout import lay_out, overlaps
-from executive.render.text import lines, unicode_text
-from executive.report import walk
-from skills.ports.message import Message
-from skills.ports.tasks import NodeStatus, TreeNode
-from skills.site import load
-from trees.registry import discover
-from trees.task import TaskType
+from tandem.executive.cli.tree_commands import Format
+from tandem.executive.render.example import NoExampleError, example_request, tree_of
+from tandem.executive.render.formats import FORMATS
+from tandem.executive.render.layout import lay_out, overlaps
+from tandem.executive.render.text import lines, unicode_text
+from tandem.executive.report import walk
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import NodeStatus, TreeNode
+from tandem.skills.site import load
+from tandem.trees.registry import discover
+from tandem.trees.task import TaskType
 
 
 def leaf(name: str, status: NodeStatus = NodeStatus.INVALID) -> TreeNode:

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from surroundings import Surroundings
 
-from executive.report import Recorder, Report, write_report
-from skills.ports.geometry import Pose
-from skills.ports.tasks import TaskState
+from tandem.executive.report import Recorder, Report, write_report
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.tasks import TaskState
 
 
 def recorded(version: int) -> tuple[Surroundings, Recorder]:

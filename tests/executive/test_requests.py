@@ -7,11 +7,11 @@ import json
 import pytest
 from surroundings import WAIT, Surroundings, WaitRequest
 
-from executive.requests import Asked, Refused, read_request
-from skills.ports.documents import parse
-from skills.ports.site import Site
-from skills.ports.tasks import REQUEST, TASK_ANSWERS, Problem, TaskState
-from skills.site import load
+from tandem.executive.requests import Asked, Refused, read_request
+from tandem.skills.ports.documents import parse
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import REQUEST, TASK_ANSWERS, Problem, TaskState
+from tandem.skills.site import load
 
 GOOD = b'{"task": "wait", "item": 29}'
 DEEP = b'{"task": "wait", "item": ' + b"[" * 50_000 + b"]" * 50_000 + b"}"

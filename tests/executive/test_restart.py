@@ -10,16 +10,16 @@ from py_trees.behaviour import Behaviour
 from surroundings import WAIT as KIND
 from surroundings import Skill, Surroundings
 
-from executive.ledger.port import SentGoal
-from executive.ledger.sqlite import SqliteLedger
-from executive.resume import RESUMES
-from executive.service import Policy
-from executive.why import explain
-from skills.ports.action import GoalState
-from skills.ports.failure import FailureKind
-from skills.ports.message import Message
-from skills.ports.skill import Command
-from skills.ports.tasks import (
+from tandem.executive.ledger.port import SentGoal
+from tandem.executive.ledger.sqlite import SqliteLedger
+from tandem.executive.resume import RESUMES
+from tandem.executive.service import Policy
+from tandem.executive.why import explain
+from tandem.skills.ports.action import GoalState
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.skill import Command
+from tandem.skills.ports.tasks import (
     TASK_ABANDON,
     TASK_ANSWER,
     TASK_PAUSE,
@@ -31,9 +31,9 @@ from skills.ports.tasks import (
     TaskState,
     TaskStatus,
 )
-from trees.behaviours.ask import Ask
-from trees.context import TreeContext
-from trees.task import TaskType
+from tandem.trees.behaviours.ask import Ask
+from tandem.trees.context import TreeContext
+from tandem.trees.task import TaskType
 
 S = TaskState
 WAIT = {"task": "wait", "item": 29}

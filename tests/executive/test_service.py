@@ -9,14 +9,14 @@ from typing import TypeVar
 import pytest
 from surroundings import NUDGE, Skill, Surroundings
 
-from executive.run import REST_WITHIN, TICK_PERIOD
-from executive.task_book import KEPT, MAX_WAITING, start_id
-from skills.ports.action import GoalState
-from skills.ports.failure import FailureKind
-from skills.ports.hardware import StopState
-from skills.ports.keys import STOP, Nothing, Service
-from skills.ports.message import Message
-from skills.ports.tasks import (
+from tandem.executive.run import REST_WITHIN, TICK_PERIOD
+from tandem.executive.task_book import KEPT, MAX_WAITING, start_id
+from tandem.skills.ports.action import GoalState
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.hardware import StopState
+from tandem.skills.ports.keys import STOP, Nothing, Service
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import (
     TASK_INFO,
     TASK_LIST,
     TREE_NOW,
@@ -303,12 +303,14 @@ def test_ids_differ_between_two_starts() -> None:
     assert start_id() != start_id()
 
 
-@pytest.mark.parametrize("module", ["executive.service", "executive.report", "trees.registry"])
+@pytest.mark.parametrize(
+    "module", ["tandem.executive.service", "tandem.executive.report", "tandem.trees.registry"]
+)
 def test_the_service_loads_nothing_heavy(module: str) -> None:
     heavy = "numpy cv2 ompl pinocchio coal pybullet ruckig yaml"
     code = f"""
-import sys, {module}, trees.registry
-trees.registry.discover()
+import sys, {module}, tandem.trees.registry
+tandem.trees.registry.discover()
 print(" ".join(name for name in "{heavy}".split() if name in sys.modules))
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from surroundings import Surroundings
 
-from executive.run import LOST_AFTER, WAITS
-from skills.ports.failure import FailureKind
-from skills.ports.tasks import TaskState
+from tandem.executive.run import LOST_AFTER, WAITS
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.tasks import TaskState
 
 WAIT = {"task": "wait", "item": 29}
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from executive.campaigns.soak import FileSize, ProcessGrowth, Sample, growth_of, request, what_is_wrong
+from tandem.executive.campaigns.soak import FileSize, ProcessGrowth, Sample, growth_of, request, what_is_wrong
 from tests.fakes.ports import free_endpoint
 
 
@@ -62,7 +62,7 @@ def test_a_short_soak_measures_every_process_and_leaves_no_handle_open(tmp_path:
     words = ["campaign", "soak", "--tasks", "30", "--warm-up", "15", "--report", str(report)]
     ports = ["--connect", free_endpoint(), "--metrics", free_endpoint().removeprefix("tcp/")]
     subprocess.run(
-        [sys.executable, "-c", "from executive.cli.main import run; run()", *words, *ports],
+        [sys.executable, "-c", "from tandem.executive.cli.main import run; run()", *words, *ports],
         timeout=300,
         check=False,
         capture_output=True,

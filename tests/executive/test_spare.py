@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from executive import processes
-from executive.processes import Supervisor
-from executive.settings import WAIT, WorkerSettings
+from tandem.executive import processes
+from tandem.executive.processes import Supervisor
+from tandem.executive.settings import WAIT, WorkerSettings
 from tests.acceptance.live import children, left_behind
 from tests.fakes.ports import free_endpoint
 

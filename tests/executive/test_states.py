@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from executive.ledger.memory import MemoryLedger
-from executive.requests import Asked
-from executive.states import FIRST, LEADS_TO, WrongTransitionError, check, table
-from executive.task_book import TaskBook
-from executive.wall_clock import WallClock
-from skills.ports.tasks import TaskState
-from skills.wire.clocks import SteppedClocks
+from tandem.executive.ledger.memory import MemoryLedger
+from tandem.executive.requests import Asked
+from tandem.executive.states import FIRST, LEADS_TO, WrongTransitionError, check, table
+from tandem.executive.task_book import TaskBook
+from tandem.executive.wall_clock import WallClock
+from tandem.skills.ports.tasks import TaskState
+from tandem.skills.wire.clocks import SteppedClocks
 from tests.executive.surroundings import WAIT, WaitRequest
 
 ROOT = Path(__file__).parents[2]
@@ -74,4 +74,4 @@ def test_what_has_ended_never_changes(state: TaskState) -> None:
 
 def test_the_documentation_has_the_table() -> None:
     page = (ROOT / "docs" / "service.md").read_text("utf-8")
-    assert table() in page, "put what executive.states.table() returns into docs/service.md"
+    assert table() in page, "put what tandem.executive.states.table() returns into docs/service.md"

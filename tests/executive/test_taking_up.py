@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from executive.ledger.port import Entry
-from executive.on_restart import OnRestart
-from executive.taking_up import MOVES, lines
-from skills.ports.tasks import TaskState, TaskStatus
+from tandem.executive.ledger.port import Entry
+from tandem.executive.on_restart import OnRestart
+from tandem.executive.taking_up import MOVES, lines
+from tandem.skills.ports.tasks import TaskState, TaskStatus
 
 
 def entry(number: int, state: TaskState, on_restart: OnRestart | None = None) -> Entry:

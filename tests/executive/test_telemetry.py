@@ -12,11 +12,11 @@ from opentelemetry.trace import StatusCode
 from prometheus_client import CollectorRegistry, generate_latest
 from surroundings import NUDGE, Skill, Surroundings
 
-from executive.telemetry.metrics import Metrics, Page
-from executive.telemetry.observer import Observer
-from executive.telemetry.traces import Traces, resource
-from skills.ports.action import GoalState, GoalStatus, status_topic
-from skills.ports.failure import Failure, FailureKind
+from tandem.executive.telemetry.metrics import Metrics, Page
+from tandem.executive.telemetry.observer import Observer
+from tandem.executive.telemetry.traces import Traces, resource
+from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
+from tandem.skills.ports.failure import Failure, FailureKind
 
 NUDGING = {"task": "wait", "item": 1, "weight": 2.0}
 

@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 from surroundings import Surroundings
 
-from executive.client.pages import listed
-from executive.expectation import Expectation
-from executive.ledger.sqlite import SqliteLedger
-from executive.service import Policy
-from skills.ports.endpoint import Refusal
-from skills.ports.tasks import (
+from tandem.executive.client.pages import listed
+from tandem.executive.expectation import Expectation
+from tandem.executive.ledger.sqlite import SqliteLedger
+from tandem.executive.service import Policy
+from tandem.skills.ports.endpoint import Refusal
+from tandem.skills.ports.tasks import (
     TASK_HISTORY,
     TASK_LIST,
     TASK_STATUS,
@@ -26,7 +26,7 @@ from skills.ports.tasks import (
     TreeSnapshot,
     task_status,
 )
-from skills.wire.memory import MemoryPending
+from tandem.skills.wire.memory import MemoryPending
 
 WAIT = {"task": "wait", "item": 29}
 
@@ -69,7 +69,7 @@ def test_the_status_of_an_ended_task_is_still_told(here: Surroundings) -> None:
 def test_the_history_has_what_memory_has_forgotten(
     here: Surroundings, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("executive.task_book.KEPT", 2)
+    monkeypatch.setattr("tandem.executive.task_book.KEPT", 2)
     here.world(1)
     tasks = [here.ask(WAIT).task for _ in range(5)]
     here.step(8)

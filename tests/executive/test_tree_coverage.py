@@ -4,9 +4,9 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from executive.cli import tree_commands
-from executive.cli.errors import CommandError
-from executive.cli.exit_codes import ExitCode
+from tandem.executive.cli import tree_commands
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
 
 
 @pytest.fixture

@@ -4,8 +4,8 @@ from py_trees.behaviours import StatusQueue
 from py_trees.common import Status
 from py_trees.composites import Selector, Sequence
 
-from executive.tree_view import TreeView
-from trees.snapshot import snapshot
+from tandem.executive.tree_view import TreeView
+from tandem.trees.snapshot import snapshot
 
 
 def leaf(name: str, *statuses: Status) -> StatusQueue:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from executive.campaigns.troubles import DRIVES, HOPELESS, LOOKS, MOTIONS, RECOVERABLE, Case
-from sim.draw import draw_fetch, why_not
-from sim.faults import Fault, HardwareSilent, ItemMoves, ObstacleAppears
-from sim.scenario import load_scenario
-from skills.ports.geometry import wrap
-from skills.site import load
+from tandem.executive.campaigns.troubles import DRIVES, HOPELESS, LOOKS, MOTIONS, RECOVERABLE, Case
+from tandem.sim.draw import draw_fetch, why_not
+from tandem.sim.faults import Fault, HardwareSilent, ItemMoves, ObstacleAppears
+from tandem.sim.scenario import load_scenario
+from tandem.skills.ports.geometry import wrap
+from tandem.skills.site import load
 
 SURE = {
     "camera_used": LOOKS,

@@ -9,10 +9,10 @@ import pytest
 from surroundings import WAIT as KIND
 from surroundings import Skill, Surroundings
 
-from executive.ledger.sqlite import SqliteLedger
-from executive.run import SILENT_AFTER
-from skills.ports.action import GoalState
-from skills.ports.tasks import (
+from tandem.executive.ledger.sqlite import SqliteLedger
+from tandem.executive.run import SILENT_AFTER
+from tandem.skills.ports.action import GoalState
+from tandem.skills.ports.tasks import (
     TASK_ABANDON,
     TASK_ANSWER,
     TASK_BREAKPOINT,

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import pytest
 
-from executive.ledger.port import Reading
-from executive.wall_clock import DOUBT, FAR, NEAR, SETTLES, WallClock
-from skills.ports.message import RobotTime
+from tandem.executive.ledger.port import Reading
+from tandem.executive.wall_clock import DOUBT, FAR, NEAR, SETTLES, WallClock
+from tandem.skills.ports.message import RobotTime
 
 NOON = 1_800_000_000.0
 HOUR = 3600.0

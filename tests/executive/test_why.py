@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from executive.why import NEXT, chosen, explain, last_picture, what_next
-from skills.ports.failure import Failure, FailureKind, Helper
-from skills.ports.message import RobotTime
-from skills.ports.tasks import Attempt, Progress, TaskState, TaskStatus
+from tandem.executive.why import NEXT, chosen, explain, last_picture, what_next
+from tandem.skills.ports.failure import Failure, FailureKind, Helper
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.tasks import Attempt, Progress, TaskState, TaskStatus
 
 EMPTY = Failure(
     kind=FailureKind.GRASP_EMPTY, message="closed on nothing", where="close hand: gripper_left/grip"

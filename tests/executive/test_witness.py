@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, cast
 
 import pytest
 
-from executive.experiments.witness import Witness, lean, tilt
-from sim.physics import Contact
-from skills.ports.geometry import Pose, about
-from skills.site import load
+from tandem.executive.experiments.witness import Witness, lean, tilt
+from tandem.sim.physics import Contact
+from tandem.skills.ports.geometry import Pose, about
+from tandem.skills.site import load
 
 if TYPE_CHECKING:
-    from sim.station import Station
+    from tandem.sim.station import Station
 
 ROBOT, TABLE, CUBE = 1, 2, 3
 LINKS = {"arm_left_6_link": 0, "gripper_right_link": 1}

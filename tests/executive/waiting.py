@@ -7,11 +7,11 @@ from typing import Final, Literal
 from py_trees.behaviour import Behaviour
 from py_trees.behaviours import Running
 
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import Problem
-from trees.context import TreeContext
-from trees.task import TaskType
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import Problem
+from tandem.trees.context import TreeContext
+from tandem.trees.task import TaskType
 
 
 class WaitRequest(Message):

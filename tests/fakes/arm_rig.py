@@ -8,16 +8,16 @@ from typing import TypeVar
 
 import numpy as np
 
-from skills.arm.problem import Moment
-from skills.arm.process import nodes
-from skills.arm.trajectory import Trajectory
-from skills.kinematics.described import load_hulls
-from skills.kinematics.hulls import RobotHulls
-from skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
-from skills.ports.actions.arm import ArmState, MoveGoal, MoveResult, arm_status, move
-from skills.ports.bus import Pending
-from skills.ports.geometry import FloorPose, Pose
-from skills.ports.hardware import (
+from tandem.skills.arm.problem import Moment
+from tandem.skills.arm.process import nodes
+from tandem.skills.arm.trajectory import Trajectory
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
+from tandem.skills.ports.actions.arm import ArmState, MoveGoal, MoveResult, arm_status, move
+from tandem.skills.ports.bus import Pending
+from tandem.skills.ports.geometry import FloorPose, Pose
+from tandem.skills.ports.hardware import (
     Answer,
     CameraSensor,
     CancelMotion,
@@ -34,12 +34,12 @@ from skills.ports.hardware import (
     RobotDescription,
     TrajectoryGoal,
 )
-from skills.ports.keys import JOINT_STATES, Latest, group_cancel, group_goal, group_status
-from skills.ports.message import RobotTime
-from skills.ports.packages import resolve
-from skills.ports.world import ROBOT_POSE, SCENE, Box, PlanningScene, RobotPose, SceneObject
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
+from tandem.skills.ports.keys import JOINT_STATES, Latest, group_cancel, group_goal, group_status
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.packages import resolve
+from tandem.skills.ports.world import ROBOT_POSE, SCENE, Box, PlanningScene, RobotPose, SceneObject
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
 
 T = TypeVar("T")
 

@@ -9,14 +9,14 @@ from typing import TypeVar
 
 import numpy as np
 
-from skills.base.process import Base, assemble
-from skills.ports.actions.arm import ArmState, ArmStatus, arm_status
-from skills.ports.geometry import FloorPose
-from skills.ports.hardware import RobotDescription
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.skill import Command, Outcome, Run, Slice
-from skills.wire.memory import MemoryBus
+from tandem.skills.base.process import Base, assemble
+from tandem.skills.ports.actions.arm import ArmState, ArmStatus, arm_status
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.skill import Command, Outcome, Run, Slice
+from tandem.skills.wire.memory import MemoryBus
 from tests.fakes.planar_robot import PlanarClocks, PlanarNoise, PlanarRobot, describe
 
 F = TypeVar("F", bound=Message)

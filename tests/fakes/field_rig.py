@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sim.joints import GroupController
-from skills.arm.process import nodes
-from skills.kinematics.bodies import BoxShape, Obstacle
-from skills.kinematics.hulls import RobotHulls
-from skills.ports.action import (
+from tandem.sim.joints import GroupController
+from tandem.skills.arm.process import nodes
+from tandem.skills.kinematics.bodies import BoxShape, Obstacle
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.ports.action import (
     GoalCommand,
     GoalState,
     GoalStatus,
@@ -20,11 +20,11 @@ from skills.ports.action import (
     goal_service,
     status_topic,
 )
-from skills.ports.actions.approach import ApproachGoal, ApproachPhase, ApproachStatus, approach_status
-from skills.ports.actions.bimanual import RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
-from skills.ports.geometry import Pose, about, compose
-from skills.ports.grasping import tool_orientation
-from skills.ports.hardware import (
+from tandem.skills.ports.actions.approach import ApproachGoal, ApproachPhase, ApproachStatus, approach_status
+from tandem.skills.ports.actions.bimanual import RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
+from tandem.skills.ports.geometry import Pose, about, compose
+from tandem.skills.ports.grasping import tool_orientation
+from tandem.skills.ports.hardware import (
     CancelMotion,
     GroupStatus,
     JointStates,
@@ -33,7 +33,7 @@ from skills.ports.hardware import (
     StopState,
     TrajectoryGoal,
 )
-from skills.ports.keys import (
+from tandem.skills.ports.keys import (
     JOINT_STATES,
     STOP_STATE,
     Latest,
@@ -42,9 +42,9 @@ from skills.ports.keys import (
     group_setpoint,
     group_status,
 )
-from skills.ports.message import Message, RobotTime, Vector3
-from skills.ports.skill import Command
-from skills.ports.world import (
+from tandem.skills.ports.message import Message, RobotTime, Vector3
+from tandem.skills.ports.skill import Command
+from tandem.skills.ports.world import (
     ROBOT_POSE,
     SCENE,
     WORLD,
@@ -55,8 +55,8 @@ from skills.ports.world import (
     Side,
     WorldState,
 )
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
 from tests.fakes.robot_pose import localised
 
 PERIOD = 0.01

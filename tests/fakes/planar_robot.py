@@ -12,10 +12,10 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
-from skills.ports.bus import Bus
-from skills.ports.chain import Chain
-from skills.ports.geometry import FloorPose, to_floor, wrap
-from skills.ports.hardware import (
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.chain import Chain
+from tandem.skills.ports.geometry import FloorPose, to_floor, wrap
+from tandem.skills.ports.hardware import (
     BaseVelocity,
     Bumpers,
     CameraSensor,
@@ -31,9 +31,9 @@ from skills.ports.hardware import (
     RobotDescription,
     StopState,
 )
-from skills.ports.keys import BASE_VELOCITY, BUMPERS, CLOCK, LASER, ODOMETRY, STOP_STATE, Latest
-from skills.ports.message import RobotTime
-from skills.ports.site import Site, SiteBox
+from tandem.skills.ports.keys import BASE_VELOCITY, BUMPERS, CLOCK, LASER, ODOMETRY, STOP_STATE, Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.site import Site, SiteBox
 
 FloatArray = npt.NDArray[np.float64]
 BOOT = "planar"

@@ -1,6 +1,6 @@
 """A router, a robot of mocked skills and an executive as processes that a test may kill and start again.
 
-They are started as ``python -m executive.worker SETTINGS`` and spoken to over the bus.
+They are started as ``python -m tandem.executive.worker SETTINGS`` and spoken to over the bus.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from typing import Final, Self, TypeVar
 
 import zenoh
 
-from executive.client.errors import ClientError
-from executive.client.sync import Client
+from tandem.executive.client.errors import ClientError
+from tandem.executive.client.sync import Client
 from tests.fakes.ports import free_endpoint
 
 T = TypeVar("T")
@@ -106,7 +106,7 @@ class Mocked:
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(paths), "WALL_CLOCK_SHIFT": shift}
         with (self.folder / f"{name}.log").open("ab") as log:
             self._processes[name] = subprocess.Popen(
-                [sys.executable, "-m", "executive.worker", json.dumps(told)],
+                [sys.executable, "-m", "tandem.executive.worker", json.dumps(told)],
                 stdin=subprocess.DEVNULL,
                 stdout=log,
                 stderr=log,

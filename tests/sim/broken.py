@@ -7,19 +7,19 @@ from collections.abc import Sequence
 import numpy as np
 
 from benchmarks.rig import GRASP, GRASP_POINT, LIFT, Rig
-from sim.controls import FAULTS
-from sim.faults import Fault, FaultEvent
-from sim.hardware import Hardware
-from sim.line import Line
-from sim.room import Room
-from sim.scenario import Noise
-from sim.scene import Label, SceneBody
-from sim.things import BoxShape
-from sim.trouble import Trouble
-from sim.world import World
-from skills.ports import keys
-from skills.ports.geometry import Pose
-from skills.site import load
+from tandem.sim.controls import FAULTS
+from tandem.sim.faults import Fault, FaultEvent
+from tandem.sim.hardware import Hardware
+from tandem.sim.line import Line
+from tandem.sim.room import Room
+from tandem.sim.scenario import Noise
+from tandem.sim.scene import Label, SceneBody
+from tandem.sim.things import BoxShape
+from tandem.sim.trouble import Trouble
+from tandem.sim.world import World
+from tandem.skills.ports import keys
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.site import load
 
 SIZE = 0.06
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
-from sim.body import RobotBody
-from sim.model import RobotModel
-from sim.physics import Physics
-from sim.robot import compose_robot
-from sim.scenario import Scenario, load_scenario
-from sim.world import World, spawn
-from skills.ports.geometry import FloorPose
-from skills.ports.message import RobotTime
-from skills.ports.site import Site
-from skills.site import load
+from tandem.sim.body import RobotBody
+from tandem.sim.model import RobotModel
+from tandem.sim.physics import Physics
+from tandem.sim.robot import compose_robot
+from tandem.sim.scenario import Scenario, load_scenario
+from tandem.sim.world import World, spawn
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.site import Site
+from tandem.skills.site import load
 
 POSTURES = (("arm_left", "home"), ("arm_right", "home"), ("torso", "home"), ("head", "table"))
 

@@ -7,10 +7,10 @@ import math
 import numpy as np
 import pytest
 
-from sim.base import BaseController, Odometer
-from sim.robot import DRIVE, WHEELS
-from sim.scenario import Noise
-from skills.ports.hardware import BaseVelocity
+from tandem.sim.base import BaseController, Odometer
+from tandem.sim.robot import DRIVE, WHEELS
+from tandem.sim.scenario import Noise
+from tandem.skills.ports.hardware import BaseVelocity
 
 PERIOD = 0.01
 

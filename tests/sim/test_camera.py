@@ -7,11 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from sim.camera import HeadCamera, Studio
-from sim.render import InlineRenderer, Job, PainterSettings, Renderer, RenderError, WorkerRenderer
-from skills.ports.image import RgbdImage, decode
-from skills.ports.keys import RGBD
-from skills.wire.memory import MemoryBus
+from tandem.sim.camera import HeadCamera, Studio
+from tandem.sim.render import InlineRenderer, Job, PainterSettings, Renderer, RenderError, WorkerRenderer
+from tandem.skills.ports.image import RgbdImage, decode
+from tandem.skills.ports.keys import RGBD
+from tandem.skills.wire.memory import MemoryBus
 from tests.sim.rooms import Room, at
 
 

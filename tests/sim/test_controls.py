@@ -6,14 +6,14 @@ import json
 
 import pytest
 
-from sim.camera import Studio
-from sim.controls import FAULT, MOVE, PHOTOGRAPH, PLACE_ITEM, PLACE_OBSTACLE, REMOVE, RESET, Controls
-from sim.faults import CameraDark, Fault
-from sim.render import Done, Job
-from sim.scenario import Scenario
-from sim.truth import TRUTH, Truth, lies_on
-from skills.ports.hardware import Answer
-from skills.wire.memory import MemoryBus
+from tandem.sim.camera import Studio
+from tandem.sim.controls import FAULT, MOVE, PHOTOGRAPH, PLACE_ITEM, PLACE_OBSTACLE, REMOVE, RESET, Controls
+from tandem.sim.faults import CameraDark, Fault
+from tandem.sim.render import Done, Job
+from tandem.sim.scenario import Scenario
+from tandem.sim.truth import TRUTH, Truth, lies_on
+from tandem.skills.ports.hardware import Answer
+from tandem.skills.wire.memory import MemoryBus
 from tests.sim.rooms import Room, at
 
 

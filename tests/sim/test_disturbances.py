@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import pybullet
 
-from sim.disturbances import Disturbances
-from skills.ports.geometry import FloorPose
+from tandem.sim.disturbances import Disturbances
+from tandem.skills.ports.geometry import FloorPose
 from tests.sim.rooms import MakeRoom, Room
 
 PERIOD = 0.01

@@ -8,13 +8,13 @@ import numpy as np
 import pybullet
 import pytest
 
-from sim.draw import FINGER_GAP, FLOOR_MARGIN, Draw, draw_fetch
-from sim.footprint import FOOTPRINT_RADIUS
-from sim.physics import Physics
-from sim.scenario import Scenario, ScenarioError, SpawnSurface, load_scenario
-from sim.things import BoxShape, Obstacle
-from sim.world import spawn
-from skills.site import load
+from tandem.sim.draw import FINGER_GAP, FLOOR_MARGIN, Draw, draw_fetch
+from tandem.sim.footprint import FOOTPRINT_RADIUS
+from tandem.sim.physics import Physics
+from tandem.sim.scenario import Scenario, ScenarioError, SpawnSurface, load_scenario
+from tandem.sim.things import BoxShape, Obstacle
+from tandem.sim.world import spawn
+from tandem.skills.site import load
 
 RADIUS = FOOTPRINT_RADIUS
 

@@ -9,7 +9,7 @@ import pytest
 from pydantic import ValidationError
 
 from benchmarks.rig import GRASP, LIFT
-from sim.faults import (
+from tandem.sim.faults import (
     ArmMoving,
     BaseAtRest,
     BaseMoving,
@@ -27,8 +27,8 @@ from sim.faults import (
     OdometryJump,
     StopSet,
 )
-from skills.ports import keys
-from skills.ports.hardware import GripperMotion, MotionState
+from tandem.skills.ports import keys
+from tandem.skills.ports.hardware import GripperMotion, MotionState
 from tests.sim.broken import FaultyRig
 
 BEGAN, ENDED, REFUSED = "began", "ended", "refused"

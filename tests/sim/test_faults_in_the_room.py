@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from sim.controls import FAULT, FAULTS
-from sim.faults import (
+from tandem.sim.controls import FAULT, FAULTS
+from tandem.sim.faults import (
     CameraDark,
     CameraFrozen,
     CameraSilent,
@@ -21,14 +21,14 @@ from sim.faults import (
     LaserSilent,
     ObstacleAppears,
 )
-from sim.scenario import ScenarioError, load_scenario
-from sim.station import Station, StationSettings
-from sim.truth import lies_on
-from skills.ports import keys
-from skills.ports.hardware import Answer
-from skills.ports.image import RgbdImage, decode
-from skills.site import load
-from skills.wire.memory import MemoryBus
+from tandem.sim.scenario import ScenarioError, load_scenario
+from tandem.sim.station import Station, StationSettings
+from tandem.sim.truth import lies_on
+from tandem.skills.ports import keys
+from tandem.skills.ports.hardware import Answer
+from tandem.skills.ports.image import RgbdImage, decode
+from tandem.skills.site import load
+from tandem.skills.wire.memory import MemoryBus
 
 
 class Stage:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from benchmarks.rig import GRASP, LIFT, Rig, slip
-from skills.ports.hardware import GripperMotion
+from tandem.skills.ports.hardware import GripperMotion
 
 
 def _lift(*, mass: float, friction: float, force: float) -> tuple[float, Rig]:

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from benchmarks.rig import GRASP, LIFT, Rig
-from skills.ports import keys
-from skills.ports.hardware import Answer, BaseVelocity, CancelMotion, MotionState, Stop, StopRelease
-from skills.ports.lease import Claim, Lease, LeaseRequest
+from tandem.skills.ports import keys
+from tandem.skills.ports.hardware import Answer, BaseVelocity, CancelMotion, MotionState, Stop, StopRelease
+from tandem.skills.ports.lease import Claim, Lease, LeaseRequest
 
 
 @pytest.fixture

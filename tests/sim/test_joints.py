@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sim.joints import GroupController
-from skills.ports.hardware import (
+from tandem.sim.joints import GroupController
+from tandem.skills.ports.hardware import (
     JointGroup,
     JointLimit,
     MotionState,
@@ -14,7 +14,7 @@ from skills.ports.hardware import (
     TrajectoryGoal,
     TrajectoryPoint,
 )
-from skills.ports.message import RobotTime
+from tandem.skills.ports.message import RobotTime
 
 PERIOD = 0.01
 LIMIT = {"lower": -2.0, "upper": 2.0, "velocity": 2.0, "acceleration": 5.0, "jerk": 50.0, "effort": 10.0}

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from sim.laser import Laser
-from skills.ports.geometry import FloorPose
-from skills.ports.hardware import LaserSensor
+from tandem.sim.laser import Laser
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.hardware import LaserSensor
 from tests.sim.rooms import MakeRoom
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sim.physics import GRAVITY, Physics
+from tandem.sim.physics import GRAVITY, Physics
 
 
 def test_two_worlds_live_side_by_side() -> None:

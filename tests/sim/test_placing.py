@@ -6,10 +6,10 @@ import math
 
 import pytest
 
-from sim.placing import inside
-from sim.scene import SceneBody
-from sim.things import BoxShape, CylinderShape
-from skills.ports.geometry import Pose, about
+from tandem.sim.placing import inside
+from tandem.sim.scene import SceneBody
+from tandem.sim.things import BoxShape, CylinderShape
+from tandem.skills.ports.geometry import Pose, about
 
 CUBE = BoxShape(size=(0.1, 0.1, 0.1))
 MUG = CylinderShape(radius=0.05, height=0.1)

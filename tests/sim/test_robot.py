@@ -7,7 +7,7 @@ import pinocchio
 import pytest
 
 from benchmarks.rig import Rig
-from sim.robot import compose_robot
+from tandem.sim.robot import compose_robot
 
 MODEL = compose_robot()
 

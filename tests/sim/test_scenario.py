@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from sim.scenario import ScenarioError, load_scenario, scenario_names
-from sim.scene import build_scene
-from sim.things import TrueItem
-from skills.ports.geometry import FloorPose
-from skills.ports.sources import DocumentError, Source
-from skills.site import load
+from tandem.sim.scenario import ScenarioError, load_scenario, scenario_names
+from tandem.sim.scene import build_scene
+from tandem.sim.things import TrueItem
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.sources import DocumentError, Source
+from tandem.skills.site import load
 
 
 @pytest.mark.parametrize("name", scenario_names())

@@ -7,8 +7,8 @@ import math
 
 import pytest
 
-from skills.ports.site import Site, SiteBox
-from skills.site import load
+from tandem.skills.ports.site import Site, SiteBox
+from tandem.skills.site import load
 
 
 @pytest.fixture(scope="module")

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 import pytest
 
-from sim.camera import Studio
-from sim.render import Done, Job
-from sim.scenario import ScenarioError, load_scenario
-from sim.station import Station, StationSettings
-from sim.things import TrueItem
-from skills.site import load
-from skills.wire.memory import MemoryBus
+from tandem.sim.camera import Studio
+from tandem.sim.render import Done, Job
+from tandem.sim.scenario import ScenarioError, load_scenario
+from tandem.sim.station import Station, StationSettings
+from tandem.sim.things import TrueItem
+from tandem.skills.site import load
+from tandem.skills.wire.memory import MemoryBus
 from tests.sim.rooms import Room
 
 

@@ -10,12 +10,12 @@ import cv2
 import numpy as np
 import pytest
 
-from sim.robot import compose_robot
-from sim.scene import Label, SceneBody
-from sim.tags import tags_in_item
-from sim.things import BoxShape
-from sim.twin import Twin, View, looking_at
-from skills.ports.geometry import Pose, about, compose, invert, transform
+from tandem.sim.robot import compose_robot
+from tandem.sim.scene import Label, SceneBody
+from tandem.sim.tags import tags_in_item
+from tandem.sim.things import BoxShape
+from tandem.sim.twin import Twin, View, looking_at
+from tandem.skills.ports.geometry import Pose, about, compose, invert, transform
 
 SIZE = (0.06, 0.06, 0.06)
 EDGE = 0.048

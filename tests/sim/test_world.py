@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import pytest
 
-from sim.physics import Physics
-from sim.scenario import load_scenario
-from sim.world import World, spawn
-from skills.site import load
+from tandem.sim.physics import Physics
+from tandem.sim.scenario import load_scenario
+from tandem.sim.world import World, spawn
+from tandem.skills.site import load
 
 
 @pytest.fixture

@@ -17,10 +17,10 @@ from typing import Final
 import pytest
 from pydantic import JsonValue
 
-from executive.lockstep import Lockstep
-from sim.scenario import load_scenario
-from skills.ports.action import SendGoal, goal_service
-from skills.wire.memory import Kind, MemoryBus
+from tandem.executive.lockstep import Lockstep
+from tandem.sim.scenario import load_scenario
+from tandem.skills.ports.action import SendGoal, goal_service
+from tandem.skills.wire.memory import Kind, MemoryBus
 
 SECONDS: Final = 6.0
 """Robot seconds of each run: each goal below is started and ends in them, or the next is."""

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from skills.goal_journal import COMPACT_AFTER, GoalJournal
-from skills.journal_file import JournalFile
-from skills.ports.geometry import Pose
-from skills.ports.world import HeldItem
-from skills.world.journal import Journal, Remembered
+from tandem.skills.goal_journal import COMPACT_AFTER, GoalJournal
+from tandem.skills.journal_file import JournalFile
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.world import HeldItem
+from tandem.skills.world.journal import Journal, Remembered
 from tests.fakes.full_disk import full_at
 
 FULL = "File too large|could be written"

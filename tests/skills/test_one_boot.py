@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from skills.one_boot import OneBoot
-from skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
-from skills.ports.actions.base import ROTATE, RotateFeedback, RotateGoal, RotateResult
-from skills.ports.bus import Bus, Desk, Pending
-from skills.ports.failure import FailureKind
-from skills.ports.hardware import RobotDescription
-from skills.ports.keys import DESCRIPTION, JOINT_STATES, Latest
-from skills.ports.node import Node
-from skills.ports.skill import succeeded
-from skills.server import ActionServer
-from skills.testing.mock_skill import MockSkill
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
+from tandem.skills.one_boot import OneBoot
+from tandem.skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
+from tandem.skills.ports.actions.base import ROTATE, RotateFeedback, RotateGoal, RotateResult
+from tandem.skills.ports.bus import Bus, Desk, Pending
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.keys import DESCRIPTION, JOINT_STATES, Latest
+from tandem.skills.ports.node import Node
+from tandem.skills.ports.skill import succeeded
+from tandem.skills.server import ActionServer
+from tandem.skills.testing.mock_skill import MockSkill
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
 from tests.fakes.planar_robot import describe
 
 

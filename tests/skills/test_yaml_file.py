@@ -10,8 +10,8 @@ from math import inf, isnan
 import pytest
 from pydantic import BaseModel, JsonValue
 
-from skills.ports.sources import DocumentError, Source
-from skills.yaml_file import LONGEST_NUMBER, parse_document, validate
+from tandem.skills.ports.sources import DocumentError, Source
+from tandem.skills.yaml_file import LONGEST_NUMBER, parse_document, validate
 
 
 class Thing(BaseModel):

@@ -5,14 +5,14 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from executive.testing import TreeBench
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.tasks import TASK_ANSWER, AnswerQuestion, TaskState
-from skills.site import load
+from tandem.executive.testing import TreeBench
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.tasks import TASK_ANSWER, AnswerQuestion, TaskState
+from tandem.skills.site import load
+from tandem.trees.behaviours.ask import Ask
+from tandem.trees.context import TreeContext
+from tandem.trees.task import TaskType
 from tests.executive.surroundings import Surroundings, WaitRequest, problems
-from trees.behaviours.ask import Ask
-from trees.context import TreeContext
-from trees.task import TaskType
 
 REFUSAL = Failure(kind=FailureKind.HAND_FULL, message="the operator said no")
 

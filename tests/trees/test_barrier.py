@@ -7,16 +7,16 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Sequence
 
-from executive.testing import TreeBench
-from skills.ports.failure import Failure, FailureKind
-from skills.site import load
-from trees.behaviours.barrier import Barrier, Meet, Member
-from trees.behaviours.meanwhile import Meanwhile
-from trees.behaviours.side_by_side import SideBySide
-from trees.behaviours.turn import InTurn, Turn
-from trees.branch import branch
-from trees.context import TreeContext
-from trees.leaves.coordinate import coordinate
+from tandem.executive.testing import TreeBench
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.site import load
+from tandem.trees.behaviours.barrier import Barrier, Meet, Member
+from tandem.trees.behaviours.meanwhile import Meanwhile
+from tandem.trees.behaviours.side_by_side import SideBySide
+from tandem.trees.behaviours.turn import InTurn, Turn
+from tandem.trees.branch import branch
+from tandem.trees.context import TreeContext
+from tandem.trees.leaves.coordinate import coordinate
 
 K = FailureKind
 S, F, R, GONE = Status.SUCCESS, Status.FAILURE, Status.RUNNING, Status.INVALID

@@ -6,21 +6,21 @@ import pytest
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from executive.testing import TreeBench
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import FloorPose
-from skills.site import load
-from skills.testing.mock_skill import Fault
-from trees.behaviours.again import Again
-from trees.behaviours.each import Each
-from trees.behaviours.give_up import GiveUp
-from trees.behaviours.guarded import Guarded
-from trees.behaviours.note import Note
-from trees.behaviours.pause import Pause
-from trees.behaviours.recovery import Recovery, Rung
-from trees.behaviours.wait_for import WaitFor
-from trees.context import TreeContext
-from trees.leaves.drive import drive
+from tandem.executive.testing import TreeBench
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.site import load
+from tandem.skills.testing.mock_skill import Fault
+from tandem.trees.behaviours.again import Again
+from tandem.trees.behaviours.each import Each
+from tandem.trees.behaviours.give_up import GiveUp
+from tandem.trees.behaviours.guarded import Guarded
+from tandem.trees.behaviours.note import Note
+from tandem.trees.behaviours.pause import Pause
+from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.wait_for import WaitFor
+from tandem.trees.context import TreeContext
+from tandem.trees.leaves.drive import drive
 
 K = FailureKind
 S, F, R = Status.SUCCESS, Status.FAILURE, Status.RUNNING

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from skills.ports.action import (
+from tandem.skills.ports.action import (
     GoalCommand,
     GoalState,
     GoalStatus,
@@ -15,13 +15,13 @@ from skills.ports.action import (
     result_service,
     status_topic,
 )
-from skills.ports.actions.base import ROTATE, RotateGoal, RotateResult
-from skills.ports.bus import Desk
-from skills.ports.failure import FailureKind
-from skills.ports.skill import Command
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus, MemoryHub
-from trees.client import ANSWER_WITHIN, UNSURE_AFTER, ActionClient, GoalHandle
+from tandem.skills.ports.actions.base import ROTATE, RotateGoal, RotateResult
+from tandem.skills.ports.bus import Desk
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.skill import Command
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus, MemoryHub
+from tandem.trees.client import ANSWER_WITHIN, UNSURE_AFTER, ActionClient, GoalHandle
 
 RESULT = RotateResult(turned=1.0).model_dump(mode="json")
 

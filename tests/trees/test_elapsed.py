@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from skills.ports.message import RobotTime
-from trees.elapsed import Elapsed
+from tandem.skills.ports.message import RobotTime
+from tandem.trees.elapsed import Elapsed
 
 
 @dataclass

@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 import pytest
 from py_trees.common import Status
 
-from executive.testing import TreeBench
-from skills.ports.actions.base import RotateGoal
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import IDENTITY, Pose, from_axes
-from skills.ports.world import HeldItem, ItemFact, Placed
-from skills.site import load
-from skills.testing.mock_skill import Fault
+from tandem.executive.testing import TreeBench
+from tandem.skills.ports.actions.base import RotateGoal
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import IDENTITY, Pose, from_axes
+from tandem.skills.ports.world import HeldItem, ItemFact, Placed
+from tandem.skills.site import load
+from tandem.skills.testing.mock_skill import Fault
 
 SITE = load("lab")
 TAG = Pose(position=(0.9, 0.1, 0.74), orientation=from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0)))

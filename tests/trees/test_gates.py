@@ -9,10 +9,10 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Selector, Sequence
 
-from executive.testing import TreeBench
-from skills.ports.failure import FailureKind
-from skills.site import load
-from trees.gates import Gates
+from tandem.executive.testing import TreeBench
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.site import load
+from tandem.trees.gates import Gates
 
 
 class Step(Behaviour):
@@ -145,7 +145,7 @@ def test_a_name_that_is_not_clear_is_told() -> None:
 
 
 def in_a_fetch(prepare: Callable[[TreeBench], None]) -> tuple[TreeBench, Status]:
-    from skills.ports.geometry import Pose, from_axes  # noqa: PLC0415
+    from tandem.skills.ports.geometry import Pose, from_axes  # noqa: PLC0415
 
     tag = Pose(position=(0.9, 0.1, 0.74), orientation=from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0)))
     bench = TreeBench(load("lab"), items={29: tag})

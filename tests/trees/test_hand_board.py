@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from executive.hand_worlds import ITEMS, LEFT
-from executive.testing import TreeBench
-from skills.ports.failure import Failure
-from skills.ports.geometry import angle_between
-from skills.ports.grasping import face, item_in_map
-from skills.site import load
-from trees.hand_board import HandBoard
+from tandem.executive.hand_worlds import ITEMS, LEFT
+from tandem.executive.testing import TreeBench
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.geometry import angle_between
+from tandem.skills.ports.grasping import face, item_in_map
+from tandem.skills.site import load
+from tandem.trees.hand_board import HandBoard
 
 SIZE = 0.07
 

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from skills.ports.geometry import Pose
-from skills.ports.hardware import Clock
-from skills.ports.keys import CLOCK
-from skills.ports.site import Site
-from skills.site import load
-from skills.testing.mock_robot import MockRobot
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
-from trees.knowledge import Knowledge
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.hardware import Clock
+from tandem.skills.ports.keys import CLOCK
+from tandem.skills.ports.site import Site
+from tandem.skills.site import load
+from tandem.skills.testing.mock_robot import MockRobot
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
+from tandem.trees.knowledge import Knowledge
 
 
 class Rig:

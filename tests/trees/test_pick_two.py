@@ -8,18 +8,18 @@ from dataclasses import dataclass, field
 import pytest
 from py_trees.common import Status
 
-from executive.hand_worlds import CARTON, CROSSED, FAR, ITEMS, LEFT, RIGHT, drop
-from executive.testing import TreeBench
-from skills.ports.actions.arm import MoveGoal
-from skills.ports.actions.bimanual import TwoHands, TwoHandsGoal
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import IDENTITY, Pose
-from skills.ports.site import Site
-from skills.ports.world import HeldItem, Side
-from skills.site import load
-from skills.testing.mock_robot import STRETCHED, MockRobot
-from skills.testing.mock_skill import Fault
-from trees.registry import discover
+from tandem.executive.hand_worlds import CARTON, CROSSED, FAR, ITEMS, LEFT, RIGHT, drop
+from tandem.executive.testing import TreeBench
+from tandem.skills.ports.actions.arm import MoveGoal
+from tandem.skills.ports.actions.bimanual import TwoHands, TwoHandsGoal
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import IDENTITY, Pose
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.world import HeldItem, Side
+from tandem.skills.site import load
+from tandem.skills.testing.mock_robot import STRETCHED, MockRobot
+from tandem.skills.testing.mock_skill import Fault
+from tandem.trees.registry import discover
 
 K = FailureKind
 SITE: Site = load("bimanual")

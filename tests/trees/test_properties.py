@@ -7,8 +7,8 @@ import random
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from executive.properties import draw, run, search
-from executive.worlds import fetch_worlds
+from tandem.executive.properties import draw, run, search
+from tandem.executive.worlds import fetch_worlds
 
 WORLDS = fetch_worlds()
 TICKS = 12_000

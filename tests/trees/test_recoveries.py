@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import pytest
 from py_trees.common import Status
 
-from executive.testing import TreeBench
-from executive.worlds import fetch_worlds
-from skills.ports.actions.gripper import Grip, GripGoal
-from skills.ports.failure import Failure, FailureKind
-from skills.testing.mock_skill import Fault
-from trees.recoveries import RECOVERIES
+from tandem.executive.testing import TreeBench
+from tandem.executive.worlds import fetch_worlds
+from tandem.skills.ports.actions.gripper import Grip, GripGoal
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.testing.mock_skill import Fault
+from tandem.trees.recoveries import RECOVERIES
 
 K = FailureKind
 STEPS = 20_000

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trees.resources import Resources
+from tandem.trees.resources import Resources
 
 
 def test_all_or_nothing_is_claimed() -> None:

@@ -8,12 +8,12 @@ from typing import Final, Generic, TypeVar
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from skills.ports.action import GoalState
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.message import Message
-from skills.ports.skill import ActionType
-from trees.client import GoalHandle
-from trees.context import TreeContext
+from tandem.skills.ports.action import GoalState
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.skill import ActionType
+from tandem.trees.client import GoalHandle
+from tandem.trees.context import TreeContext
 
 G = TypeVar("G", bound=Message)
 F = TypeVar("F", bound=Message)

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from skills.ports.failure import Failure
-from skills.ports.tasks import Question
-from trees.context import TreeContext
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.tasks import Question
+from tandem.trees.context import TreeContext
 
 
 class Ask(Behaviour):

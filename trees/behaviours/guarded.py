@@ -8,8 +8,8 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.decorators import Decorator
 
-from skills.ports.failure import Failure
-from trees.context import TreeContext
+from tandem.skills.ports.failure import Failure
+from tandem.trees.context import TreeContext
 
 
 class Guarded(Decorator):

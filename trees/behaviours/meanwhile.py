@@ -8,7 +8,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Composite
 
-from trees.context import TreeContext
+from tandem.trees.context import TreeContext
 
 
 class Meanwhile(Composite):

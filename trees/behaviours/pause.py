@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from trees.context import TreeContext
+from tandem.trees.context import TreeContext
 
 
 class Pause(Behaviour):

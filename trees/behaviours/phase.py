@@ -6,7 +6,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.decorators import Decorator
 
-from trees.context import TreeContext
+from tandem.trees.context import TreeContext
 
 
 class Phase(Decorator):

@@ -9,9 +9,9 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Composite, Sequence
 
-from skills.ports.failure import Failure
-from trees.behaviours.check import Check
-from trees.context import TreeContext
+from tandem.skills.ports.failure import Failure
+from tandem.trees.behaviours.check import Check
+from tandem.trees.context import TreeContext
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from py_trees.common import Status
 from py_trees.composites import Sequence
 from py_trees.decorators import Decorator
 
-from trees.context import TreeContext
+from tandem.trees.context import TreeContext
 
 
 class Remember(Decorator):

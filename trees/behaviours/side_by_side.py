@@ -8,9 +8,9 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Composite
 
-from skills.ports.failure import Failure, FailureKind
-from trees.branch import Branch
-from trees.context import TreeContext
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.trees.branch import Branch
+from tandem.trees.context import TreeContext
 
 
 class SideBySide(Composite):

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from skills.ports.failure import Failure
-from trees.context import TreeContext
+from tandem.skills.ports.failure import Failure
+from tandem.trees.context import TreeContext
 
 
 class WaitFor(Behaviour):

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from skills.ports.actions.arm import ArmState
-from skills.ports.actions.base import ARM_MARGIN
-from skills.ports.world import SIDES, Side
-from trees.behaviours.check import Check
-from trees.context import TreeContext
+from tandem.skills.ports.actions.arm import ArmState
+from tandem.skills.ports.actions.base import ARM_MARGIN
+from tandem.skills.ports.world import SIDES, Side
+from tandem.trees.behaviours.check import Check
+from tandem.trees.context import TreeContext
 
 
 def at_rest(context: TreeContext, side: Side) -> bool:

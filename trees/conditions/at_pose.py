@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable
 from typing import Final
 
-from skills.ports.geometry import FloorPose, floor_distance, wrap
-from trees.behaviours.check import Check
-from trees.context import TreeContext
+from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
+from tandem.trees.behaviours.check import Check
+from tandem.trees.context import TreeContext
 
 POSITION_TOLERANCE: Final = 0.06
 """Metres within which the base need not be driven again."""

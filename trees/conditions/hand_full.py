@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from skills.ports.world import Side
-from trees.behaviours.check import Check
-from trees.context import TreeContext
+from tandem.skills.ports.world import Side
+from tandem.trees.behaviours.check import Check
+from tandem.trees.context import TreeContext
 
 
 def hand_full(name: str, context: TreeContext, side: Callable[[], Side]) -> Check:

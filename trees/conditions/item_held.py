@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from trees.behaviours.check import Check
-from trees.board import FetchBoard
-from trees.context import TreeContext
+from tandem.trees.behaviours.check import Check
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
 
 
 def item_held(context: TreeContext, board: FetchBoard, name: str = "item held?") -> Check:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from trees.behaviours.check import Check
-from trees.context import TreeContext
+from tandem.trees.behaviours.check import Check
+from tandem.trees.context import TreeContext
 
 
 def localised(context: TreeContext) -> Check:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trees.knowledge import Knowledge
+from tandem.trees.knowledge import Knowledge
 
 
 def unheard(knowledge: Knowledge) -> str:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.world import WorldState
-from trees.behaviours.decide import Decide
-from trees.board import FetchBoard
-from trees.context import TreeContext
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.world import WorldState
+from tandem.trees.behaviours.decide import Decide
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
 
 TAKEN: Final = 0.10
 """Metres around a slot within which an item seen there takes it."""

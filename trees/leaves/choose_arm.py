@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.world import Side
-from trees.behaviours.decide import Decide
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.leaves.within_reach import OF, target_in_base, unreachable, zone_at
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.world import Side
+from tandem.trees.behaviours.decide import Decide
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.leaves.within_reach import OF, target_in_base, unreachable, zone_at
 
 
 @dataclass(eq=False)

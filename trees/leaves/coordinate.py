@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from typing import Literal
 
-from skills.ports.actions.bimanual import COORDINATE, CoordinateFeedback, CoordinateGoal, CoordinateResult
-from trees.behaviours.act import Lasting
-from trees.context import TreeContext
+from tandem.skills.ports.actions.bimanual import (
+    COORDINATE,
+    CoordinateFeedback,
+    CoordinateGoal,
+    CoordinateResult,
+)
+from tandem.trees.behaviours.act import Lasting
+from tandem.trees.context import TreeContext
 
 Mode = Literal["faithful", "eager"]
 

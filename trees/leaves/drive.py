@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from skills.ports.actions.base import DRIVE, DriveFeedback, DriveGoal, DriveResult
-from skills.ports.failure import Failure
-from skills.ports.geometry import FloorPose
-from trees.behaviours.act import Act
-from trees.context import TreeContext
+from tandem.skills.ports.actions.base import DRIVE, DriveFeedback, DriveGoal, DriveResult
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.geometry import FloorPose
+from tandem.trees.behaviours.act import Act
+from tandem.trees.context import TreeContext
 
 Drive = Act[DriveGoal, DriveFeedback, DriveResult]
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
-from skills.ports.failure import Failure
-from trees.behaviours.act import Act
-from trees.board import FetchBoard
-from trees.context import TreeContext
-from trees.fetch_notes import lets_go
+from tandem.skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
+from tandem.skills.ports.failure import Failure
+from tandem.trees.behaviours.act import Act
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
+from tandem.trees.fetch_notes import lets_go
 
 Edit = Act[EditGoal, EditFeedback, EditResult]
 

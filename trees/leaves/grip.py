@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from skills.ports.actions.gripper import GripFeedback, GripGoal, GripResult, grip
-from skills.ports.failure import Failure
-from trees.behaviours.act import Act, accept
-from trees.board import FetchBoard
-from trees.context import TreeContext
+from tandem.skills.ports.actions.gripper import GripFeedback, GripGoal, GripResult, grip
+from tandem.skills.ports.failure import Failure
+from tandem.trees.behaviours.act import Act, accept
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
 
 
 def grip_with(

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from skills.ports.actions.base import LOCALISE, LocaliseFeedback, LocaliseGoal, LocaliseResult
-from trees.behaviours.act import Act
-from trees.context import TreeContext
+from tandem.skills.ports.actions.base import LOCALISE, LocaliseFeedback, LocaliseGoal, LocaliseResult
+from tandem.trees.behaviours.act import Act
+from tandem.trees.context import TreeContext
 
 
 def localise(

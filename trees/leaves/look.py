@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
-from skills.ports.failure import Failure, FailureKind
-from trees.behaviours.act import Act
-from trees.board import NEAR, FetchBoard, is_meant
-from trees.context import TreeContext
-from trees.item_failures import ambiguous
+from tandem.skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.trees.behaviours.act import Act
+from tandem.trees.board import NEAR, FetchBoard, is_meant
+from tandem.trees.context import TreeContext
+from tandem.trees.item_failures import ambiguous
 
 TILTS: Final = (-0.45,)
 """Radians of the head: with 36 degrees of height, one picture spans what lies 0.6 to 4 m ahead on a table."""

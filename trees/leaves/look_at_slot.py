@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
-from trees.behaviours.act import Act
-from trees.board import FetchBoard
-from trees.context import TreeContext
-from trees.leaves.look_closely import REACH
+from tandem.skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
+from tandem.trees.behaviours.act import Act
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
+from tandem.trees.leaves.look_closely import REACH
 
 
 def look_at_slot(

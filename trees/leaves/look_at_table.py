@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
-from skills.ports.failure import Failure, FailureKind
-from trees.behaviours.act import Act
-from trees.context import TreeContext
-from trees.item_failures import ambiguous
+from tandem.skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.trees.behaviours.act import Act
+from tandem.trees.context import TreeContext
+from tandem.trees.item_failures import ambiguous
 
 TILT: Final = -0.9
 """Radians of the head: one picture spans a table from its near edge at 0.45 m to 1.05 m before the base."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
-from skills.ports.failure import Failure, FailureKind
-from trees.behaviours.act import Act
-from trees.board import FetchBoard
-from trees.context import TreeContext
-from trees.item_failures import ambiguous
+from tandem.skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.trees.behaviours.act import Act
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
+from tandem.trees.item_failures import ambiguous
 
 PICTURES: Final = 3
 """Pictures whose tag poses are averaged before a grasp."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from skills.ports.actions.arm import MoveFeedback, MoveGoal, MoveResult, move
-from skills.ports.failure import Failure
-from trees.behaviours.act import Act, accept
-from trees.board import FetchBoard
-from trees.conditions.arm_tucked import at_rest
-from trees.context import TreeContext
+from tandem.skills.ports.actions.arm import MoveFeedback, MoveGoal, MoveResult, move
+from tandem.skills.ports.failure import Failure
+from tandem.trees.behaviours.act import Act, accept
+from tandem.trees.board import FetchBoard
+from tandem.trees.conditions.arm_tucked import at_rest
+from tandem.trees.context import TreeContext
 
 
 def move_hand(

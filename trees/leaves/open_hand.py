@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
-from skills.ports.world import Side
-from trees.behaviours.act import Act
-from trees.context import TreeContext
+from tandem.skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
+from tandem.skills.ports.world import Side
+from tandem.trees.behaviours.act import Act
+from tandem.trees.context import TreeContext
 
 
 def open_hand(

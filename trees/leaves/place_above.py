@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.grasping import Place, place
-from skills.ports.world import Side
-from trees.behaviours.act import Act
-from trees.board import FetchBoard
-from trees.context import TreeContext
-from trees.leaves.move_hand import move_hand
+from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.grasping import Place, place
+from tandem.skills.ports.world import Side
+from tandem.trees.behaviours.act import Act
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
+from tandem.trees.leaves.move_hand import move_hand
 
 TURNS: Final = tuple(math.radians(angle) for angle in (0.0, 20.0, -20.0, 40.0, -40.0))
 """Turns of the item about the vertical, in the order in which they are tried."""

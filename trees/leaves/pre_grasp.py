@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import Pose
-from skills.ports.grasping import PITCHES, Grasp, grasp
-from trees.behaviours.act import Act
-from trees.board import FetchBoard
-from trees.context import TreeContext
-from trees.item_failures import fallen_over
-from trees.leaves.move_hand import move_hand
+from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.grasping import PITCHES, Grasp, grasp
+from tandem.trees.behaviours.act import Act
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
+from tandem.trees.item_failures import fallen_over
+from tandem.trees.leaves.move_hand import move_hand
 
 
 def grasp_candidates(board: FetchBoard, tag_in_map: Pose, depth: float) -> tuple[Candidate, ...]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
-from trees.behaviours.act import Act
-from trees.board import FetchBoard
-from trees.context import TreeContext
-from trees.leaves.move_hand import move_hand
+from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
+from tandem.trees.behaviours.act import Act
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
+from tandem.trees.leaves.move_hand import move_hand
 
 
 def put_down(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeedback, MoveResult]:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from skills.ports.actions.arm import MoveFeedback, MoveGoal, MoveResult, move
-from skills.ports.world import Side
-from trees.behaviours.act import Act
-from trees.conditions.arm_tucked import at_rest
-from trees.context import TreeContext
+from tandem.skills.ports.actions.arm import MoveFeedback, MoveGoal, MoveResult, move
+from tandem.skills.ports.world import Side
+from tandem.trees.behaviours.act import Act
+from tandem.trees.conditions.arm_tucked import at_rest
+from tandem.trees.context import TreeContext
 
 WAYS: Final = ((-0.12, 0.0, 0.0), (-0.07, 0.0, 0.0))
 """Metres in the tool's frame, x out of the hand: as far as from a grasp to its pre-grasp, or half of it."""

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import invert, transform
-from skills.ports.message import Vector3
-from skills.ports.world import Box
-from trees.behaviours.decide import Decide
-from trees.board import FetchBoard
-from trees.context import TreeContext
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import invert, transform
+from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.world import Box
+from tandem.trees.behaviours.decide import Decide
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
 
 ROOM: Final = 0.02
 """Metres between what is put down and what stands beside it, in plan."""

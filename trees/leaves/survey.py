@@ -6,15 +6,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from skills.ports.actions.arm import Candidate, SurveyFeedback, SurveyGoal, SurveyResult, survey
-from skills.ports.actions.base import ARM_MARGIN
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.floor_plan import FloorPlan
-from skills.ports.geometry import FloorPose, floor_distance, wrap
-from skills.ports.world import Side
-from trees.behaviours.act import Act
-from trees.board import FetchBoard
-from trees.context import TreeContext
+from tandem.skills.ports.actions.arm import Candidate, SurveyFeedback, SurveyGoal, SurveyResult, survey
+from tandem.skills.ports.actions.base import ARM_MARGIN
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.floor_plan import FloorPlan
+from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
+from tandem.skills.ports.world import Side
+from tandem.trees.behaviours.act import Act
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
 
 
 @dataclass(frozen=True)

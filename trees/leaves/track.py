@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from skills.ports.actions.perception import TRACK, LookFeedback, TrackGoal, TrackResult
-from trees.behaviours.act import Lasting
-from trees.context import TreeContext
+from tandem.skills.ports.actions.perception import TRACK, LookFeedback, TrackGoal, TrackResult
+from tandem.trees.behaviours.act import Lasting
+from tandem.trees.context import TreeContext
 
 
 def track(

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from skills.ports.actions.arm import MoveFeedback, MoveGoal, MoveResult, move
-from skills.ports.world import Side
-from trees.behaviours.act import Act
-from trees.conditions.arm_tucked import at_rest
-from trees.context import TreeContext
+from tandem.skills.ports.actions.arm import MoveFeedback, MoveGoal, MoveResult, move
+from tandem.skills.ports.world import Side
+from tandem.trees.behaviours.act import Act
+from tandem.trees.conditions.arm_tucked import at_rest
+from tandem.trees.context import TreeContext
 
 
 def tuck_arm(

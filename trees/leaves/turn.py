@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from skills.ports.actions.base import ROTATE, RotateFeedback, RotateGoal, RotateResult
-from trees.behaviours.act import Act
-from trees.context import TreeContext
+from tandem.skills.ports.actions.base import ROTATE, RotateFeedback, RotateGoal, RotateResult
+from tandem.trees.behaviours.act import Act
+from tandem.trees.context import TreeContext
 
 STEP: Final = -math.radians(30.0)
 """Clockwise, as in document 000, III-A.2."""

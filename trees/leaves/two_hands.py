@@ -6,12 +6,18 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from skills.ports.actions.bimanual import TWO_HANDS, TwoHands, TwoHandsFeedback, TwoHandsGoal, TwoHandsResult
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import Pose, add
-from trees.behaviours.act import Act, accept
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
+from tandem.skills.ports.actions.bimanual import (
+    TWO_HANDS,
+    TwoHands,
+    TwoHandsFeedback,
+    TwoHandsGoal,
+    TwoHandsResult,
+)
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import Pose, add
+from tandem.trees.behaviours.act import Act, accept
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
 
 BothHands = Act[TwoHandsGoal, TwoHandsFeedback, TwoHandsResult]
 RISE: Final = 0.10

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import compose, invert, to_pose, transform
-from skills.ports.message import Vector3
-from skills.ports.world import Side
-from trees.behaviours.decide import Decide
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import compose, invert, to_pose, transform
+from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.world import Side
+from tandem.trees.behaviours.decide import Decide
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
 
 OF: dict[Side, frozenset[str]] = {"left": frozenset("LC"), "right": frozenset("RC")}
 """The zones that a hand reaches."""

@@ -7,15 +7,15 @@ from dataclasses import dataclass
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
-from skills.ports.world import SIDES, Side
-from trees.behaviours.each import Each
-from trees.behaviours.note import Note
-from trees.conditions.arm_tucked import arms_tucked, tucked
-from trees.conditions.hand_full import hand_full
-from trees.context import TreeContext
-from trees.leaves.open_hand import open_hand
-from trees.leaves.retreat import retreat
-from trees.leaves.tuck_arm import tuck_arm
+from tandem.skills.ports.world import SIDES, Side
+from tandem.trees.behaviours.each import Each
+from tandem.trees.behaviours.note import Note
+from tandem.trees.conditions.arm_tucked import arms_tucked, tucked
+from tandem.trees.conditions.hand_full import hand_full
+from tandem.trees.context import TreeContext
+from tandem.trees.leaves.open_hand import open_hand
+from tandem.trees.leaves.retreat import retreat
+from tandem.trees.leaves.tuck_arm import tuck_arm
 
 
 @dataclass(eq=False)

@@ -11,25 +11,31 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess
 
-from trees.behaviours.barrier import Barrier, Meet, Member
-from trees.behaviours.check import Check
-from trees.behaviours.note import Note
-from trees.behaviours.pause import Pause
-from trees.behaviours.recovery import Recovery, Rung
-from trees.behaviours.remember import afterwards
-from trees.behaviours.side_by_side import SideBySide
-from trees.branch import Branch, branch
-from trees.conditions.kinds.another_grasp_helps import another_grasp_helps
-from trees.conditions.kinds.looking_again_helps import looking_again_helps
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.leaves.hand.approach import approach_item
-from trees.leaves.hand.grip_item import open_for_item
-from trees.leaves.hand.reach_item import plan_before_item, reach_item
-from trees.leaves.two_hands import BothBoard, let_go_together, lift_together, put_down_together, squeeze
-from trees.subtrees.bring_safe import bring_safe
-from trees.subtrees.hand_pick import FOLLOWS, GRASPS, WITHIN, Method, seen_again
-from trees.subtrees.rungs import wait_back
+from tandem.trees.behaviours.barrier import Barrier, Meet, Member
+from tandem.trees.behaviours.check import Check
+from tandem.trees.behaviours.note import Note
+from tandem.trees.behaviours.pause import Pause
+from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.remember import afterwards
+from tandem.trees.behaviours.side_by_side import SideBySide
+from tandem.trees.branch import Branch, branch
+from tandem.trees.conditions.kinds.another_grasp_helps import another_grasp_helps
+from tandem.trees.conditions.kinds.looking_again_helps import looking_again_helps
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.leaves.hand.approach import approach_item
+from tandem.trees.leaves.hand.grip_item import open_for_item
+from tandem.trees.leaves.hand.reach_item import plan_before_item, reach_item
+from tandem.trees.leaves.two_hands import (
+    BothBoard,
+    let_go_together,
+    lift_together,
+    put_down_together,
+    squeeze,
+)
+from tandem.trees.subtrees.bring_safe import bring_safe
+from tandem.trees.subtrees.hand_pick import FOLLOWS, GRASPS, WITHIN, Method, seen_again
+from tandem.trees.subtrees.rungs import wait_back
 
 Hand = tuple[Branch, HandBoard]
 

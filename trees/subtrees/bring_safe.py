@@ -5,14 +5,14 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
-from trees.behaviours.check import Check
-from trees.conditions.hand_full import hand_full
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.leaves.hand.go_safe import go_safe
-from trees.leaves.hand.grip_item import let_go
-from trees.leaves.retreat import retreat
-from trees.subtrees.rise import rise
+from tandem.trees.behaviours.check import Check
+from tandem.trees.conditions.hand_full import hand_full
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.leaves.hand.go_safe import go_safe
+from tandem.trees.leaves.hand.grip_item import let_go
+from tandem.trees.leaves.retreat import retreat
+from tandem.trees.subtrees.rise import rise
 
 
 def bring_safe(context: TreeContext, board: HandBoard, where: str, *, full: bool = False) -> Behaviour:

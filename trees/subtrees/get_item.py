@@ -13,25 +13,25 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess
 
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import floor_distance
-from trees.behaviours.interruptible import Interruptible
-from trees.behaviours.note import Note
-from trees.behaviours.phase import Phase
-from trees.behaviours.recovery import Recovery, Rung
-from trees.board import FetchBoard
-from trees.conditions.item_held import item_held
-from trees.conditions.kinds.another_grasp_helps import another_grasp_helps
-from trees.conditions.kinds.another_view_helps import another_view_helps
-from trees.conditions.kinds.looking_again_helps import looking_again_helps
-from trees.conditions.kinds.searching_again_helps import searching_again_helps
-from trees.context import TreeContext
-from trees.leaves.edit_scene import forget
-from trees.subtrees.arms_in import free_and_tuck
-from trees.subtrees.home import home
-from trees.subtrees.pick import pick
-from trees.subtrees.rungs import another_way, localise_again, wait_back
-from trees.subtrees.search import search
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import floor_distance
+from tandem.trees.behaviours.interruptible import Interruptible
+from tandem.trees.behaviours.note import Note
+from tandem.trees.behaviours.phase import Phase
+from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.board import FetchBoard
+from tandem.trees.conditions.item_held import item_held
+from tandem.trees.conditions.kinds.another_grasp_helps import another_grasp_helps
+from tandem.trees.conditions.kinds.another_view_helps import another_view_helps
+from tandem.trees.conditions.kinds.looking_again_helps import looking_again_helps
+from tandem.trees.conditions.kinds.searching_again_helps import searching_again_helps
+from tandem.trees.context import TreeContext
+from tandem.trees.leaves.edit_scene import forget
+from tandem.trees.subtrees.arms_in import free_and_tuck
+from tandem.trees.subtrees.home import home
+from tandem.trees.subtrees.pick import pick
+from tandem.trees.subtrees.rungs import another_way, localise_again, wait_back
+from tandem.trees.subtrees.search import search
 
 WITHIN: Final = 420.0
 """Robot seconds after which nothing is tried again."""

@@ -12,26 +12,26 @@ from typing import Final, Literal
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
-from skills.ports.failure import Failure, FailureKind
-from trees.behaviours.check import Check
-from trees.behaviours.note import Note
-from trees.behaviours.recovery import Recovery, Rung
-from trees.behaviours.remember import afterwards
-from trees.behaviours.wait_for import WaitFor
-from trees.conditions.kinds.another_grasp_helps import another_grasp_helps
-from trees.conditions.kinds.looking_again_helps import looking_again_helps
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.leaves.hand.approach import approach_item
-from trees.leaves.hand.attach_item import attach_item
-from trees.leaves.hand.go_safe import go_safe
-from trees.leaves.hand.grip_item import close_on_item, hand_is_full, open_for_item
-from trees.leaves.hand.lift_item import lift_item
-from trees.leaves.hand.reach_item import plan_before_item, reach_item
-from trees.leaves.hand.still_held import still_held
-from trees.subtrees.bring_safe import bring_safe
-from trees.subtrees.rise import rise
-from trees.subtrees.rungs import wait_back
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.trees.behaviours.check import Check
+from tandem.trees.behaviours.note import Note
+from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.remember import afterwards
+from tandem.trees.behaviours.wait_for import WaitFor
+from tandem.trees.conditions.kinds.another_grasp_helps import another_grasp_helps
+from tandem.trees.conditions.kinds.looking_again_helps import looking_again_helps
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.leaves.hand.approach import approach_item
+from tandem.trees.leaves.hand.attach_item import attach_item
+from tandem.trees.leaves.hand.go_safe import go_safe
+from tandem.trees.leaves.hand.grip_item import close_on_item, hand_is_full, open_for_item
+from tandem.trees.leaves.hand.lift_item import lift_item
+from tandem.trees.leaves.hand.reach_item import plan_before_item, reach_item
+from tandem.trees.leaves.hand.still_held import still_held
+from tandem.trees.subtrees.bring_safe import bring_safe
+from tandem.trees.subtrees.rise import rise
+from tandem.trees.subtrees.rungs import wait_back
 
 Method = Literal["apf_rrtconnect", "rrtconnect", "rrtconnect_replan"]
 """The thesis's method; its baseline, planned once at the start; and that, planned again for a moved item."""

@@ -7,13 +7,13 @@ from typing import Final
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
-from skills.ports.geometry import FloorPose
-from trees.behaviours.recovery import Recovery
-from trees.conditions.at_pose import at_any
-from trees.context import TreeContext
-from trees.leaves.drive import drive
-from trees.subtrees.arms_in import free_and_tuck
-from trees.subtrees.rungs import let_pass, localise_again, wait_back
+from tandem.skills.ports.geometry import FloorPose
+from tandem.trees.behaviours.recovery import Recovery
+from tandem.trees.conditions.at_pose import at_any
+from tandem.trees.context import TreeContext
+from tandem.trees.leaves.drive import drive
+from tandem.trees.subtrees.arms_in import free_and_tuck
+from tandem.trees.subtrees.rungs import let_pass, localise_again, wait_back
 
 WITHIN: Final = 180.0
 """Robot seconds after which a way home is not tried again."""

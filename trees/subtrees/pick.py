@@ -7,23 +7,23 @@ import math
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from skills.ports.actions.gripper import Grip, GripGoal, GripResult
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.grasping import face, outward, proximity_poses
-from skills.ports.world import Side
-from trees.board import FetchBoard
-from trees.context import TreeContext
-from trees.fetch_notes import closes
-from trees.item_failures import fallen_over
-from trees.leaves.edit_scene import add_to_scene, attach
-from trees.leaves.grip import grip_with
-from trees.leaves.look_closely import look_closely
-from trees.leaves.pre_grasp import grasp_candidates, pre_grasp
-from trees.leaves.reach import reach
-from trees.leaves.retract import retract
-from trees.leaves.survey import Reach
-from trees.subtrees.arms_in import tuck
-from trees.subtrees.stand import stand_near, unknown
+from tandem.skills.ports.actions.gripper import Grip, GripGoal, GripResult
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.grasping import face, outward, proximity_poses
+from tandem.skills.ports.world import Side
+from tandem.trees.board import FetchBoard
+from tandem.trees.context import TreeContext
+from tandem.trees.fetch_notes import closes
+from tandem.trees.item_failures import fallen_over
+from tandem.trees.leaves.edit_scene import add_to_scene, attach
+from tandem.trees.leaves.grip import grip_with
+from tandem.trees.leaves.look_closely import look_closely
+from tandem.trees.leaves.pre_grasp import grasp_candidates, pre_grasp
+from tandem.trees.leaves.reach import reach
+from tandem.trees.leaves.retract import retract
+from tandem.trees.leaves.survey import Reach
+from tandem.trees.subtrees.arms_in import tuck
+from tandem.trees.subtrees.stand import stand_near, unknown
 
 
 def pick(context: TreeContext, board: FetchBoard) -> Behaviour:

@@ -12,33 +12,33 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess
 
-from skills.ports.actions.gripper import Grip, GripGoal
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.grasping import proximity_poses
-from skills.ports.world import Side
-from trees.behaviours.guarded import Guarded
-from trees.behaviours.note import Note
-from trees.behaviours.recovery import Recovery, Rung
-from trees.board import FetchBoard
-from trees.conditions.item_left import item_left
-from trees.conditions.kinds.another_slot_helps import another_slot_helps
-from trees.conditions.kinds.another_stand_helps import another_stand_helps
-from trees.conditions.kinds.trying_again_helps import trying_again_helps
-from trees.context import TreeContext
-from trees.item_failures import no_longer_held
-from trees.leaves.bind_slot import bind_slot
-from trees.leaves.edit_scene import detach, remove_from_scene
-from trees.leaves.grip import grip_with
-from trees.leaves.look_at_slot import look_at_slot
-from trees.leaves.place_above import place_above, place_candidates, ways_to_place
-from trees.leaves.put_down import put_down
-from trees.leaves.slot_is_free import slot_is_free
-from trees.leaves.survey import Reach
-from trees.leaves.withdraw import withdraw
-from trees.subtrees.arms_in import free_and_tuck
-from trees.subtrees.home import home
-from trees.subtrees.rungs import a_moment, another_way, localise_again, wait_back
-from trees.subtrees.stand import stand_near, unknown
+from tandem.skills.ports.actions.gripper import Grip, GripGoal
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.grasping import proximity_poses
+from tandem.skills.ports.world import Side
+from tandem.trees.behaviours.guarded import Guarded
+from tandem.trees.behaviours.note import Note
+from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.board import FetchBoard
+from tandem.trees.conditions.item_left import item_left
+from tandem.trees.conditions.kinds.another_slot_helps import another_slot_helps
+from tandem.trees.conditions.kinds.another_stand_helps import another_stand_helps
+from tandem.trees.conditions.kinds.trying_again_helps import trying_again_helps
+from tandem.trees.context import TreeContext
+from tandem.trees.item_failures import no_longer_held
+from tandem.trees.leaves.bind_slot import bind_slot
+from tandem.trees.leaves.edit_scene import detach, remove_from_scene
+from tandem.trees.leaves.grip import grip_with
+from tandem.trees.leaves.look_at_slot import look_at_slot
+from tandem.trees.leaves.place_above import place_above, place_candidates, ways_to_place
+from tandem.trees.leaves.put_down import put_down
+from tandem.trees.leaves.slot_is_free import slot_is_free
+from tandem.trees.leaves.survey import Reach
+from tandem.trees.leaves.withdraw import withdraw
+from tandem.trees.subtrees.arms_in import free_and_tuck
+from tandem.trees.subtrees.home import home
+from tandem.trees.subtrees.rungs import a_moment, another_way, localise_again, wait_back
+from tandem.trees.subtrees.stand import stand_near, unknown
 
 WITHIN: Final = 300.0
 """Robot seconds after which nothing is tried again."""

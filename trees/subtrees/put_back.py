@@ -12,21 +12,21 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from py_trees.decorators import Inverter
 
-from skills.ports.failure import Failure
-from skills.ports.world import Side
-from trees.behaviours.check import Check
-from trees.behaviours.decide import Decide
-from trees.board import FetchBoard
-from trees.conditions.arm_tucked import tucked
-from trees.conditions.item_held import item_held
-from trees.context import TreeContext
-from trees.fetch_notes import recall
-from trees.leaves.bind_slot import bind_slot
-from trees.leaves.open_hand import open_hand
-from trees.leaves.retreat import retreat
-from trees.leaves.tuck_arm import tuck_arm
-from trees.subtrees.place import place
-from trees.subtrees.request import ready
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.world import Side
+from tandem.trees.behaviours.check import Check
+from tandem.trees.behaviours.decide import Decide
+from tandem.trees.board import FetchBoard
+from tandem.trees.conditions.arm_tucked import tucked
+from tandem.trees.conditions.item_held import item_held
+from tandem.trees.context import TreeContext
+from tandem.trees.fetch_notes import recall
+from tandem.trees.leaves.bind_slot import bind_slot
+from tandem.trees.leaves.open_hand import open_hand
+from tandem.trees.leaves.retreat import retreat
+from tandem.trees.leaves.tuck_arm import tuck_arm
+from tandem.trees.subtrees.place import place
+from tandem.trees.subtrees.request import ready
 
 PATIENCE: Final = 60.0
 """Seconds, of the robot and of the host, for the keeper and the arms: they start within 10 s."""

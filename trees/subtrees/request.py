@@ -7,18 +7,18 @@ from typing import Final
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.world import WorldState
-from trees.behaviours.decide import Decide
-from trees.behaviours.recovery import Recovery, Rung
-from trees.behaviours.wait_for import WaitFor
-from trees.board import FetchBoard
-from trees.conditions.kinds.localising_helps import localising_helps
-from trees.conditions.localised import localised
-from trees.context import TreeContext
-from trees.leaves.bind_slot import bind_slot
-from trees.leaves.localise import localise
-from trees.subtrees.rungs import a_moment, wait_back
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.world import WorldState
+from tandem.trees.behaviours.decide import Decide
+from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.wait_for import WaitFor
+from tandem.trees.board import FetchBoard
+from tandem.trees.conditions.kinds.localising_helps import localising_helps
+from tandem.trees.conditions.localised import localised
+from tandem.trees.context import TreeContext
+from tandem.trees.leaves.bind_slot import bind_slot
+from tandem.trees.leaves.localise import localise
+from tandem.trees.subtrees.rungs import a_moment, wait_back
 
 WITHIN: Final = 120.0
 """Robot seconds after which localising is not tried again."""

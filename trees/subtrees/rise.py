@@ -11,12 +11,12 @@ from typing import Final
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector
 
-from skills.ports.actions.arm import MoveGoal
-from trees.behaviours.check import Check
-from trees.behaviours.note import Note
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.leaves.hand.hand_move import hand_move
+from tandem.skills.ports.actions.arm import MoveGoal
+from tandem.trees.behaviours.check import Check
+from tandem.trees.behaviours.note import Note
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.leaves.hand.hand_move import hand_move
 
 RISE: Final = 0.12
 """Metres: a hand that grasps at the middle of a cube of 7 cm is well above it then."""

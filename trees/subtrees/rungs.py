@@ -7,17 +7,17 @@ from typing import Final
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
-from skills.ports.failure import Failure, FailureKind
-from trees.behaviours.note import Note
-from trees.behaviours.pause import Pause
-from trees.behaviours.recovery import Rung
-from trees.behaviours.wait_for import WaitFor
-from trees.board import FetchBoard
-from trees.conditions.kinds.another_way_helps import another_way_helps
-from trees.conditions.kinds.localising_helps import localising_helps
-from trees.conditions.kinds.waiting_helps import waiting_helps
-from trees.context import TreeContext
-from trees.leaves.localise import localise
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.trees.behaviours.note import Note
+from tandem.trees.behaviours.pause import Pause
+from tandem.trees.behaviours.recovery import Rung
+from tandem.trees.behaviours.wait_for import WaitFor
+from tandem.trees.board import FetchBoard
+from tandem.trees.conditions.kinds.another_way_helps import another_way_helps
+from tandem.trees.conditions.kinds.localising_helps import localising_helps
+from tandem.trees.conditions.kinds.waiting_helps import waiting_helps
+from tandem.trees.context import TreeContext
+from tandem.trees.leaves.localise import localise
 
 WAITS: Final = 4
 BACK_WITHIN: Final = 30.0

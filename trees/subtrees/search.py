@@ -9,23 +9,23 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import FloorPose
-from trees.behaviours.again import Again
-from trees.behaviours.check import Check
-from trees.behaviours.decide import Decide
-from trees.behaviours.give_up import GiveUp
-from trees.behaviours.note import Note
-from trees.board import FetchBoard
-from trees.conditions.item_located import item_located
-from trees.conditions.kinds.unseen import unseen
-from trees.context import TreeContext
-from trees.item_failures import ambiguous
-from trees.leaves.drive import drive
-from trees.leaves.edit_scene import select
-from trees.leaves.look import look
-from trees.leaves.turn import turn
-from trees.subtrees.arms_in import free_and_tuck
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import FloorPose
+from tandem.trees.behaviours.again import Again
+from tandem.trees.behaviours.check import Check
+from tandem.trees.behaviours.decide import Decide
+from tandem.trees.behaviours.give_up import GiveUp
+from tandem.trees.behaviours.note import Note
+from tandem.trees.board import FetchBoard
+from tandem.trees.conditions.item_located import item_located
+from tandem.trees.conditions.kinds.unseen import unseen
+from tandem.trees.context import TreeContext
+from tandem.trees.item_failures import ambiguous
+from tandem.trees.leaves.drive import drive
+from tandem.trees.leaves.edit_scene import select
+from tandem.trees.leaves.look import look
+from tandem.trees.leaves.turn import turn
+from tandem.trees.subtrees.arms_in import free_and_tuck
 
 TURNS = 12
 """Turns of 30 degrees make 360."""

@@ -12,15 +12,15 @@ from typing import Final
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.world import SIDES, Side
-from trees.behaviours.check import Check
-from trees.board import FetchBoard
-from trees.conditions.at_pose import at_any
-from trees.context import TreeContext
-from trees.leaves.drive import drive
-from trees.leaves.survey import Reach, survey_stands
-from trees.subtrees.arms_in import free_and_tuck, tuck
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.world import SIDES, Side
+from tandem.trees.behaviours.check import Check
+from tandem.trees.board import FetchBoard
+from tandem.trees.conditions.at_pose import at_any
+from tandem.trees.context import TreeContext
+from tandem.trees.leaves.drive import drive
+from tandem.trees.leaves.survey import Reach, survey_stands
+from tandem.trees.subtrees.arms_in import free_and_tuck, tuck
 
 FACES: Final = {0: "", 1: ", left face", -1: ", right face"}
 """Names of an item's faces by quarter turns, seen from above, from the one that is seen."""

@@ -7,25 +7,25 @@ from typing import Final
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.world import SIDES
-from trees.behaviours.decide import Decide
-from trees.behaviours.meanwhile import Meanwhile
-from trees.behaviours.pause import Pause
-from trees.behaviours.recovery import Recovery, Rung
-from trees.behaviours.wait_for import WaitFor
-from trees.branch import branch
-from trees.conditions.kinds.unseen import unseen
-from trees.conditions.localised import localised
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.leaves.coordinate import Mode, coordinate
-from trees.leaves.localise import localise
-from trees.leaves.look_at_table import look_at_table
-from trees.leaves.track import track
-from trees.subtrees.arms_in import free_and_tuck
-from trees.subtrees.request import ready
-from trees.subtrees.rungs import wait_back
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.world import SIDES
+from tandem.trees.behaviours.decide import Decide
+from tandem.trees.behaviours.meanwhile import Meanwhile
+from tandem.trees.behaviours.pause import Pause
+from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.wait_for import WaitFor
+from tandem.trees.branch import branch
+from tandem.trees.conditions.kinds.unseen import unseen
+from tandem.trees.conditions.localised import localised
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.leaves.coordinate import Mode, coordinate
+from tandem.trees.leaves.localise import localise
+from tandem.trees.leaves.look_at_table import look_at_table
+from tandem.trees.leaves.track import track
+from tandem.trees.subtrees.arms_in import free_and_tuck
+from tandem.trees.subtrees.request import ready
+from tandem.trees.subtrees.rungs import wait_back
 
 ZONES_WITHIN: Final = 20.0
 """Robot seconds in which the workspace zones must be known: they are computed once at the start."""

@@ -12,26 +12,26 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from pydantic import Field
 
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import Problem
-from skills.ports.world import Side
-from trees.behaviours.note import Note
-from trees.behaviours.phase import Phase
-from trees.behaviours.recovery import Recovery, Rung
-from trees.behaviours.remember import afterwards
-from trees.board import FetchBoard
-from trees.closing import where_all_is
-from trees.conditions.item_placed import item_placed
-from trees.conditions.kinds.fetching_again_helps import fetching_again_helps
-from trees.conditions.robot_heard import unheard
-from trees.context import TreeContext
-from trees.subtrees.get_item import get_item
-from trees.subtrees.home import home_at_last
-from trees.subtrees.place import place
-from trees.subtrees.put_back import put_back
-from trees.subtrees.request import request
-from trees.task import TaskType
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import Problem
+from tandem.skills.ports.world import Side
+from tandem.trees.behaviours.note import Note
+from tandem.trees.behaviours.phase import Phase
+from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.remember import afterwards
+from tandem.trees.board import FetchBoard
+from tandem.trees.closing import where_all_is
+from tandem.trees.conditions.item_placed import item_placed
+from tandem.trees.conditions.kinds.fetching_again_helps import fetching_again_helps
+from tandem.trees.conditions.robot_heard import unheard
+from tandem.trees.context import TreeContext
+from tandem.trees.subtrees.get_item import get_item
+from tandem.trees.subtrees.home import home_at_last
+from tandem.trees.subtrees.place import place
+from tandem.trees.subtrees.put_back import put_back
+from tandem.trees.subtrees.request import request
+from tandem.trees.task import TaskType
 
 DROPS: Final = 2
 """How often an item that has fallen is fetched again."""

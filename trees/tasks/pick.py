@@ -9,20 +9,20 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from pydantic import Field
 
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import Problem
-from skills.ports.world import Side
-from trees.behaviours.check import Check
-from trees.behaviours.phase import Phase
-from trees.conditions.robot_heard import unheard
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.hand_requests import hand_problems, item_problems
-from trees.leaves.choose_arm import Choice, choose_arm
-from trees.subtrees.hand_pick import Method, hand_pick
-from trees.subtrees.two_arms import take_up, watched, where_hands_are
-from trees.task import TaskType
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import Problem
+from tandem.skills.ports.world import Side
+from tandem.trees.behaviours.check import Check
+from tandem.trees.behaviours.phase import Phase
+from tandem.trees.conditions.robot_heard import unheard
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.hand_requests import hand_problems, item_problems
+from tandem.trees.leaves.choose_arm import Choice, choose_arm
+from tandem.trees.subtrees.hand_pick import Method, hand_pick
+from tandem.trees.subtrees.two_arms import take_up, watched, where_hands_are
+from tandem.trees.task import TaskType
 
 
 class PickRequest(Message):

@@ -8,21 +8,21 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 from pydantic import Field
 
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import Problem
-from trees.behaviours.phase import Phase
-from trees.conditions.robot_heard import unheard
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.hand_requests import item_problems
-from trees.leaves.coordinate import Mode
-from trees.leaves.two_hands import BothBoard
-from trees.leaves.within_reach import within_reach
-from trees.subtrees.both_pick import HOLD, both_pick
-from trees.subtrees.hand_pick import Method
-from trees.subtrees.two_arms import take_up, watched, where_hands_are
-from trees.task import TaskType
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import Problem
+from tandem.trees.behaviours.phase import Phase
+from tandem.trees.conditions.robot_heard import unheard
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.hand_requests import item_problems
+from tandem.trees.leaves.coordinate import Mode
+from tandem.trees.leaves.two_hands import BothBoard
+from tandem.trees.leaves.within_reach import within_reach
+from tandem.trees.subtrees.both_pick import HOLD, both_pick
+from tandem.trees.subtrees.hand_pick import Method
+from tandem.trees.subtrees.two_arms import take_up, watched, where_hands_are
+from tandem.trees.task import TaskType
 
 
 class PickBothHandsRequest(Message):

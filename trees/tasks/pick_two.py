@@ -12,25 +12,25 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 from pydantic import Field
 
-from skills.ports.message import Message
-from skills.ports.site import Site
-from skills.ports.tasks import Problem
-from trees.behaviours.barrier import Barrier, Meet, Member
-from trees.behaviours.note import Note
-from trees.behaviours.phase import Phase
-from trees.behaviours.side_by_side import SideBySide
-from trees.behaviours.turn import InTurn, Turn
-from trees.branch import Branch, branch
-from trees.conditions.robot_heard import unheard
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.hand_requests import hand_problems, item_problems
-from trees.leaves.coordinate import Mode
-from trees.leaves.hand.still_held import still_held
-from trees.leaves.within_reach import within_reach
-from trees.subtrees.hand_pick import Method, hand_pick
-from trees.subtrees.two_arms import take_up, watched, where_hands_are
-from trees.task import TaskType
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import Problem
+from tandem.trees.behaviours.barrier import Barrier, Meet, Member
+from tandem.trees.behaviours.note import Note
+from tandem.trees.behaviours.phase import Phase
+from tandem.trees.behaviours.side_by_side import SideBySide
+from tandem.trees.behaviours.turn import InTurn, Turn
+from tandem.trees.branch import Branch, branch
+from tandem.trees.conditions.robot_heard import unheard
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.hand_requests import hand_problems, item_problems
+from tandem.trees.leaves.coordinate import Mode
+from tandem.trees.leaves.hand.still_held import still_held
+from tandem.trees.leaves.within_reach import within_reach
+from tandem.trees.subtrees.hand_pick import Method, hand_pick
+from tandem.trees.subtrees.two_arms import take_up, watched, where_hands_are
+from tandem.trees.task import TaskType
 
 Number = Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
 HOW: Final = "how the hands get before their items; the others are baselines"

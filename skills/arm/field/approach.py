@@ -11,24 +11,24 @@ import zlib
 
 import numpy as np
 
-from skills.arm.field.episode import Episode
-from skills.arm.field.live import Live
-from skills.arm.field.parts import Parts
-from skills.arm.field.target import TargetTracker
-from skills.arm.field.teller import Teller
-from skills.arm.gate import Gate
-from skills.arm.plan_move import MovePlanner
-from skills.arm.planning.settings import PlannerSettings
-from skills.arm.problem import Arm
-from skills.arm.status import ArmStatusBoard
-from skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachResult, approach
-from skills.ports.actions.arm import ArmState
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.compute import Compute
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.keys import STOP_STATE, Latest
-from skills.ports.skill import ActionType, Run
+from tandem.skills.arm.field.episode import Episode
+from tandem.skills.arm.field.live import Live
+from tandem.skills.arm.field.parts import Parts
+from tandem.skills.arm.field.target import TargetTracker
+from tandem.skills.arm.field.teller import Teller
+from tandem.skills.arm.gate import Gate
+from tandem.skills.arm.plan_move import MovePlanner
+from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.arm.problem import Arm
+from tandem.skills.arm.status import ArmStatusBoard
+from tandem.skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachResult, approach
+from tandem.skills.ports.actions.arm import ArmState
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.keys import STOP_STATE, Latest
+from tandem.skills.ports.skill import ActionType, Run
 
 
 class Approach:

@@ -8,19 +8,19 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from skills.arm.field.ends import End
-from skills.arm.field.guard import DAMPED, FIELD, Guard
-from skills.arm.field.live import Live
-from skills.arm.field.motion import Make, Motion
-from skills.arm.field.potential import Gains
-from skills.arm.field.progress import Progress
-from skills.arm.field.reference import State
-from skills.arm.field.target import Target
-from skills.arm.field.velocities import Dampers, VelocitySolver
-from skills.arm.field.wish import Chooser, Wish, nearest_of_hand, wish, with_other_goal
-from skills.arm.problem import Arm
-from skills.kinematics.proximity import Nearby
-from skills.kinematics.transforms import Array, rotation_vector, to_se3
+from tandem.skills.arm.field.ends import End
+from tandem.skills.arm.field.guard import DAMPED, FIELD, Guard
+from tandem.skills.arm.field.live import Live
+from tandem.skills.arm.field.motion import Make, Motion
+from tandem.skills.arm.field.potential import Gains
+from tandem.skills.arm.field.progress import Progress
+from tandem.skills.arm.field.reference import State
+from tandem.skills.arm.field.target import Target
+from tandem.skills.arm.field.velocities import Dampers, VelocitySolver
+from tandem.skills.arm.field.wish import Chooser, Wish, nearest_of_hand, wish, with_other_goal
+from tandem.skills.arm.problem import Arm
+from tandem.skills.kinematics.proximity import Nearby
+from tandem.skills.kinematics.transforms import Array, rotation_vector, to_se3
 
 LAND_WITHIN: Final = 0.15
 """Metres (and LAND_TURN radians) from the goal within which the joints go straight to it, as fast as they can

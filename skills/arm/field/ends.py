@@ -8,13 +8,13 @@ from typing import Final
 
 import numpy as np
 
-from skills.arm.field.live import Live
-from skills.arm.field.target import Target
-from skills.arm.plan_move import MovePlanner
-from skills.arm.problem import Arm
-from skills.kinematics.transforms import Array, to_se3
-from skills.ports.actions.approach import ApproachGoal
-from skills.ports.failure import Failure, FailureKind
+from tandem.skills.arm.field.live import Live
+from tandem.skills.arm.field.target import Target
+from tandem.skills.arm.plan_move import MovePlanner
+from tandem.skills.arm.problem import Arm
+from tandem.skills.kinematics.transforms import Array, to_se3
+from tandem.skills.ports.actions.approach import ApproachGoal
+from tandem.skills.ports.failure import Failure, FailureKind
 
 SAME: Final = (0.0005, 0.002)
 """Metres and radians by which an item may be believed elsewhere before the joints are solved for anew."""

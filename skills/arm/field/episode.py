@@ -7,20 +7,20 @@ from typing import Final
 
 import numpy as np
 
-from skills.arm.curve import through
-from skills.arm.field.course import Course
-from skills.arm.field.ends import End, Ends
-from skills.arm.field.parts import Parts
-from skills.arm.field.ride import LEFT, Ride, Steps, Why
-from skills.arm.field.target import HIDDEN_FOR, Target
-from skills.arm.problem import Plan
-from skills.arm.timing import time_curve
-from skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachPhase, ApproachResult
-from skills.ports.actions.bimanual import ArmOrder, Order
-from skills.ports.clocks import robot_seconds
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import distance
-from skills.ports.skill import Command, Outcome, Run, Slice, canceled, failed, succeeded
+from tandem.skills.arm.curve import through
+from tandem.skills.arm.field.course import Course
+from tandem.skills.arm.field.ends import End, Ends
+from tandem.skills.arm.field.parts import Parts
+from tandem.skills.arm.field.ride import LEFT, Ride, Steps, Why
+from tandem.skills.arm.field.target import HIDDEN_FOR, Target
+from tandem.skills.arm.problem import Plan
+from tandem.skills.arm.timing import time_curve
+from tandem.skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachPhase, ApproachResult
+from tandem.skills.ports.actions.bimanual import ArmOrder, Order
+from tandem.skills.ports.clocks import robot_seconds
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import distance
+from tandem.skills.ports.skill import Command, Outcome, Run, Slice, canceled, failed, succeeded
 
 HEARD_WITHIN: Final = 2.0
 """Robot seconds for joint states, the scene, the robot's pose and the beliefs."""

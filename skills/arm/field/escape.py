@@ -27,8 +27,8 @@ from typing import Final
 
 import numpy as np
 
-from skills.arm.field.around import Around, Post
-from skills.kinematics.transforms import Array
+from tandem.skills.arm.field.around import Around, Post
+from tandem.skills.kinematics.transforms import Array
 
 HAND_RADIUS: Final = 0.05
 """Metres about the tool's origin that the hand takes."""

@@ -14,10 +14,10 @@ from typing import Final
 
 import numpy as np
 
-from skills.arm.problem import LIMIT_MARGIN
-from skills.kinematics.model import Limits
-from skills.kinematics.proximity import Nearby, Proximity
-from skills.kinematics.transforms import Array
+from tandem.skills.arm.problem import LIMIT_MARGIN
+from tandem.skills.kinematics.model import Limits
+from tandem.skills.kinematics.proximity import Nearby, Proximity
+from tandem.skills.kinematics.transforms import Array
 
 NOISE: Final = 1e-5
 """Metres by which a distance that is too small already may shrink in a period (arithmetic, not motion)."""

@@ -7,22 +7,22 @@ from typing import Final
 
 import numpy as np
 
-from skills.arm.field.around import Around, split
-from skills.arm.problem import Arm, Moment
-from skills.arm.silence import joints_silent
-from skills.kinematics.bodies import BoxShape, Obstacle
-from skills.kinematics.described import carried, home_positions
-from skills.kinematics.proximity import Proximity
-from skills.kinematics.transforms import Array
-from skills.ports.actions.approach import approach_status
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
-from skills.ports.failure import Failure
-from skills.ports.geometry import FloorPose, floor_distance
-from skills.ports.hardware import JointStates
-from skills.ports.keys import JOINT_STATES, STOP_STATE, Latest, group_status
-from skills.ports.message import Vector3
-from skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
+from tandem.skills.arm.field.around import Around, split
+from tandem.skills.arm.problem import Arm, Moment
+from tandem.skills.arm.silence import joints_silent
+from tandem.skills.kinematics.bodies import BoxShape, Obstacle
+from tandem.skills.kinematics.described import carried, home_positions
+from tandem.skills.kinematics.proximity import Proximity
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.actions.approach import approach_status
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.geometry import FloorPose, floor_distance
+from tandem.skills.ports.hardware import JointStates
+from tandem.skills.ports.keys import JOINT_STATES, STOP_STATE, Latest, group_status
+from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
 
 AHEAD: Final = 0.15
 """Seconds by which all other joints are looked at ahead, at their present speeds: what braking takes."""

@@ -8,14 +8,14 @@ from typing import Final
 
 import numpy as np
 
-from skills.arm.field.guard import Floors, Guard
-from skills.arm.field.parts import Parts
-from skills.arm.field.record import Record
-from skills.arm.field.reference import State, Stepper, standing
-from skills.kinematics.transforms import Array
-from skills.ports.clocks import robot_seconds
-from skills.ports.hardware import CancelMotion, SetPoint
-from skills.ports.keys import group_cancel, group_setpoint
+from tandem.skills.arm.field.guard import Floors, Guard
+from tandem.skills.arm.field.parts import Parts
+from tandem.skills.arm.field.record import Record
+from tandem.skills.arm.field.reference import State, Stepper, standing
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.clocks import robot_seconds
+from tandem.skills.ports.hardware import CancelMotion, SetPoint
+from tandem.skills.ports.keys import group_cancel, group_setpoint
 
 PERIOD: Final = 0.01
 """Seconds between two set-points: the hardware's period."""

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from skills.arm.field.live import Live
-from skills.arm.field.target import TargetTracker
-from skills.arm.field.teller import Teller
-from skills.arm.gate import Gate
-from skills.arm.plan_move import MovePlanner
-from skills.arm.problem import Arm
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks
+from tandem.skills.arm.field.live import Live
+from tandem.skills.arm.field.target import TargetTracker
+from tandem.skills.arm.field.teller import Teller
+from tandem.skills.arm.gate import Gate
+from tandem.skills.arm.plan_move import MovePlanner
+from tandem.skills.arm.problem import Arm
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ from typing import Final
 
 import numpy as np
 
-from skills.kinematics.transforms import Array
+from tandem.skills.kinematics.transforms import Array
 
 CLOSEST: Final = 0.004
 """Metres: what is nearer pushes as if it were this far away, so that the push stays finite."""

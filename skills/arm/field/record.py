@@ -6,7 +6,7 @@ from typing import Final
 
 import numpy as np
 
-from skills.kinematics.transforms import Array
+from tandem.skills.kinematics.transforms import Array
 
 PHI: Final = 0.25
 """Seconds of motion between two samples that are told: the document's phi, for which it gives no number."""

@@ -15,8 +15,8 @@ from typing import Final
 import numpy as np
 import ruckig
 
-from skills.arm.trajectory import MotionLimits, Trajectory
-from skills.kinematics.transforms import Array
+from tandem.skills.arm.trajectory import MotionLimits, Trajectory
+from tandem.skills.kinematics.transforms import Array
 
 AT_REST: Final = 1e-4
 """rad/s and rad/s2 below which a reference stands."""

@@ -9,17 +9,17 @@ from collections.abc import Generator
 from enum import StrEnum
 from typing import Final
 
-from skills.arm.field.ends import gone
-from skills.arm.field.guard import PLANNED, Guard
-from skills.arm.field.motion import PERIOD, STRAY, Motion
-from skills.arm.field.parts import Parts
-from skills.arm.field.reference import Stepper, along
-from skills.arm.field.target import Target
-from skills.arm.trajectory import Trajectory
-from skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachPhase
-from skills.ports.actions.bimanual import ArmOrder
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.skill import Command, Slice
+from tandem.skills.arm.field.ends import gone
+from tandem.skills.arm.field.guard import PLANNED, Guard
+from tandem.skills.arm.field.motion import PERIOD, STRAY, Motion
+from tandem.skills.arm.field.parts import Parts
+from tandem.skills.arm.field.reference import Stepper, along
+from tandem.skills.arm.field.target import Target
+from tandem.skills.arm.trajectory import Trajectory
+from tandem.skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachPhase
+from tandem.skills.ports.actions.bimanual import ArmOrder
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.skill import Command, Slice
 
 LEFT: Final = 0.03
 """Metres that the item may move while a planned motion is followed."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.arm.field.record import Record
-from skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
-from skills.ports.bus import Bus
-from skills.ports.clocks import Clocks, robot_seconds
-from skills.ports.message import Vector3
-from skills.ports.world import Side
+from tandem.skills.arm.field.record import Record
+from tandem.skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.world import Side
 
 PERIOD: Final = 0.05
 """Robot seconds between two messages without a change."""

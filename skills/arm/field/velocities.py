@@ -25,9 +25,9 @@ from typing import Final
 import daqp
 import numpy as np
 
-from skills.arm.trajectory import MotionLimits
-from skills.kinematics.model import Limits
-from skills.kinematics.transforms import Array
+from tandem.skills.arm.trajectory import MotionLimits
+from tandem.skills.kinematics.model import Limits
+from tandem.skills.kinematics.transforms import Array
 
 TURN: Final = 0.25
 """Metres that a radian of the hand's attitude counts."""

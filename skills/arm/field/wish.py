@@ -8,12 +8,12 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from skills.arm.field.around import OTHER_GOAL, Around
-from skills.arm.field.escape import HAND_RADIUS, Pole, choose, way_length
-from skills.arm.field.potential import Gains, pull, push
-from skills.kinematics.proximity import Nearby
-from skills.kinematics.transforms import Array, rotation_vector
-from skills.ports.message import Vector3
+from tandem.skills.arm.field.around import OTHER_GOAL, Around
+from tandem.skills.arm.field.escape import HAND_RADIUS, Pole, choose, way_length
+from tandem.skills.arm.field.potential import Gains, pull, push
+from tandem.skills.kinematics.proximity import Nearby
+from tandem.skills.kinematics.transforms import Array, rotation_vector
+from tandem.skills.ports.message import Vector3
 
 CHOOSE_EVERY: Final = 5
 """Periods between two choices of a pole."""

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skills.kinematics.collision import CollisionChecker
-from skills.kinematics.model import Chain, Limits
-from skills.kinematics.transforms import Array
+from tandem.skills.kinematics.collision import CollisionChecker
+from tandem.skills.kinematics.model import Chain, Limits
+from tandem.skills.kinematics.transforms import Array
 
 STEP = 0.025
 """Metres (weighed) between two checked states of a motion."""

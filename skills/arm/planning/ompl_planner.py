@@ -16,9 +16,9 @@ from ompl import base as ob
 from ompl import geometric as og
 from ompl import util as ou
 
-from skills.arm.planning.motions import Motions
-from skills.arm.planning.settings import PlannerName, PlannerSettings
-from skills.kinematics.transforms import Array
+from tandem.skills.arm.planning.motions import Motions
+from tandem.skills.arm.planning.settings import PlannerName, PlannerSettings
+from tandem.skills.kinematics.transforms import Array
 
 _MAKERS = {
     PlannerName.RRT_CONNECT: og.RRTConnect,

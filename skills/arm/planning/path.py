@@ -6,11 +6,11 @@ from collections.abc import Generator, Sequence
 
 import numpy as np
 
-from skills.arm.planning.motions import Motions
-from skills.arm.planning.ompl_planner import search
-from skills.arm.planning.settings import PlannerSettings
-from skills.arm.planning.shortcut import shorten
-from skills.kinematics.transforms import Array
+from tandem.skills.arm.planning.motions import Motions
+from tandem.skills.arm.planning.ompl_planner import search
+from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.arm.planning.shortcut import shorten
+from tandem.skills.kinematics.transforms import Array
 
 
 def find_path(

@@ -7,7 +7,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from skills.ports.message import Message
+from tandem.skills.ports.message import Message
 
 Count = Annotated[int, Field(gt=0, le=1_000_000)]
 

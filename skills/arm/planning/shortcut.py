@@ -7,9 +7,9 @@ from collections.abc import Generator
 
 import numpy as np
 
-from skills.arm.planning.motions import Motions
-from skills.arm.planning.settings import PlannerSettings
-from skills.kinematics.transforms import Array
+from tandem.skills.arm.planning.motions import Motions
+from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.kinematics.transforms import Array
 
 CORNER = 0.15
 """Seconds that a waypoint between two segments costs, about: slowing down and speeding up."""

@@ -10,12 +10,12 @@ from enum import StrEnum
 import numpy as np
 import numpy.typing as npt
 
-from skills.arm.planning.motions import halving
-from skills.kinematics.collision import CollisionChecker
-from skills.kinematics.ik import Solver
-from skills.kinematics.model import Chain
-from skills.kinematics.transforms import Array, interpolate, to_se3
-from skills.ports.geometry import Pose, angle_between, distance
+from tandem.skills.arm.planning.motions import halving
+from tandem.skills.kinematics.collision import CollisionChecker
+from tandem.skills.kinematics.ik import Solver
+from tandem.skills.kinematics.model import Chain
+from tandem.skills.kinematics.transforms import Array, interpolate, to_se3
+from tandem.skills.ports.geometry import Pose, angle_between, distance
 
 STEP_METRES = 0.01
 STEP_RADIANS = 0.06

@@ -7,10 +7,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from skills.ports.geometry import FloorPose, Pose
-from skills.ports.keys import Topic
-from skills.ports.message import MOST, Count, Message, RobotTime, Vector3
-from skills.ports.skill import ActionType
+from tandem.skills.ports.geometry import FloorPose, Pose
+from tandem.skills.ports.keys import Topic
+from tandem.skills.ports.message import MOST, Count, Message, RobotTime, Vector3
+from tandem.skills.ports.skill import ActionType
 
 
 class ArmState(StrEnum):

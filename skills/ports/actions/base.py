@@ -7,10 +7,10 @@ from typing import Annotated, Final
 
 from pydantic import Field
 
-from skills.ports.geometry import FloorPose
-from skills.ports.keys import Topic
-from skills.ports.message import Count, Message, RobotTime
-from skills.ports.skill import ActionType
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.keys import Topic
+from tandem.skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.skill import ActionType
 
 ARM_MARGIN: Final = 0.04
 """Metres by which an arm, with what it holds, may reach beyond the footprint while the base moves."""

@@ -7,11 +7,11 @@ from typing import Annotated, Final, Literal
 
 from pydantic import Field
 
-from skills.ports.geometry import Pose
-from skills.ports.keys import Topic
-from skills.ports.message import MOST, Count, Message, RobotTime, Vector3
-from skills.ports.skill import ActionType
-from skills.ports.world import Side
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.keys import Topic
+from tandem.skills.ports.message import MOST, Count, Message, RobotTime, Vector3
+from tandem.skills.ports.skill import ActionType
+from tandem.skills.ports.world import Side
 
 
 class Crossing(Message):

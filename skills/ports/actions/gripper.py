@@ -7,9 +7,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from skills.ports.keys import Topic
-from skills.ports.message import Message, RobotTime
-from skills.ports.skill import ActionType
+from tandem.skills.ports.keys import Topic
+from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.skill import ActionType
 
 
 class Grip(StrEnum):

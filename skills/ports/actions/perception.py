@@ -6,9 +6,9 @@ from typing import Annotated, Final
 
 from pydantic import Field
 
-from skills.ports.message import MOST, Count, Message, Vector3
-from skills.ports.skill import ActionType
-from skills.ports.world import Sighting
+from tandem.skills.ports.message import MOST, Count, Message, Vector3
+from tandem.skills.ports.skill import ActionType
+from tandem.skills.ports.world import Sighting
 
 
 class LookGoal(Message):

@@ -5,9 +5,9 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import Final, Literal
 
-from skills.ports.geometry import Pose
-from skills.ports.message import Count, Message
-from skills.ports.skill import ActionType
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.message import Count, Message
+from tandem.skills.ports.skill import ActionType
 
 
 class SceneEdit(StrEnum):

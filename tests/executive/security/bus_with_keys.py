@@ -9,13 +9,13 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from executive.router import Router
-from executive.security.authority import Wanted, begin, issue, revoke
-from executive.security.identity import Identity
-from executive.security.role import Part
-from executive.settings import WorkerSettings
-from skills.wire.credentials import Credentials
-from skills.wire.zenoh_bus import ZenohBus
+from tandem.executive.router import Router
+from tandem.executive.security.authority import Wanted, begin, issue, revoke
+from tandem.executive.security.identity import Identity
+from tandem.executive.security.role import Part
+from tandem.executive.settings import WorkerSettings
+from tandem.skills.wire.credentials import Credentials
+from tandem.skills.wire.zenoh_bus import ZenohBus
 from tests.fakes.ports import free_endpoint
 
 NOW = dt.datetime.now(dt.UTC)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from executive.cli.main import main
+from tandem.executive.cli.main import main
 
 
 @pytest.fixture

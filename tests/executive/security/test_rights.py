@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from executive.interface_doc import all_entries
-from executive.security.rights import rights_of
-from executive.security.role import PARTS, ROLES
-from skills.ports.keys import Service, Topic
-from skills.ports.match import matches
-from skills.ports.message import Message
+from tandem.executive.interface_doc import all_entries
+from tandem.executive.security.rights import rights_of
+from tandem.executive.security.role import PARTS, ROLES
+from tandem.skills.ports.keys import Service, Topic
+from tandem.skills.ports.match import matches
+from tandem.skills.ports.message import Message
 
 EVERYBODY = [rights_of(role) for role in ROLES if role != "robot"] + [
     rights_of("robot", part) for part in PARTS

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from executive.security.authority import Wanted, begin, issue, revoke
-from executive.security.identity import Identity
-from skills.ports.bus import Desk, Inbox
-from skills.wire.zenoh_bus import BusError, ZenohBus
+from tandem.executive.security.authority import Wanted, begin, issue, revoke
+from tandem.executive.security.identity import Identity
+from tandem.skills.ports.bus import Desk, Inbox
+from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 from tests.executive.security.bus_with_keys import EVERYBODY, NOW, PREFIX, Secured, secured
 
 pytestmark = pytest.mark.processes

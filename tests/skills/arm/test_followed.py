@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from skills.arm.followed import FollowedItem
-from skills.ports.actions.arm import MoveGoal
-from skills.ports.failure import FailureKind
-from skills.ports.geometry import Pose, compose, from_rpy
-from skills.ports.message import RobotTime, Vector3
-from skills.ports.world import WORLD, ItemFact, Side, WorldState
-from skills.wire.memory import MemoryBus
+from tandem.skills.arm.followed import FollowedItem
+from tandem.skills.ports.actions.arm import MoveGoal
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.geometry import Pose, compose, from_rpy
+from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.world import WORLD, ItemFact, Side, WorldState
+from tandem.skills.wire.memory import MemoryBus
 from tests.fakes.field_rig import CUBE, TAG_ON_ITEM
 
 ITEM = 29

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from skills.arm.gate import Gate
-from skills.ports.actions.bimanual import ORDER_LOST_AFTER, RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
-from skills.ports.message import RobotTime
-from skills.ports.world import Side
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
+from tandem.skills.arm.gate import Gate
+from tandem.skills.ports.actions.bimanual import ORDER_LOST_AFTER, RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.world import Side
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
 
 LATE = ORDER_LOST_AFTER + 0.1
 

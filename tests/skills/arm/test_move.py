@@ -5,22 +5,22 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from skills.arm.move import Move
-from skills.arm.plan_move import MovePlanner
-from skills.arm.planning.settings import PlannerName, PlannerSettings
-from skills.arm.problem import LIMIT_MARGIN, Arm, Plan
-from skills.arm.status import ArmStatusBoard
-from skills.kinematics.described import load_hulls
-from skills.kinematics.hulls import RobotHulls
-from skills.ports.action import GoalCommand, GoalState, GoalStatus, command_service
-from skills.ports.actions.arm import ArmState, Candidate, MoveFeedback, MoveGoal, MovePhase
-from skills.ports.actions.bimanual import RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import Pose, from_rpy
-from skills.ports.skill import Command, Slice
-from skills.ports.world import SceneObject
-from skills.wire.clocks import SteppedClocks
-from skills.wire.workers import InlineCompute
+from tandem.skills.arm.move import Move
+from tandem.skills.arm.plan_move import MovePlanner
+from tandem.skills.arm.planning.settings import PlannerName, PlannerSettings
+from tandem.skills.arm.problem import LIMIT_MARGIN, Arm, Plan
+from tandem.skills.arm.status import ArmStatusBoard
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.ports.action import GoalCommand, GoalState, GoalStatus, command_service
+from tandem.skills.ports.actions.arm import ArmState, Candidate, MoveFeedback, MoveGoal, MovePhase
+from tandem.skills.ports.actions.bimanual import RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import Pose, from_rpy
+from tandem.skills.ports.skill import Command, Slice
+from tandem.skills.ports.world import SceneObject
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.workers import InlineCompute
 from tests.fakes.arm_rig import PANDA_HOME, ArmRig, box, drive, panda
 
 DOWN = from_rpy(np.pi, 0.0, 0.0)

@@ -9,23 +9,23 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from skills.arm.plan_move import LOOKS, MovePlanner
-from skills.arm.planning.motions import Motions, Space, halving, weigh
-from skills.arm.planning.ompl_planner import search
-from skills.arm.planning.path import find_path
-from skills.arm.planning.settings import PlannerName, PlannerSettings
-from skills.arm.planning.straight import Broken, Hand, follow
-from skills.arm.problem import Arm, Plan
-from skills.kinematics.bodies import BoxShape, Obstacle
-from skills.kinematics.collision import CollisionChecker
-from skills.kinematics.described import load_hulls
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.ik import IkAnswer, Solver
-from skills.kinematics.model import Chain
-from skills.kinematics.transforms import Array
-from skills.ports.actions.arm import Candidate, MoveGoal
-from skills.ports.failure import Failure
-from skills.ports.geometry import Pose
+from tandem.skills.arm.plan_move import LOOKS, MovePlanner
+from tandem.skills.arm.planning.motions import Motions, Space, halving, weigh
+from tandem.skills.arm.planning.ompl_planner import search
+from tandem.skills.arm.planning.path import find_path
+from tandem.skills.arm.planning.settings import PlannerName, PlannerSettings
+from tandem.skills.arm.planning.straight import Broken, Hand, follow
+from tandem.skills.arm.problem import Arm, Plan
+from tandem.skills.kinematics.bodies import BoxShape, Obstacle
+from tandem.skills.kinematics.collision import CollisionChecker
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.ik import IkAnswer, Solver
+from tandem.skills.kinematics.model import Chain
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.actions.arm import Candidate, MoveGoal
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.geometry import Pose
 from tests.fakes.arm_rig import PANDA_HOME, ArmRig, box, drive, panda
 
 JOINTS = panda().group("arm").joints

@@ -5,13 +5,13 @@ from __future__ import annotations
 import pytest
 from pydantic import ValidationError
 
-from skills.kinematics.described import load_hulls
-from skills.kinematics.hulls import RobotHulls
-from skills.ports.action import GoalState, GoalStatus
-from skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
-from skills.ports.geometry import Pose, compose, distance, from_rpy, invert
-from skills.ports.message import Vector3
-from skills.ports.world import Box, SceneObject
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.ports.action import GoalState, GoalStatus
+from tandem.skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
+from tandem.skills.ports.geometry import Pose, compose, distance, from_rpy, invert
+from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.world import Box, SceneObject
 from tests.fakes.arm_rig import ArmRig, box, panda
 
 AT = (0.45, 0.2, 0.4)

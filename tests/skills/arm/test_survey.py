@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from skills.arm.planning.settings import PlannerSettings
-from skills.arm.problem import Arm
-from skills.arm.survey import Survey
-from skills.kinematics.described import load_hulls
-from skills.kinematics.hulls import RobotHulls
-from skills.ports.actions.arm import Candidate, SurveyGoal, SurveyResult
-from skills.ports.geometry import FloorPose, Pose, from_rpy
-from skills.ports.skill import Command, Outcome, Slice
+from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.arm.problem import Arm
+from tandem.skills.arm.survey import Survey
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.ports.actions.arm import Candidate, SurveyGoal, SurveyResult
+from tandem.skills.ports.geometry import FloorPose, Pose, from_rpy
+from tandem.skills.ports.skill import Command, Outcome, Slice
 from tests.fakes.arm_rig import ArmRig, box, panda
 
 TARGET = Candidate(pose=Pose(position=(0.45, 0.0, 0.4), orientation=from_rpy(np.pi, 0.0, 0.0)))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from skills.arm.curve import through
-from skills.arm.timing import bang_bang, time_curve, time_path
-from skills.arm.trajectory import MotionLimits, Trajectory
+from tandem.skills.arm.curve import through
+from tandem.skills.arm.timing import bang_bang, time_curve, time_path
+from tandem.skills.arm.trajectory import MotionLimits, Trajectory
 
 LIMITS = MotionLimits(np.array([1.95, 1.95, 2.35, 1.76]), np.full(4, 5.0), np.full(4, 50.0))
 

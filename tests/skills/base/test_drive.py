@@ -5,15 +5,22 @@ from collections.abc import Callable
 
 import pytest
 
-from skills.base.wheels import stopping_speed
-from skills.ports.actions.arm import ArmState
-from skills.ports.actions.base import BASE_STATUS, BaseState, DriveGoal, DriveResult, LocaliseGoal, RotateGoal
-from skills.ports.failure import FailureKind
-from skills.ports.geometry import FloorPose, floor_distance, wrap
-from skills.ports.keys import Latest
-from skills.ports.site import SiteBox
-from skills.ports.skill import Command, Outcome
-from skills.site import load
+from tandem.skills.base.wheels import stopping_speed
+from tandem.skills.ports.actions.arm import ArmState
+from tandem.skills.ports.actions.base import (
+    BASE_STATUS,
+    BaseState,
+    DriveGoal,
+    DriveResult,
+    LocaliseGoal,
+    RotateGoal,
+)
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.site import SiteBox
+from tandem.skills.ports.skill import Command, Outcome
+from tandem.skills.site import load
 from tests.fakes.base_rig import Rig, make_rig
 
 LAB = load("lab")

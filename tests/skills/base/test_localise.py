@@ -5,13 +5,13 @@ import math
 import numpy as np
 import pytest
 
-from skills.base.map import build_map
-from skills.ports.actions.base import LocaliseGoal
-from skills.ports.failure import FailureKind
-from skills.ports.geometry import FloorPose, floor_distance, wrap
-from skills.ports.site import SiteBox
-from skills.ports.skill import Command
-from skills.site import load
+from tandem.skills.base.map import build_map
+from tandem.skills.ports.actions.base import LocaliseGoal
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
+from tandem.skills.ports.site import SiteBox
+from tandem.skills.ports.skill import Command
+from tandem.skills.site import load
 from tests.fakes.base_rig import make_rig
 from tests.fakes.planar_robot import describe
 

@@ -5,18 +5,18 @@ import math
 import numpy as np
 import pytest
 
-from skills.base.floor import compose, invert
-from skills.base.matcher import diagonal, match
-from skills.base.odometry import OdometryBuffer
-from skills.base.scan import ScanGeometry
-from skills.ports.actions.base import DriveGoal, RotateGoal
-from skills.ports.geometry import FloorPose, floor_distance, wrap
-from skills.ports.hardware import LaserScan, Odometry
-from skills.ports.keys import ODOMETRY, Latest
-from skills.ports.message import RobotTime
-from skills.ports.site import SiteBox
-from skills.ports.world import ROBOT_POSE
-from skills.site import load
+from tandem.skills.base.floor import compose, invert
+from tandem.skills.base.matcher import diagonal, match
+from tandem.skills.base.odometry import OdometryBuffer
+from tandem.skills.base.scan import ScanGeometry
+from tandem.skills.ports.actions.base import DriveGoal, RotateGoal
+from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
+from tandem.skills.ports.hardware import LaserScan, Odometry
+from tandem.skills.ports.keys import ODOMETRY, Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.site import SiteBox
+from tandem.skills.ports.world import ROBOT_POSE
+from tandem.skills.site import load
 from tests.fakes.base_rig import Rig, make_rig
 from tests.fakes.planar_robot import PlanarNoise
 

@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from skills.base.map import build_map, clearance_field, surface_field
-from skills.ports.site import SiteBox
-from skills.site import load
+from tandem.skills.base.map import build_map, clearance_field, surface_field
+from tandem.skills.ports.site import SiteBox
+from tandem.skills.site import load
 from tests.fakes.planar_robot import describe
 
 BOUNDS = (-1.0, -1.0, 1.0, 1.0)

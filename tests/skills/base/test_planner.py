@@ -5,12 +5,12 @@ import math
 import numpy as np
 import pytest
 
-from skills.base.floor import FloatArray
-from skills.base.map import build_map
-from skills.base.path import Path
-from skills.base.planner import CHECK_STEP, SLACK, Clearances, Planner
-from skills.ports.geometry import FloorPose
-from skills.site import load
+from tandem.skills.base.floor import FloatArray
+from tandem.skills.base.map import build_map
+from tandem.skills.base.path import Path
+from tandem.skills.base.planner import CHECK_STEP, SLACK, Clearances, Planner
+from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.site import load
 from tests.fakes.planar_robot import describe
 
 LAB = load("lab")

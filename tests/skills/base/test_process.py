@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from skills.base.process import build
-from skills.ports.action import GoalState, SendGoal, goal_service, status_topic
-from skills.ports.actions.arm import ArmState, ArmStatus, arm_status
-from skills.ports.actions.base import DRIVE, LOCALISE, DriveGoal
-from skills.ports.geometry import FloorPose, floor_distance
-from skills.ports.keys import Latest
-from skills.site import load
-from skills.wire.memory import MemoryBus
+from tandem.skills.base.process import build
+from tandem.skills.ports.action import GoalState, SendGoal, goal_service, status_topic
+from tandem.skills.ports.actions.arm import ArmState, ArmStatus, arm_status
+from tandem.skills.ports.actions.base import DRIVE, LOCALISE, DriveGoal
+from tandem.skills.ports.geometry import FloorPose, floor_distance
+from tandem.skills.ports.keys import Latest
+from tandem.skills.site import load
+from tandem.skills.wire.memory import MemoryBus
 from tests.fakes.planar_robot import PlanarClocks, PlanarRobot, describe
 
 

@@ -4,10 +4,10 @@ import math
 
 import pytest
 
-from skills.ports.actions.base import RotateGoal
-from skills.ports.geometry import FloorPose, wrap
-from skills.ports.skill import Command
-from skills.site import load
+from tandem.skills.ports.actions.base import RotateGoal
+from tandem.skills.ports.geometry import FloorPose, wrap
+from tandem.skills.ports.skill import Command
+from tandem.skills.site import load
 from tests.fakes.base_rig import make_rig
 
 START = FloorPose(x=-1.0, y=-1.6, yaw=0.4)

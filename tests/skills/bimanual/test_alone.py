@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from skills.bimanual.alone import Alone
-from skills.bimanual.coordination import ArmNow, Situation
-from skills.ports.actions.bimanual import Order
+from tandem.skills.bimanual.alone import Alone
+from tandem.skills.bimanual.coordination import ArmNow, Situation
+from tandem.skills.ports.actions.bimanual import Order
 
 MOVES, RESTS = ArmNow(moving=True), ArmNow()
 

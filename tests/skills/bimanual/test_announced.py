@@ -7,14 +7,14 @@ import math
 import numpy as np
 import pytest
 
-from skills.bimanual.announced import NEXT, OUT, Announced
-from skills.bimanual.observer import ArmObserver
-from skills.kinematics.transforms import Array
-from skills.ports.actions.approach import GOAL_RADIUS, ApproachStatus, approach_status
-from skills.ports.geometry import transform
-from skills.ports.hardware import JointStates
-from skills.ports.message import RobotTime, Vector3
-from skills.wire.memory import MemoryBus
+from tandem.skills.bimanual.announced import NEXT, OUT, Announced
+from tandem.skills.bimanual.observer import ArmObserver
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.actions.approach import GOAL_RADIUS, ApproachStatus, approach_status
+from tandem.skills.ports.geometry import transform
+from tandem.skills.ports.hardware import JointStates
+from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.wire.memory import MemoryBus
 from tests.skills.reflex.two_arms import ASIDE, IN_FRONT, joint_states, positions, robot
 
 GOAL: Vector3 = (0.6, 0.1, 0.8)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import pytest
 
-from skills.bimanual.coordination import (
+from tandem.skills.bimanual.coordination import (
     BARRED_AFTER,
     CLEAR_FOR,
     FIELD_ROOM,
@@ -19,8 +19,8 @@ from skills.bimanual.coordination import (
     Situation,
     Stage,
 )
-from skills.ports.actions.bimanual import Order
-from skills.ports.world import Side
+from tandem.skills.ports.actions.bimanual import Order
+from tandem.skills.ports.world import Side
 
 GO, HOLD, BACK, STOP = Order.GO, Order.HOLD, Order.BACK, Order.STOP
 HOME = ArmNow(safe=True)

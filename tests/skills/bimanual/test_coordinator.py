@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from skills.bimanual.coordination import Mode
-from skills.bimanual.coordinator import Coordinator
-from skills.ports.actions.approach import ApproachStatus, approach_status
-from skills.ports.actions.bimanual import CROSSING, RIGHT_OF_WAY, Crossing, Order, RightOfWay
-from skills.ports.hardware import CancelMotion
-from skills.ports.keys import JOINT_STATES, Latest, group_cancel
-from skills.ports.message import RobotTime, Vector3
-from skills.ports.world import SIDES
-from skills.wire.memory import MemoryBus
+from tandem.skills.bimanual.coordination import Mode
+from tandem.skills.bimanual.coordinator import Coordinator
+from tandem.skills.ports.actions.approach import ApproachStatus, approach_status
+from tandem.skills.ports.actions.bimanual import CROSSING, RIGHT_OF_WAY, Crossing, Order, RightOfWay
+from tandem.skills.ports.hardware import CancelMotion
+from tandem.skills.ports.keys import JOINT_STATES, Latest, group_cancel
+from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.world import SIDES
+from tandem.skills.wire.memory import MemoryBus
 from tests.skills.reflex.two_arms import ASIDE, IN_FRONT, joint_states, positions, robot
 
 PERIOD = 0.01

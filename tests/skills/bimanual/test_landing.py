@@ -1,6 +1,6 @@
 """When a thing that is put down stands."""
 
-from skills.bimanual.landing import LEFT, STANDS_FOR, Landing
+from tandem.skills.bimanual.landing import LEFT, STANDS_FOR, Landing
 
 WEIGHT = 5.0
 

@@ -6,10 +6,19 @@ import math
 
 import pytest
 
-from skills.bimanual.middle import HandsApartError, span, tilt
-from skills.bimanual.ready import between, pointing, ready_tools
-from skills.ports.geometry import Pose, about, angle_between, compose, distance, from_rpy, invert, rotate
-from skills.site import load
+from tandem.skills.bimanual.middle import HandsApartError, span, tilt
+from tandem.skills.bimanual.ready import between, pointing, ready_tools
+from tandem.skills.ports.geometry import (
+    Pose,
+    about,
+    angle_between,
+    compose,
+    distance,
+    from_rpy,
+    invert,
+    rotate,
+)
+from tandem.skills.site import load
 
 LEFT = Pose(position=(0.6, 0.25, 0.9), orientation=from_rpy(0.4, 0.0, -math.pi / 2))
 RIGHT = Pose(position=(0.6, -0.25, 0.9), orientation=from_rpy(-0.2, 0.0, math.pi / 2))

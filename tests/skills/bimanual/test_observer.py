@@ -7,11 +7,11 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from skills.bimanual.coordination import ArmNow
-from skills.bimanual.observer import EVERY, SILENT_AFTER, WAITS_AFTER, ArmObserver
-from skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
-from skills.ports.message import RobotTime
-from skills.wire.memory import MemoryBus
+from tandem.skills.bimanual.coordination import ArmNow
+from tandem.skills.bimanual.observer import EVERY, SILENT_AFTER, WAITS_AFTER, ArmObserver
+from tandem.skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.wire.memory import MemoryBus
 from tests.skills.reflex.two_arms import ASIDE, IN_FRONT, joint_states, positions, robot
 
 Phase = ApproachPhase

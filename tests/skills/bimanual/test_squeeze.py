@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from skills.bimanual.squeeze import ADVANCE, Grasp, agree
+from tandem.skills.bimanual.squeeze import ADVANCE, Grasp, agree
 
 STIFF = 20_000.0
 """N/m of each side of the thing."""

@@ -7,19 +7,19 @@ from dataclasses import dataclass, field
 
 import pytest
 
-from skills.bimanual.hold import TwoArms
-from skills.bimanual.two_hands import HoldWithTwo
-from skills.ports.actions.bimanual import TwoHands, TwoHandsFeedback, TwoHandsGoal, TwoHandsResult
-from skills.ports.failure import FailureKind
-from skills.ports.geometry import IDENTITY, Pose, conjugate, from_axes, rotate
-from skills.ports.hardware import Wrench
-from skills.ports.keys import JOINT_STATES, Latest, group_setpoint, wrench
-from skills.ports.message import Quaternion, RobotTime, Vector3
-from skills.ports.skill import Command, Outcome
-from skills.ports.world import ROBOT_POSE, SIDES, WORLD, ItemFact, WorldState
-from skills.site import load
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
+from tandem.skills.bimanual.hold import TwoArms
+from tandem.skills.bimanual.two_hands import HoldWithTwo
+from tandem.skills.ports.actions.bimanual import TwoHands, TwoHandsFeedback, TwoHandsGoal, TwoHandsResult
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.geometry import IDENTITY, Pose, conjugate, from_axes, rotate
+from tandem.skills.ports.hardware import Wrench
+from tandem.skills.ports.keys import JOINT_STATES, Latest, group_setpoint, wrench
+from tandem.skills.ports.message import Quaternion, RobotTime, Vector3
+from tandem.skills.ports.skill import Command, Outcome
+from tandem.skills.ports.world import ROBOT_POSE, SIDES, WORLD, ItemFact, WorldState
+from tandem.skills.site import load
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
 from tests.fakes.robot_pose import localised
 from tests.skills.reflex.two_arms import joint_states, positions, robot
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 import pytest
 
-from skills.gripper.process import nodes
-from skills.ports.action import (
+from tandem.skills.gripper.process import nodes
+from tandem.skills.ports.action import (
     GoalCommand,
     GoalState,
     GoalStatus,
@@ -16,16 +16,16 @@ from skills.ports.action import (
     goal_service,
     status_topic,
 )
-from skills.ports.actions.gripper import Grip, GripGoal, GripResult
-from skills.ports.bus import Pending
-from skills.ports.failure import FailureKind
-from skills.ports.hardware import Answer, GripperCommand, GripperMotion, GripperState
-from skills.ports.keys import Latest, gripper_command, gripper_state
-from skills.ports.message import RobotTime
-from skills.ports.skill import Command
-from skills.testing.mock_description import mock_description
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
+from tandem.skills.ports.actions.gripper import Grip, GripGoal, GripResult
+from tandem.skills.ports.bus import Pending
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.hardware import Answer, GripperCommand, GripperMotion, GripperState
+from tandem.skills.ports.keys import Latest, gripper_command, gripper_state
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.skill import Command
+from tandem.skills.testing.mock_description import mock_description
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
 
 ACTION = "gripper_left/grip"
 SPEED = 0.05

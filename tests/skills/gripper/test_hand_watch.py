@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from skills.gripper.commands import Order, name_command, order_of
-from skills.gripper.hand_watch import HandWatch
-from skills.ports.actions.gripper import HandState, HandStatus, hand_status
-from skills.ports.hardware import GripperMotion, GripperState
-from skills.ports.keys import gripper_state
-from skills.ports.message import RobotTime
-from skills.testing.mock_description import mock_description
-from skills.wire.memory import MemoryBus
+from tandem.skills.gripper.commands import Order, name_command, order_of
+from tandem.skills.gripper.hand_watch import HandWatch
+from tandem.skills.ports.actions.gripper import HandState, HandStatus, hand_status
+from tandem.skills.ports.hardware import GripperMotion, GripperState
+from tandem.skills.ports.keys import gripper_state
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.testing.mock_description import mock_description
+from tandem.skills.wire.memory import MemoryBus
 
 OPEN, HOLDING, EMPTY = HandState
 M = GripperMotion

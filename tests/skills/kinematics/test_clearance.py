@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from skills.kinematics.clearance import braking_way
+from tandem.skills.kinematics.clearance import braking_way
 
 STEP = 1e-5
 

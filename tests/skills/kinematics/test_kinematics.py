@@ -11,14 +11,14 @@ import pinocchio as pin
 import pybullet
 import pytest
 
-from skills.kinematics.batch import BatchChain
-from skills.kinematics.bodies import BoxShape, Carried, CylinderShape, Obstacle
-from skills.kinematics.collision import CollisionChecker
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.ik import SeedTable, Solver
-from skills.kinematics.model import RobotKinematics, UnknownNameError
-from skills.kinematics.transforms import to_se3
-from skills.ports.geometry import Pose, angle_between, distance, from_rpy
+from tandem.skills.kinematics.batch import BatchChain
+from tandem.skills.kinematics.bodies import BoxShape, Carried, CylinderShape, Obstacle
+from tandem.skills.kinematics.collision import CollisionChecker
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.ik import SeedTable, Solver
+from tandem.skills.kinematics.model import RobotKinematics, UnknownNameError
+from tandem.skills.kinematics.transforms import to_se3
+from tandem.skills.ports.geometry import Pose, angle_between, distance, from_rpy
 from tests.fakes.arm_rig import PANDA_HOME, drive, panda
 
 JOINTS = panda().group("arm").joints

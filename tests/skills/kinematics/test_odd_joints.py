@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from skills.kinematics.model import RobotKinematics
-from skills.ports.hardware import JointGroup, JointLimit
-from skills.ports.urdf_check import UrdfError
+from tandem.skills.kinematics.model import RobotKinematics
+from tandem.skills.ports.hardware import JointGroup, JointLimit
+from tandem.skills.ports.urdf_check import UrdfError
 from tests.fakes.arm_rig import panda
 
 ARM = ("shoulder", "elbow")

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from skills.kinematics.bodies import BoxShape, Obstacle
-from skills.kinematics.collision import CollisionChecker
-from skills.kinematics.described import load_hulls
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.proximity import Proximity
-from skills.ports.geometry import Pose
+from tandem.skills.kinematics.bodies import BoxShape, Obstacle
+from tandem.skills.kinematics.collision import CollisionChecker
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.proximity import Proximity
+from tandem.skills.ports.geometry import Pose
 from tests.fakes.arm_rig import PANDA_HOME, panda
 
 JOINTS = panda().group("arm").joints

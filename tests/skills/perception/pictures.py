@@ -9,10 +9,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from skills.ports.geometry import Pose, compose, from_rpy
-from skills.ports.hardware import RgbdHeader
-from skills.ports.image import RgbdImage
-from skills.ports.message import RobotTime
+from tandem.skills.ports.geometry import Pose, compose, from_rpy
+from tandem.skills.ports.hardware import RgbdHeader
+from tandem.skills.ports.image import RgbdImage
+from tandem.skills.ports.message import RobotTime
 
 WIDTH, HEIGHT = 1280, 720
 FOCAL = WIDTH / 2 / math.tan(math.radians(30.0))

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from skills.ports.geometry import Pose, compose, invert
-from skills.ports.hardware import RgbdHeader
-from skills.ports.image import RgbdImage
-from skills.ports.world import Box
+from tandem.skills.ports.geometry import Pose, compose, invert
+from tandem.skills.ports.hardware import RgbdHeader
+from tandem.skills.ports.image import RgbdImage
+from tandem.skills.ports.world import Box
 from tests.skills.perception.pictures import rotation
 
 

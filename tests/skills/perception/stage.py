@@ -9,9 +9,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from skills.ports.chain import Chain
-from skills.ports.geometry import FloorPose, Pose, compose, to_pose
-from skills.ports.hardware import (
+from tandem.skills.ports.chain import Chain
+from tandem.skills.ports.geometry import FloorPose, Pose, compose, to_pose
+from tandem.skills.ports.hardware import (
     Answer,
     CameraSensor,
     CancelMotion,
@@ -26,12 +26,12 @@ from skills.ports.hardware import (
     StopState,
     TrajectoryGoal,
 )
-from skills.ports.image import RgbdImage, encode
-from skills.ports.keys import JOINT_STATES, RGBD, STOP_STATE, group_cancel, group_goal, group_status
-from skills.ports.message import RobotTime
-from skills.ports.world import ROBOT_POSE, RobotPose
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
+from tandem.skills.ports.image import RgbdImage, encode
+from tandem.skills.ports.keys import JOINT_STATES, RGBD, STOP_STATE, group_cancel, group_goal, group_status
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.world import ROBOT_POSE, RobotPose
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
 
 URDF = """<robot name="post">
   <link name="base"/><link name="neck"/><link name="skull"/><link name="eye"/><link name="optical"/>

@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from skills.ports.chain import Chain
-from skills.ports.geometry import distance
-from skills.ports.packages import resolve
+from tandem.skills.ports.chain import Chain
+from tandem.skills.ports.geometry import distance
+from tandem.skills.ports.packages import resolve
 
 TIAGO = "package://example-robot-data/robots/tiago_description/robots/tiago_dual.urdf"
 

@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from skills.perception import clutter
-from skills.perception.clutter import Known
-from skills.ports.geometry import FloorPose, Pose, about, compose, invert, to_pose, transform
-from skills.ports.world import Box
+from tandem.skills.perception import clutter
+from tandem.skills.perception.clutter import Known
+from tandem.skills.ports.geometry import FloorPose, Pose, about, compose, invert, to_pose, transform
+from tandem.skills.ports.world import Box
 from tests.skills.perception.pictures import header
 from tests.skills.perception.solids import scene
 from tests.skills.perception.stage import DESCRIPTION, URDF, Chain

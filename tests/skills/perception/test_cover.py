@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from skills import site
-from skills.perception import cover
-from skills.perception.aim import Aim
-from skills.perception.cover import ViewsJob, further_views, surface_points
-from skills.ports.geometry import FloorPose
+from tandem.skills import site
+from tandem.skills.perception import cover
+from tandem.skills.perception.aim import Aim
+from tandem.skills.perception.cover import ViewsJob, further_views, surface_points
+from tandem.skills.ports.geometry import FloorPose
 from tests.skills.perception.stage import DESCRIPTION
 
 LAB = site.load("lab")

@@ -6,10 +6,10 @@ import math
 
 import pytest
 
-from skills import site
-from skills.perception.gaze import AGAIN, GAIN, HIDDEN, LITTLE, Gaze, View
-from skills.ports.chain import Chain
-from skills.ports.geometry import Pose
+from tandem.skills import site
+from tandem.skills.perception.gaze import AGAIN, GAIN, HIDDEN, LITTLE, Gaze, View
+from tandem.skills.ports.chain import Chain
+from tandem.skills.ports.geometry import Pose
 from tests.skills.perception.stage import DESCRIPTION, URDF
 from tests.skills.world.facts import tag
 

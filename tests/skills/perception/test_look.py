@@ -6,17 +6,17 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from skills import site
-from skills.perception.look import Look
-from skills.ports.actions.perception import LookGoal, LookResult
-from skills.ports.failure import FailureKind
-from skills.ports.geometry import FloorPose, Pose, angle_between, compose, distance, invert
-from skills.ports.image import RgbdImage
-from skills.ports.keys import RGBD, Latest
-from skills.ports.message import RobotTime
-from skills.ports.skill import Command, Outcome
-from skills.ports.world import CLUTTER, SIGHTINGS, WORLD, Box, ItemFact, WorldState
-from skills.wire.workers import InlineCompute
+from tandem.skills import site
+from tandem.skills.perception.look import Look
+from tandem.skills.ports.actions.perception import LookGoal, LookResult
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.geometry import FloorPose, Pose, angle_between, compose, distance, invert
+from tandem.skills.ports.image import RgbdImage
+from tandem.skills.ports.keys import RGBD, Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.skill import Command, Outcome
+from tandem.skills.ports.world import CLUTTER, SIGHTINGS, WORLD, Box, ItemFact, WorldState
+from tandem.skills.wire.workers import InlineCompute
 from tests.skills.perception.pictures import Face, header, picture
 from tests.skills.perception.solids import scene
 from tests.skills.perception.stage import DESCRIPTION, Stage

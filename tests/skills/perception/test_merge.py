@@ -6,9 +6,9 @@ import math
 
 import pytest
 
-from skills.perception.merge import SYSTEMATIC, merge
-from skills.ports.geometry import IDENTITY, Pose
-from skills.ports.world import Sighting
+from tandem.skills.perception.merge import SYSTEMATIC, merge
+from tandem.skills.ports.geometry import IDENTITY, Pose
+from tandem.skills.ports.world import Sighting
 from tests.skills.world.facts import at, tag
 
 SIZE = (0.06, 0.06, 0.06)

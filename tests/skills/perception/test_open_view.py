@@ -8,11 +8,11 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from skills.perception.open_view import in_the_open
-from skills.ports.geometry import Pose, about, compose, from_rpy
-from skills.ports.grasping import tag_of_item
-from skills.ports.image import RgbdImage
-from skills.ports.world import Box
+from tandem.skills.perception.open_view import in_the_open
+from tandem.skills.ports.geometry import Pose, about, compose, from_rpy
+from tandem.skills.ports.grasping import tag_of_item
+from tandem.skills.ports.image import RgbdImage
+from tandem.skills.ports.world import Box
 from tests.skills.perception.pictures import header
 from tests.skills.perception.solids import scene
 

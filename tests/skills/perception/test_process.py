@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from pydantic import JsonValue
 
-from skills import site
-from skills.perception.clutter import Known
-from skills.perception.jobs import ClutterJob, Shot, TagJob, find_clutter, find_tags
-from skills.perception.process import nodes
-from skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service
-from skills.ports.geometry import FloorPose, Pose
-from skills.ports.image import encode
-from skills.wire.workers import InlineCompute
+from tandem.skills import site
+from tandem.skills.perception.clutter import Known
+from tandem.skills.perception.jobs import ClutterJob, Shot, TagJob, find_clutter, find_tags
+from tandem.skills.perception.process import nodes
+from tandem.skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service
+from tandem.skills.ports.geometry import FloorPose, Pose
+from tandem.skills.ports.image import encode
+from tandem.skills.wire.workers import InlineCompute
 from tests.skills.perception.pictures import Face, picture, tag_at
 from tests.skills.perception.stage import DESCRIPTION, Stage
 

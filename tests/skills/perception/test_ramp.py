@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skills.perception.ramp import rest_to_rest
-from skills.ports.hardware import JointLimit
+from tandem.skills.perception.ramp import rest_to_rest
+from tandem.skills.ports.hardware import JointLimit
 
 
 def limit(velocity: float, acceleration: float, jerk: float) -> JointLimit:

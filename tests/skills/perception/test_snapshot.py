@@ -5,14 +5,14 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from skills.perception.snapshot import Snapshots
-from skills.ports.actions.perception import PICTURE
-from skills.ports.geometry import Pose
-from skills.ports.hearing import Reason
-from skills.ports.image import RgbdImage
-from skills.ports.keys import RGBD
-from skills.ports.message import RobotTime
-from skills.wire.workers import InlineCompute
+from tandem.skills.perception.snapshot import Snapshots
+from tandem.skills.ports.actions.perception import PICTURE
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.hearing import Reason
+from tandem.skills.ports.image import RgbdImage
+from tandem.skills.ports.keys import RGBD
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.wire.workers import InlineCompute
 from tests.skills.perception.pictures import picture
 from tests.skills.perception.stage import Stage
 

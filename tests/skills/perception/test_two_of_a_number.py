@@ -13,16 +13,16 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from skills import site
-from skills.perception.look import Look
-from skills.ports.actions.perception import LookGoal, LookResult
-from skills.ports.geometry import FloorPose, Pose, compose, distance, invert
-from skills.ports.image import RgbdImage
-from skills.ports.message import RobotTime
-from skills.ports.skill import Command, Outcome
-from skills.ports.world import WORLD
-from skills.wire.workers import InlineCompute
-from skills.world.keeper import Keeper
+from tandem.skills import site
+from tandem.skills.perception.look import Look
+from tandem.skills.ports.actions.perception import LookGoal, LookResult
+from tandem.skills.ports.geometry import FloorPose, Pose, compose, distance, invert
+from tandem.skills.ports.image import RgbdImage
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.skill import Command, Outcome
+from tandem.skills.ports.world import WORLD
+from tandem.skills.wire.workers import InlineCompute
+from tandem.skills.world.keeper import Keeper
 from tests.skills.perception.pictures import Face, picture
 from tests.skills.perception.stage import DESCRIPTION, Stage
 from tests.skills.world.facts import tag

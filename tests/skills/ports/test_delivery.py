@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 import zenoh
 
-from executive.interface_doc import entries
-from skills.ports.delivery import DELIVERY, Delivery, delivery_of
-from skills.ports.keys import Topic
-from skills.ports.match import matches
-from skills.wire.zenoh_bus import MEANS
+from tandem.executive.interface_doc import entries
+from tandem.skills.ports.delivery import DELIVERY, Delivery, delivery_of
+from tandem.skills.ports.keys import Topic
+from tandem.skills.ports.match import matches
+from tandem.skills.wire.zenoh_bus import MEANS
 
 
 @pytest.mark.parametrize(

@@ -4,9 +4,9 @@ import math
 
 import pytest
 
-from skills.ports.floor_plan import FloorPlan
-from skills.ports.site import Furniture, Site, SiteBox
-from skills.site import load
+from tandem.skills.ports.floor_plan import FloorPlan
+from tandem.skills.ports.site import Furniture, Site, SiteBox
+from tandem.skills.site import load
 
 
 def site(*boxes: SiteBox) -> Site:

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skills.ports.geometry import (
+from tandem.skills.ports.geometry import (
     FloorPose,
     Pose,
     about,

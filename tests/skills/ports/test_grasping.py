@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from skills.ports.geometry import (
+from tandem.skills.ports.geometry import (
     Pose,
     about,
     angle_between,
@@ -18,7 +18,7 @@ from skills.ports.geometry import (
     transform,
     yaw_of,
 )
-from skills.ports.grasping import (
+from tandem.skills.ports.grasping import (
     face,
     face_towards,
     grasp,

@@ -7,7 +7,7 @@ import logging
 
 import pytest
 
-from skills.ports.hardware import (
+from tandem.skills.ports.hardware import (
     Clock,
     GroupStatus,
     JointStates,
@@ -17,13 +17,22 @@ from skills.ports.hardware import (
     SetPoint,
     StopState,
 )
-from skills.ports.hearing import KINDS, Ear, Heard, Reason
-from skills.ports.image import header_of
-from skills.ports.keys import CLOCK, JOINT_STATES, LASER, RGBD, Latest, Topic, group_setpoint, group_status
-from skills.ports.message import Message, RobotTime
-from skills.ports.refusals import CHANGED_EVERY, REPEATED_EVERY, RefusalTeller
-from skills.testing.mock_description import mock_description
-from skills.wire.memory import MemoryBus, MemoryHub
+from tandem.skills.ports.hearing import KINDS, Ear, Heard, Reason
+from tandem.skills.ports.image import header_of
+from tandem.skills.ports.keys import (
+    CLOCK,
+    JOINT_STATES,
+    LASER,
+    RGBD,
+    Latest,
+    Topic,
+    group_setpoint,
+    group_status,
+)
+from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.refusals import CHANGED_EVERY, REPEATED_EVERY, RefusalTeller
+from tandem.skills.testing.mock_description import mock_description
+from tandem.skills.wire.memory import MemoryBus, MemoryHub
 
 ROBOT = mock_description()
 JOINTS = tuple(sorted(ROBOT.joints))

@@ -6,8 +6,8 @@ import random
 
 import pytest
 
-from skills.ports.hardware import BaseVelocity
-from skills.ports.lease import (
+from tandem.skills.ports.hardware import BaseVelocity
+from tandem.skills.ports.lease import (
     KEPT_UNSEEN,
     Claim,
     Fence,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from skills.ports.message import RobotTime, RobotTimer
+from tandem.skills.ports.message import RobotTime, RobotTimer
 
 
 def at(seconds: float, boot: str = "a") -> RobotTime:

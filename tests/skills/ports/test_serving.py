@@ -10,12 +10,12 @@ from typing import Annotated
 import pytest
 from pydantic import Field
 
-from skills.ports.endpoint import Call, Refusal, answering, endpoint
-from skills.ports.keys import Nothing, Service
-from skills.ports.limits import Limits, Rates
-from skills.ports.message import Message
-from skills.ports.serving import Endpoints
-from skills.wire.memory import MemoryBus, MemoryHub, MemoryPending
+from tandem.skills.ports.endpoint import Call, Refusal, answering, endpoint
+from tandem.skills.ports.keys import Nothing, Service
+from tandem.skills.ports.limits import Limits, Rates
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.serving import Endpoints
+from tandem.skills.wire.memory import MemoryBus, MemoryHub, MemoryPending
 
 
 class Push(Message):

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from skills.ports.actions.bimanual import CROSSING, Crossing
-from skills.ports.keys import JOINT_STATES, Latest
-from skills.reflex.process import nodes
-from skills.site import load
-from skills.wire.memory import MemoryBus
+from tandem.skills.ports.actions.bimanual import CROSSING, Crossing
+from tandem.skills.ports.keys import JOINT_STATES, Latest
+from tandem.skills.reflex.process import nodes
+from tandem.skills.site import load
+from tandem.skills.wire.memory import MemoryBus
 from tests.skills.reflex.two_arms import ASIDE, IN_FRONT, joint_states, positions, robot
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from skills.reflex.tuning import Pairs, judge, judge_described, sample, tune
+from tandem.skills.reflex.tuning import Pairs, judge, judge_described, sample, tune
 from tests.skills.reflex.two_arms import robot
 
 FACING = Pairs(

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from skills.ports.geometry import Pose
-from skills.ports.message import RobotTime
-from skills.ports.world import Box, PlanningScene, SceneObject
-from skills.reflex.watch import ArmsWatch, Seen
-from skills.site import load
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.world import Box, PlanningScene, SceneObject
+from tandem.skills.reflex.watch import ArmsWatch, Seen
+from tandem.skills.site import load
 from tests.skills.reflex.two_arms import ASIDE, IN_FRONT, joint_states, positions, robot
 
 SITE = load("bimanual")

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from functools import cache
 
-from sim.robot import compose_robot
-from skills.kinematics.described import home_positions, load_hulls
-from skills.kinematics.hulls import RobotHulls
-from skills.ports.hardware import JointStates, RobotDescription
-from skills.ports.message import RobotTime
+from tandem.sim.robot import compose_robot
+from tandem.skills.kinematics.described import home_positions, load_hulls
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.message import RobotTime
 
 IN_FRONT = (0.34, 1.49, 1.70, 2.28, -0.72, -0.78, -1.97)
 """The posture "carry": both arms in it are 2.6 cm apart in front of the torso."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from pydantic import ValidationError
 
-from skills.ports.bus import Bus
-from skills.testing.faulty_bus import BusFaults, FaultyBus
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus, MemoryHub
+from tandem.skills.ports.bus import Bus
+from tandem.skills.testing.faulty_bus import BusFaults, FaultyBus
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus, MemoryHub
 
 
 class Ends:

@@ -9,15 +9,15 @@ from dataclasses import dataclass
 import pytest
 import zenoh
 
-from skills.ports.delivery import AGAIN_AFTER, KEPT_KEYS
-from skills.ports.hearing import ORDERED
-from skills.ports.keys import Latest
-from skills.ports.message import RobotTime
-from skills.ports.world import WORLD, WorldState
-from skills.wire.configs import client_config, router_config
-from skills.wire.kept import AT_ONCE, Kept
-from skills.wire.memory import MemoryBus, MemoryHub
-from skills.wire.zenoh_bus import ZenohBus, open_session
+from tandem.skills.ports.delivery import AGAIN_AFTER, KEPT_KEYS
+from tandem.skills.ports.hearing import ORDERED
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.world import WORLD, WorldState
+from tandem.skills.wire.configs import client_config, router_config
+from tandem.skills.wire.kept import AT_ONCE, Kept
+from tandem.skills.wire.memory import MemoryBus, MemoryHub
+from tandem.skills.wire.zenoh_bus import ZenohBus, open_session
 from tests.fakes.ports import free_endpoint
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import socket
 import struct
 
-from skills.wire.linger import close_at_once
+from tandem.skills.wire.linger import close_at_once
 
 
 def lingers(connection: socket.socket) -> tuple[int, int]:

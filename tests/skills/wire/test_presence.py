@@ -8,10 +8,10 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from skills.ports.lease import Claim
-from skills.wire.configs import router_config
-from skills.wire.presence import Presence, RivalError
-from skills.wire.zenoh_bus import ZenohBus, open_session
+from tandem.skills.ports.lease import Claim
+from tandem.skills.wire.configs import router_config
+from tandem.skills.wire.presence import Presence, RivalError
+from tandem.skills.wire.zenoh_bus import ZenohBus, open_session
 from tests.fakes.ports import free_endpoint
 
 ROUNDS = 20

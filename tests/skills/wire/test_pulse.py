@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from skills.wire.pulse import BEAT_PERIOD, SILENT_AFTER, STALLED, Pulse
+from tandem.skills.wire.pulse import BEAT_PERIOD, SILENT_AFTER, STALLED, Pulse
 
 NAMES = ("executive", "skill/base/drive")
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from skills.ports.geometry import Pose, about, multiply
-from skills.ports.grasping import TAG_TURN
-from skills.ports.message import RobotTime, Vector3
-from skills.ports.world import Box, Sighting
+from tandem.skills.ports.geometry import Pose, about, multiply
+from tandem.skills.ports.grasping import TAG_TURN
+from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.world import Box, Sighting
 
 
 def at(seconds: float, boot: str = "b") -> RobotTime:

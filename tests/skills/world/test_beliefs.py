@@ -4,11 +4,11 @@ import math
 
 import pytest
 
-from skills import site
-from skills.ports.geometry import Pose, rotate
-from skills.ports.grasping import tag_of_item
-from skills.ports.world import Clutter, Placed
-from skills.world.beliefs import Beliefs, item_box
+from tandem.skills import site
+from tandem.skills.ports.geometry import Pose, rotate
+from tandem.skills.ports.grasping import tag_of_item
+from tandem.skills.ports.world import Clutter, Placed
+from tandem.skills.world.beliefs import Beliefs, item_box
 from tests.skills.world.facts import at, cube, sighting, tag
 
 LAB = site.load("lab")

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from skills import site
-from skills.ports.geometry import Pose
-from skills.ports.world import Clutter, ItemFact
-from skills.world.beliefs import Beliefs, item_box
-from skills.world.doubles import A_LOOK, MOST, matched
+from tandem.skills import site
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.world import Clutter, ItemFact
+from tandem.skills.world.beliefs import Beliefs, item_box
+from tandem.skills.world.doubles import A_LOOK, MOST, matched
 from tests.skills.world.facts import at, sighting, tag
 
 LAB = site.load("lab")

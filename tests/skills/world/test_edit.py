@@ -4,17 +4,24 @@ from pathlib import Path
 
 import pytest
 
-from skills import site
-from skills.ports.action import AskResult, GoalState, GoalStatus, SendGoal, goal_service, result_service
-from skills.ports.actions.world import EditGoal, SceneEdit
-from skills.ports.failure import FailureKind
-from skills.ports.geometry import Pose
-from skills.ports.keys import Latest
-from skills.ports.node import Node
-from skills.ports.world import SCENE, SIGHTINGS, WORLD, Sightings
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
-from skills.world.process import nodes
+from tandem.skills import site
+from tandem.skills.ports.action import (
+    AskResult,
+    GoalState,
+    GoalStatus,
+    SendGoal,
+    goal_service,
+    result_service,
+)
+from tandem.skills.ports.actions.world import EditGoal, SceneEdit
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.node import Node
+from tandem.skills.ports.world import SCENE, SIGHTINGS, WORLD, Sightings
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
+from tandem.skills.world.process import nodes
 from tests.fakes.full_disk import full_at
 from tests.skills.world.facts import at, sighting, tag
 

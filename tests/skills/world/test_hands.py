@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from skills.ports.actions.gripper import HandState, HandStatus, hand_status
-from skills.ports.actions.world import SceneEdit
-from skills.ports.geometry import Pose
-from skills.ports.message import RobotTime
-from skills.ports.world import Side
+from tandem.skills.ports.actions.gripper import HandState, HandStatus, hand_status
+from tandem.skills.ports.actions.world import SceneEdit
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.world import Side
 from tests.skills.world.test_edit import Desk
 
 E = SceneEdit

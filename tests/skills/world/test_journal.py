@@ -2,12 +2,12 @@
 
 from pathlib import Path
 
-from skills.ports.geometry import Pose
-from skills.ports.world import HeldItem, Placed
-from skills.site import load
-from skills.world import journal
-from skills.world.beliefs import Beliefs
-from skills.world.journal import Journal, Remembered
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.world import HeldItem, Placed
+from tandem.skills.site import load
+from tandem.skills.world import journal
+from tandem.skills.world.beliefs import Beliefs
+from tandem.skills.world.journal import Journal, Remembered
 
 HELD = Remembered(held=(HeldItem(side="left", item=29, item_in_tool=Pose()),))
 PLACED = Remembered(placed=(Placed(item=29, depot="depot", slot=2),))

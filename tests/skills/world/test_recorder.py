@@ -2,9 +2,9 @@
 
 import pytest
 
-from skills import site
-from skills.world import recorder
-from skills.world.beliefs import Beliefs
+from tandem.skills import site
+from tandem.skills.world import recorder
+from tandem.skills.world.beliefs import Beliefs
 from tests.skills.world.facts import at, sighting, tag
 
 

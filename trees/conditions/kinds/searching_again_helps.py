@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.failure import Failure, FailureKind
-from trees.conditions.kinds import another_grasp_helps
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.trees.conditions.kinds import another_grasp_helps
 
 KINDS: Final = another_grasp_helps.KINDS | {
     FailureKind.ITEM_GONE,

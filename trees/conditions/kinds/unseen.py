@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.failure import Failure, FailureKind
 
 KINDS: Final = frozenset(
     (

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachResult, approach
-from skills.ports.failure import Failure
-from trees.behaviours.act import Act
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
+from tandem.skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachResult, approach
+from tandem.skills.ports.failure import Failure
+from tandem.trees.behaviours.act import Act
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
 
 
 def approach_item(

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
-from skills.ports.hand_grasps import item_in_tool
-from trees.behaviours.act import Act
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
+from tandem.skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
+from tandem.skills.ports.hand_grasps import item_in_tool
+from tandem.trees.behaviours.act import Act
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
 
 
 def attach_item(context: TreeContext, board: HandBoard) -> Act[EditGoal, EditFeedback, EditResult]:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
-from skills.ports.failure import Failure
-from skills.ports.hand_grasps import upright_at
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.leaves.hand.hand_move import Move, hand_move
+from tandem.skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.hand_grasps import upright_at
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.leaves.hand.hand_move import Move, hand_move
 
 HEADINGS: Final = tuple(math.radians(angle) for angle in (30.0, 60.0, 0.0, 90.0))
 """By how much a hand that holds something points inwards there, in the order in which they are tried."""

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
-from skills.ports.failure import Failure, FailureKind
-from trees.behaviours.act import Act, accept
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
+from tandem.skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.trees.behaviours.act import Act, accept
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
 
 Gripping = Act[GripGoal, GripFeedback, GripResult]
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.actions.arm import Candidate, MoveGoal
-from skills.ports.failure import Failure, FailureKind
-from skills.ports.geometry import compose
-from skills.ports.hand_grasps import lifted
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.leaves.hand.hand_move import Move, hand_move
+from tandem.skills.ports.actions.arm import Candidate, MoveGoal
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.geometry import compose
+from tandem.skills.ports.hand_grasps import lifted
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.leaves.hand.hand_move import Move, hand_move
 
 AWAYS: Final = (0.10, 0.05, 0.0)
 """Metres by which it is drawn back while it rises by 10 cm, in the order in which they are tried."""

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import Final
 
-from skills.ports.actions.approach import GOAL_RADIUS
-from skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
-from skills.ports.failure import Failure
-from skills.ports.geometry import compose
-from skills.ports.hand_grasps import before, lifted
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.leaves.hand.hand_move import Move, hand_move
+from tandem.skills.ports.actions.approach import GOAL_RADIUS
+from tandem.skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.geometry import compose
+from tandem.skills.ports.hand_grasps import before, lifted
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.leaves.hand.hand_move import Move, hand_move
 
 MOVED: Final = 0.01
 """Metres by which the item may be found elsewhere on the last centimetres: fingers have 8 mm of room."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from skills.ports.failure import Failure
-from trees.behaviours.decide import Decide
-from trees.context import TreeContext
-from trees.hand_board import HandBoard
-from trees.item_failures import no_longer_held
+from tandem.skills.ports.failure import Failure
+from tandem.trees.behaviours.decide import Decide
+from tandem.trees.context import TreeContext
+from tandem.trees.hand_board import HandBoard
+from tandem.trees.item_failures import no_longer_held
 
 
 def still_held(what: str, context: TreeContext, board: HandBoard) -> Decide:

@@ -7,19 +7,19 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from sim.robot import compose_robot
-from skills.arm.field.episode import Episode
-from skills.arm.field.ride import Why
-from skills.kinematics.described import load_hulls
-from skills.kinematics.hulls import RobotHulls
-from skills.kinematics.proximity import Proximity
-from skills.ports.action import GoalState, GoalStatus
-from skills.ports.actions.approach import ApproachPhase, ApproachResult
-from skills.ports.actions.bimanual import Order
-from skills.ports.failure import FailureKind
-from skills.ports.geometry import Pose, compose, distance
-from skills.ports.hardware import RobotDescription, SetPoint
-from skills.ports.skill import Command
+from tandem.sim.robot import compose_robot
+from tandem.skills.arm.field.episode import Episode
+from tandem.skills.arm.field.ride import Why
+from tandem.skills.kinematics.described import load_hulls
+from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.kinematics.proximity import Proximity
+from tandem.skills.ports.action import GoalState, GoalStatus
+from tandem.skills.ports.actions.approach import ApproachPhase, ApproachResult
+from tandem.skills.ports.actions.bimanual import Order
+from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.geometry import Pose, compose, distance
+from tandem.skills.ports.hardware import RobotDescription, SetPoint
+from tandem.skills.ports.skill import Command
 from tests.fakes.field_rig import FieldRig, block, goal
 
 Phase = ApproachPhase

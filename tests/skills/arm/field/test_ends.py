@@ -8,23 +8,23 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 import pytest
 
-from skills.arm.field.ends import FOLD, Ends
-from skills.arm.field.live import Live
-from skills.arm.field.target import Target
-from skills.arm.problem import Arm
-from skills.kinematics.transforms import Array
-from skills.ports.geometry import Pose
-from skills.ports.keys import JOINT_STATES
-from skills.ports.message import RobotTime
-from skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
+from tandem.skills.arm.field.ends import FOLD, Ends
+from tandem.skills.arm.field.live import Live
+from tandem.skills.arm.field.target import Target
+from tandem.skills.arm.problem import Arm
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.keys import JOINT_STATES
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
 from tests.fakes.field_rig import goal
 from tests.fakes.robot_pose import localised
 from tests.skills.reflex.two_arms import joint_states, positions, robot
 
 if TYPE_CHECKING:
-    from skills.arm.plan_move import MovePlanner
+    from tandem.skills.arm.plan_move import MovePlanner
 
 BEFORE_IT = np.array([0.663, 0.515, 0.985, 1.383, 0.737, -1.192, 0.422])
 """A left arm, well within its limits."""

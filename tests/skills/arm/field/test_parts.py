@@ -5,17 +5,17 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from skills.arm.field.live import AHEAD, Live
-from skills.arm.field.progress import WINDOW, Progress
-from skills.arm.field.record import Record
-from skills.arm.field.reference import State, Stepper, standing
-from skills.arm.field.velocities import Dampers, VelocitySolver
-from skills.arm.problem import Arm
-from skills.arm.trajectory import MotionLimits
-from skills.kinematics.model import Limits
-from skills.ports.keys import JOINT_STATES
-from skills.wire.clocks import SteppedClocks
-from skills.wire.memory import MemoryBus
+from tandem.skills.arm.field.live import AHEAD, Live
+from tandem.skills.arm.field.progress import WINDOW, Progress
+from tandem.skills.arm.field.record import Record
+from tandem.skills.arm.field.reference import State, Stepper, standing
+from tandem.skills.arm.field.velocities import Dampers, VelocitySolver
+from tandem.skills.arm.problem import Arm
+from tandem.skills.arm.trajectory import MotionLimits
+from tandem.skills.kinematics.model import Limits
+from tandem.skills.ports.keys import JOINT_STATES
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
 from tests.skills.reflex.two_arms import joint_states, positions, robot
 
 LIMITS = MotionLimits(np.full(2, 2.0), np.full(2, 5.0), np.full(2, 50.0))

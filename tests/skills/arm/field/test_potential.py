@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from skills.arm.field.potential import Gains, attraction, pull, push, repulsion, standoff_gain
+from tandem.skills.arm.field.potential import Gains, attraction, pull, push, repulsion, standoff_gain
 
 STEP = 1e-6
 

@@ -1,0 +1,1 @@
+"""Tandem: the one name under which everything is imported; each room is a folder of the repository."""
