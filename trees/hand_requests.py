@@ -30,7 +30,7 @@ def item_problems(site: Site, path: str, number: int, *, two: bool = False) -> t
 
 
 def hand_problems(site: Site, path: str, number: int, side: Side) -> tuple[Problem, ...]:
-    """Return what is wrong with an item for that hand (002, 4.1.1: O_HL and O_HR); ``path`` is told."""
+    """Return what is wrong with an item for that hand; it names ``path`` (two-arm thesis, 4.1.1)."""
     item = site.item(number)
     if item is None or item.needs_two or side in item.hands:
         return ()

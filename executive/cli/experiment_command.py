@@ -1,4 +1,4 @@
-"""``tandem experiment``: the experiments of document 002, chapter 5; exit 1 when the aim is missed."""
+"""``tandem experiment``: the experiments of the two-arm thesis, chapter 5; exit 1 when the aim is missed."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The experiments of document 002, chapter 5: drawn, run in lockstep, and set beside its own figures."""
+"""The experiments of the two-arm thesis, chapter 5: drawn, run in lockstep, and set beside its figures."""

@@ -1,4 +1,4 @@
-"""The hands' paths as SVG, written by hand: from above and in space (document 002, fig. 5.3 to 5.13)."""
+"""The hands' paths as SVG, written by hand: from above and in space (two-arm thesis, fig. 5.3 to 5.13)."""
 
 from __future__ import annotations
 

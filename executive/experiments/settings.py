@@ -1,4 +1,4 @@
-"""What an experiment is asked for, and where its things may stand: document 002, 5.2."""
+"""What an experiment is asked for, and where its things may stand: two-arm thesis, 5.2."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rows of tables 5.1 to 5.7 from runs, beside the thesis's figures."""
+"""The rows of the two-arm thesis's tables 5.1 to 5.7 from runs, beside its figures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The thesis's own figures, as they stand in its tables 5.1 to 5.7 (document 002, 5.4)."""
+"""The two-arm thesis's own figures, as they stand in its tables 5.1 to 5.7 (5.4)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whether an arm may move: the order that the coordination has for its side (document 002, Algorithm 3)."""
+"""Whether an arm may move: the order that the coordination has for its side (two-arm thesis, Algorithm 3)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""COORDINATE: have both arms give way to each other until cancelled (document 002, Algorithm 3)."""
+"""COORDINATE: have both arms give way to each other until cancelled (two-arm thesis, Algorithm 3)."""
 
 from __future__ import annotations
 

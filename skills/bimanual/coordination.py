@@ -1,4 +1,4 @@
-"""The coordination routine: document 002, Algorithm 3, as a state machine without clocks, bus or robot.
+"""The coordination routine: two-arm thesis, Algorithm 3, as a state machine without clocks, bus or robot.
 
 What the pseudo-code slips on is mended, its meaning is kept: the records count as they were at an
 episode's first stop; the follower goes back to sample ``recorded - 1 - counter``, a sample further at each

@@ -1,4 +1,4 @@
-"""Two hands as one: their middle frame, and each hand's place in it (document 002, eq. 4.2).
+"""Two hands as one: their middle frame, and each hand's place in it (two-arm thesis, eq. 4.2).
 
 The thesis has both hands shifted by the same vector. Told in the frame of the thing between them, that is:
 each hand's pose in that frame stays as it is, however the frame moves or turns.

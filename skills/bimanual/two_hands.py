@@ -1,4 +1,4 @@
-"""TWO_HANDS: squeeze, move and let go of what takes both hands (document 002, eq. 4.2).
+"""TWO_HANDS: squeeze, move and let go of what takes both hands (two-arm thesis, eq. 4.2).
 
 Nothing moves before the whole way was tried on both arms' kinematics. What goes wrong while something is
 held ends the goal, never the hold: the hands stop where they are and go on squeezing, and the failure

@@ -1,4 +1,4 @@
-"""The workspace of two hands at one height: S_L, S_R, C and U (document 002, 4.1.1).
+"""The workspace of two hands at one height: S_L, S_R, C and U (two-arm thesis, 4.1.1).
 
 A cell belongs to a hand that gets a grasp there: joint positions within the limits, the robot free of
 itself, the hand at the height, pointing down by one of some pitches and in one of some headings. Nothing

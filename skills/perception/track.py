@@ -1,6 +1,6 @@
 """Track: tell the tags of each picture while others move, until cancelled.
 
-The object recorder (document 002, Algorithm 1) is the keeper's: here a tag that is not seen is simply not
+The object recorder (two-arm thesis, Algorithm 1) is the keeper's: here a tag that is not seen is simply not
 told, and an item is absent only where several pictures in a row look through the place where it stood, or
 show that in the open without the tag. An arm before it ends that; so it is hidden then, and not gone.
 

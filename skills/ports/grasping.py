@@ -1,7 +1,7 @@
 """All the arithmetic of a pick and a place, on one tag pose, in the field's own frames.
 
-The method is document 000's (III-D): the pre-grasp lies 10 cm along the tag's z (eq. 1), the grasp at the
-item, the retraction 10 cm away and 10 cm up (eq. 2), after placing 10 cm back (eq. 3). The paper's words put
+The method is the order-picking paper's (III-D): the pre-grasp lies 10 cm along the tag's z (eq. 1), the grasp
+at the item, the retraction 10 cm away and 10 cm up (eq. 2), after placing 10 cm back (eq. 3). Its words put
 "away" on the tag's x, its equation 2 on other axes; here it is the tag's z, out of the face, because that
 draws the item away from where it stood, and "up" is the map's z, because a tag may be stuck on askew.
 
@@ -234,7 +234,7 @@ def proximity_poses(
     work_point: tuple[float, float],
     work_heading: float = 0.0,
 ) -> tuple[FloorPose, ...]:
-    """Return base poses from which a hand gets at ``target``: the paper's "neighbourhood", best first.
+    """Return base poses from which a hand gets at ``target``, best first (order-picking paper, III-A.3).
 
     Args:
         target: the point in the map.

@@ -65,7 +65,7 @@ def side_grasps(point: GraspPoint, away: float) -> tuple[HandGrasp, ...]:
     """Return the ways in which a closed hand presses on a grasp point, finger tips on it, the best first.
 
     Args:
-        point: where, and in which direction it presses (002, 4.1.1: g_L or g_R).
+        point: where, and in which direction it presses (two-arm thesis, 4.1.1: g_L or g_R).
         away: heading in the item's frame (rad) away from the robot, towards which the hand may lean.
     """
     x, y, _ = point.inwards
@@ -82,7 +82,7 @@ def side_grasps(point: GraspPoint, away: float) -> tuple[HandGrasp, ...]:
 
 
 def lifted(tool: Pose, away: float = AWAY, up: float = UP) -> Pose:
-    """Return the tool after drawing the item back, against the hand's heading, and up (000, eq. 2)."""
+    """Return the tool after it drew the item back along its heading, and up (order-picking paper, eq. 2)."""
     x, y, _ = rotate(tool.orientation, (1.0, 0.0, 0.0))
     size = math.hypot(x, y) or 1.0
     by = (-away * x / size, -away * y / size, up)
@@ -90,7 +90,7 @@ def lifted(tool: Pose, away: float = AWAY, up: float = UP) -> Pose:
 
 
 def before(tool: Pose, way: float) -> Pose:
-    """Return the tool ``way`` metres before a grasp, against its x: the proximity pose (002, 4.3)."""
+    """Return the tool ``way`` metres before a grasp, against its x (two-arm thesis, 4.3: the goal radius)."""
     back = scale(rotate(tool.orientation, (1.0, 0.0, 0.0)), -way)
     return Pose(position=add(tool.position, back), orientation=tool.orientation)
 

@@ -88,7 +88,7 @@ class EndEffector(Message):
     work_heading: float = 0.0
     """Heading in the base (rad) in which the hand points when it works best there."""
     safe_point: Vector3 | None = None
-    """In the base (m): where the hand holds what it has picked, out of the other hand's way (002, 4.1.1)."""
+    """In the base (m): where the hand holds what it picked, clear of the other (two-arm thesis, 4.1.1)."""
 
 
 class CameraSensor(Message):
@@ -135,9 +135,9 @@ class Posture(Message):
 
 
 class ArmsCrossing(Message):
-    """From when on two arms are said to come into each other's way, and how they give way (document 002).
+    """From when on two arms are said to come into each other's way, and how they give way (two-arm thesis).
 
-    ``k``, ``gamma`` and ``mu`` are Algorithm 2's: metres, and metres a radian. How they were found:
+    ``k``, ``gamma`` and ``mu`` are its Algorithm 2's: metres, and metres a radian. How they were found:
     docs/decisions/005-arms-crossing.md.
     """
 

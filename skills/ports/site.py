@@ -55,7 +55,7 @@ class Depot(Message):
 
 
 class GraspPoint(Message):
-    """Where a hand takes hold of an item that needs two: g_L or g_R (002, 4.1.1), on its surface.
+    """Where a hand takes hold of an item that needs two: g_L or g_R (two-arm thesis, 4.1.1), on its surface.
 
     Told in the item's frame (its centre, x out of the tagged face, z up at rest); ``inwards`` is the
     direction in which the hand presses.
@@ -69,8 +69,8 @@ class GraspPoint(Message):
 class SiteItem(Message):
     """An item: tag number, full edges (m), edge of the black square (m), and its hands.
 
-    One with ``grasp_points`` needs both hands at once (O_H2 in 002, 4.1.1); else ``hands`` says which hands
-    it is for (O_HL, O_HR, or both).
+    One with ``grasp_points`` needs both hands at once (two-arm thesis, 4.1.1: O_H2); else ``hands`` says
+    which hands it is for (O_HL, O_HR, or both).
     """
 
     item: Annotated[int, Field(ge=0, le=586)]

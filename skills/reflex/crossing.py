@@ -1,4 +1,4 @@
-"""Arms crossing control: document 002, Algorithm 2, with the order of the hands of its eq. 4.1.
+"""Arms crossing control: two-arm thesis, Algorithm 2, with the order of the hands of its eq. 4.1.
 
 The thesis has x to the right; here y is to the left. Its distance along that axis is an absolute value and
 takes hands that have crossed by far for safe; here d = y_left - y_right has its sign, so that hands in

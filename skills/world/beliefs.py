@@ -365,7 +365,7 @@ class Beliefs:
         return math.dist(slot[:2], centre[:2]) > OUT_OF_SLOT or abs(centre[2] - slot[2]) > 2 * OUT_OF_SLOT
 
     def _standing(self) -> dict[int, Box]:
-        """Return the boxes of the items that stand somewhere, by item (the object recorder, 002, Alg. 1)."""
+        """Return the boxes of the items that stand somewhere, by item (two-arm thesis, Algorithm 1)."""
         held = {each.item for each in self._held.values()}
         facts = recorder.scene(self._items, held)
         return {number: item_box(fact.tag_in_map, fact.size) for number, fact in facts.items()}

@@ -161,7 +161,7 @@ def test_a_failed_task_says_where_everything_is(row: Row) -> None:
 
 
 def test_the_arms_recovery_is_the_papers() -> None:
-    """000, III-A.4: HOME, search, estimate anew, try again; at most twice; then unreachable."""
+    """Order-picking paper, III-A.4: HOME, search, estimate anew, retry; at most twice; then unreachable."""
     bench, _ = run("pre-grasp", K.NO_IK)
     tried = [each.recovery for each in bench.context.attempts]
     assert tried == [GRASP, GRASP, "get: go home and search again", "get: go home and search again", ""]

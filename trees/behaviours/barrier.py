@@ -1,6 +1,6 @@
 """A barrier: all wait for each other, then all go on; when one fails first, the others are let go with that.
 
-Document 002, 4.3: the synchronous pick. What each does up to the barrier stands in a ``Member``, so that the
+Two-arm thesis, 4.3: the synchronous pick. What each does up to the barrier stands in a ``Member``, so the
 barrier hears of its failure.
 """
 

@@ -1,6 +1,6 @@
 """Turns: who comes first goes first, the others wait until it has ended, however it did.
 
-Document 002, 4.3: the asynchronous pick.
+Two-arm thesis, 4.3: the asynchronous pick.
 """
 
 from __future__ import annotations

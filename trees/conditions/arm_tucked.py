@@ -10,7 +10,7 @@ from tandem.trees.context import TreeContext
 
 
 def at_rest(context: TreeContext, side: Side) -> bool:
-    """Say whether the arm tells that it stands still: the base waits for it (000, III-C)."""
+    """Say whether the arm tells that it stands still: the base waits for it (order-picking paper, III-C)."""
     status = context.knowledge.arm(side)
     return status is not None and status.state in {ArmState.ARM_IDLE, ArmState.ARM_SUCCESS}
 

@@ -1,4 +1,4 @@
-"""Have both arms coordinated for as long as it is let run: document 002, 4.3.1."""
+"""Have both arms coordinated for as long as it is let run: two-arm thesis, 4.3.1."""
 
 from __future__ import annotations
 

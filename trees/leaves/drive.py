@@ -20,7 +20,7 @@ def drive(
     *,
     serves_item: int | None = None,
 ) -> Drive:
-    """Return the leaf; ``serves_item`` says for which item, if any (000, III-B)."""
+    """Return the leaf; ``serves_item`` says for which item, if any (order-picking paper, III-B)."""
 
     def goal() -> DriveGoal | Failure:
         found = poses()

@@ -1,4 +1,4 @@
-"""Change the planning scene: document 000, III-D (add, attach, detach, remove)."""
+"""Change the planning scene: order-picking paper, III-D (add, attach, detach, remove)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bring the item above its slot: document 000, III-D.2 a."""
+"""Bring the item above its slot: order-picking paper, III-D.2 a."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bring the hand before the item: document 000, III-D.1 a and eq. 1."""
+"""Bring the hand before the item: order-picking paper, III-D.1 a and eq. 1."""
 
 from __future__ import annotations
 

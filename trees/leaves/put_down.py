@@ -1,4 +1,4 @@
-"""Lower the item into its slot: document 000, III-D.2 a."""
+"""Lower the item into its slot: order-picking paper, III-D.2 a."""
 
 from __future__ import annotations
 

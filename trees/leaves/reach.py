@@ -1,4 +1,4 @@
-"""Move the hand straight to the item: document 000, III-D.1 c."""
+"""Move the hand straight to the item: order-picking paper, III-D.1 c."""
 
 from __future__ import annotations
 

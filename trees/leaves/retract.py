@@ -1,4 +1,4 @@
-"""Draw the item away from where it stood: document 000, III-D.1 e and eq. 2."""
+"""Draw the item away from where it stood: order-picking paper, III-D.1 e and eq. 2."""
 
 from __future__ import annotations
 

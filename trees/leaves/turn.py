@@ -10,7 +10,7 @@ from tandem.trees.behaviours.act import Act
 from tandem.trees.context import TreeContext
 
 STEP: Final = -math.radians(30.0)
-"""Clockwise, as in document 000, III-A.2."""
+"""Clockwise, as in the order-picking paper, III-A.2."""
 
 
 def turn(name: str, context: TreeContext) -> Act[RotateGoal, RotateFeedback, RotateResult]:

@@ -1,4 +1,4 @@
-"""Have both hands do one thing with what is between them: document 002, 4.1.2, eq. 4.2."""
+"""Have both hands do one thing with what is between them: two-arm thesis, 4.1.2, eq. 4.2."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Draw the empty hand back from the item put down: document 000, III-D.2 c and eq. 3."""
+"""Draw the empty hand back from the item put down: order-picking paper, III-D.2 c and eq. 3."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Is each item where its hand gets to? Asked of the workspace zones (002, 4.1.1) before anything moves."""
+"""Is each item where its hand gets to? The workspace zones (two-arm thesis, 4.1.1) say so beforehand."""
 
 from __future__ import annotations
 

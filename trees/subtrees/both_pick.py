@@ -1,4 +1,4 @@
-"""Both hands pick one thing: each before its grasp point, then together: document 002, 4.2 and 4.3.
+"""Both hands pick one thing: each before its grasp point, then together: two-arm thesis, 4.2 and 4.3.
 
 Squeezed, lifted, held, put down where it stood, and let go; whatever fails, it is not dropped.
 """

@@ -1,4 +1,4 @@
-"""Get the item into a hand, with the paper's recoveries of arm and base: document 000, III-A.4, Fig. 4.
+"""Get the item into a hand, with the order-picking paper's recoveries of arm and base: III-A.4, Fig. 4.
 
 The arm fails: first the cheap ways (another grasp, another stand at the same place), then HOME, a new search,
 a new estimate of the tag, at most twice; then the item is unreachable. The base fails: the
@@ -44,7 +44,7 @@ what hides the item."""
 LOOKS: Final = 2
 GRASPS: Final = 2
 SEARCHES: Final = 2
-"""At most twice (000, III-A.4)."""
+"""At most twice (order-picking paper, III-A.4)."""
 
 
 def get_item(context: TreeContext, board: FetchBoard) -> Behaviour:

@@ -1,7 +1,7 @@
 """One hand picks its item: by the field or by the planner to before it, then in its turn, or with the other.
 
-Document 002, 4.2 and 4.3. What fails is tried again as ``trees/behaviours/recovery.py`` does; in the end the
-hand is in its safe zone, with the item or without.
+Two-arm thesis, 4.2 and 4.3. What fails is tried again as ``trees/behaviours/recovery.py`` does; in the end
+the hand is in its safe zone, with the item or without.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Pick the item up: document 000, III-D.1, Fig. 5 and 6, eq. 1 and 2."""
+"""Pick the item up: order-picking paper, III-D.1, Fig. 5 and 6, eq. 1 and 2."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def pick(context: TreeContext, board: FetchBoard) -> Behaviour:
 
 
 def approach_item(context: TreeContext, board: FetchBoard) -> Behaviour:
-    """Return the subtree that brings the base into the item's neighbourhood (000, III-A.3)."""
+    """Return the subtree that brings the base to the item's neighbourhood (order-picking paper, III-A.3)."""
 
     def reach(side: Side, quarter_turns: int) -> Reach | Failure:
         fact, description = board.fact(context), context.knowledge.description

@@ -1,7 +1,7 @@
-"""Put the item down in its slot of the depot: document 000, III-D.2, Fig. 7, eq. 3.
+"""Put the item down in its slot of the depot: order-picking paper, III-D.2, Fig. 7, eq. 3.
 
 While it is carried the hand is watched: when the item is lost, what is under way is stopped. The base's
-recovery is the paper's (000, III-A.4): the distance to the goal is changed, at most twice.
+recovery is the order-picking paper's (III-A.4): the distance to the goal is changed, at most twice.
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ A_MOMENT: Final = 1.0
 """Robot seconds that are waited in any case: what passes by itself takes a while."""
 LOCALISES: Final = 2
 WAYS: Final = 2
-"""How often the distance to a goal is changed (000, III-A.4)."""
+"""How often the distance to a goal is changed (order-picking paper, III-A.4)."""
 LET_PASS: Final = 2.0
 """Robot seconds in which whoever stands in the way may leave."""
 
@@ -71,7 +71,7 @@ def let_pass(where: str, context: TreeContext, *, seconds: float, times: int) ->
 
 
 def another_way(where: str, context: TreeContext, board: FetchBoard, times: int = WAYS) -> Rung:
-    """Return the recovery "wait a little, then change the distance to the goal" (000, III-A.4).
+    """Return the recovery "wait, then change the distance to the goal" (order-picking paper, III-A.4).
 
     What failed is not tried again, so the survey offers stands at other distances and angles.
     """

@@ -1,4 +1,4 @@
-"""Search for the item: document 000, III-A.2 and Fig. 2.
+"""Search for the item: order-picking paper, III-A.2 and Fig. 2.
 
 If the tag is in view already, there is no search. Otherwise the robot turns by 30 degrees clockwise and looks
 again, up to 360 degrees; then it drives to the next spot. It stops the moment the tag is seen.

@@ -1,4 +1,4 @@
-"""Get the base to where the arm reaches: the paper's neighbourhood (000, III-A.3).
+"""Get the base to where the arm reaches: the order-picking paper's neighbourhood (III-A.3).
 
 See docs/decisions/003-survey-before-driving.md.
 """

@@ -1,4 +1,4 @@
-"""Pick one thing with both hands, and put it down again: document 002, 4.1.2, coordinated bimanual."""
+"""Pick one thing with both hands, and put it down again: two-arm thesis, 4.1.2, coordinated bimanual."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pick one item with each hand: document 002, 4.1.2 and 4.3, uncoordinated bimanual.
+"""Pick one item with each hand: two-arm thesis, 4.1.2 and 4.3, uncoordinated bimanual.
 
 Asynchronous unless asked otherwise: the first hand that is before its item picks, the other waits before its
 own until the first is safe. With ``parallel_pick`` both wait for each other there, and grasp together.

@@ -1,1 +1,1 @@
-"""The improved potential field of one arm (document 002, 2.4 and 4.2)."""
+"""The improved potential field of one arm (two-arm thesis, 2.4 and 4.2)."""

@@ -1,6 +1,6 @@
 """APPROACH: bring the hand to the proximity pose of an item that may move, by the improved potential field.
 
-The method is document 002's (2.4, 4.2, 4.3); what is different here, and why, stands in ``potential.py``
+The two-arm thesis has the method (2.4, 4.2, 4.3); what is different here, and why, stands in ``potential.py``
 (bounded, and not slow near the goal), ``escape.py`` (the choice of a pole), ``velocities.py`` (the whole
 arm keeps clear), ``guard.py`` (nothing is sent that is not free) and ``reference.py`` (jerk-limited).
 """

@@ -1,6 +1,6 @@
 """What stands around a hand, as the choice of its way sees it: posts with a round base, and large boxes.
 
-Document 002, 4.1.2: an obstacle has a regular base, r is the farthest that the base reaches from its
+Two-arm thesis, 4.1.2: an obstacle has a regular base, r is the farthest that the base reaches from its
 centre, and a hand keeps d(e, Q) > r + d_s.
 """
 
@@ -20,7 +20,7 @@ from tandem.skills.ports.message import Vector3
 POST_AT_MOST: Final = 0.35
 """Metres of r up to which a thing is gone around; what is larger (a table, a wall) has no sides to pass."""
 OTHER_GOAL: Final = 0.10
-"""Metres about the other arm's goal that are left to it: its r (002, 4.3)."""
+"""Metres about the other arm's goal that are left to it: its r (two-arm thesis, 4.3)."""
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,11 @@
-"""Escape points around obstacles, and which pole to pursue: the goal or one of them (document 002, 2.4).
+"""Escape points around obstacles, and which pole to pursue: the goal or one of them (two-arm thesis, 2.4).
 
 A hand that only goes down its potential stops where pull and push cancel. So around each post
 (``around.Post``) that lies between hand and goal, points are made at r + d_s and a little more from its
 axis: to the left and to the right of the way, and above it. Each is a pole that may draw the hand instead
 of the goal.
 
-Which one is a soft constraint satisfaction problem in the sense of Bistarelli ([3] of the document), with
+Which one is a soft constraint satisfaction problem in the sense of Bistarelli ([3] of the thesis), with
 one variable, the pole, and two constraints over the weighted c-semiring <R+ u {inf}, min, +, inf, 0>: costs
 are added, the least is best, inf is forbidden and 0 is perfect. For the way hand -> pole -> goal
 
@@ -15,7 +15,7 @@ are added, the least is best, inf is forbidden and 0 is perfect. For the way han
 
 (in the probabilistic semiring <[0, 1], max, *, 0, 1> the same choice: the product of both preferences with
 the weights as exponents). The pole of before costs KEPT less, so that the choice does not flicker. The
-document gives neither formula nor weights: with AVOID = 1 and REACH = 2 a way around that is a third longer
+thesis gives neither formula nor weights: with AVOID = 1 and REACH = 2 a way around that is a third longer
 (0.57) is taken as soon as the straight one has less than about half of the clearance wanted (0.69), and
 never for less than a fifth of it.
 """

@@ -1,10 +1,10 @@
-"""The potentials of document 002, 2.4, and the velocity that they ask of a hand.
+"""The potentials of the two-arm thesis, 2.4, and the velocity that they ask of a hand.
 
 Attraction to a pole g (the goal, or an escape point):   U_A(p) = k/2 |p - g|^2
 Repulsion by what is rho away, nearer than rho_0:        U_R(p) = eta/2 (1/rho - 1/rho_0)^2
 
-The hand is to go down the potential: v = -grad U. Two things of the plain formulas are not wanted, and the
-document names both as what was left to do. Their pull has no bound, and fades near the goal: here the pull
+The hand is to go down the potential: v = -grad U. Two things of the plain formulas are not wanted; the
+thesis names both as drawbacks (6, 2.4). Their pull has no bound, and fades near the goal: here the pull
 keeps the direction of -grad U_A and has at most the cruising speed V, or the speed from which it can still
 brake at the rate A, sqrt(2 A d). And their push can outweigh the pull at a goal that lies close to an
 obstacle, so that it is never reached: here the push fades with the distance to the goal (Ge and Cui, "New

@@ -1,4 +1,4 @@
-"""The way that an arm has come, so that it can go back along it (document 002, 4.3.1: rm_L and rm_R)."""
+"""The way that an arm has come, so that it can go back along it (two-arm thesis, 4.3.1: rm_L and rm_R)."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from tandem.skills.kinematics.transforms import Array
 
 PHI: Final = 0.25
-"""Seconds of motion between two samples that are told: the document's phi, for which it gives no number."""
+"""Seconds of motion between two samples that are told: the thesis's phi, for which it gives no number."""
 FINE: Final = 0.02
 """Radians by which some joint differs between two positions that are kept."""
 BACK: Final = 0.12

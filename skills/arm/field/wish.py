@@ -100,7 +100,7 @@ def nearest_of_hand(near: Nearby, hand: npt.NDArray[np.bool_], first_obstacle: i
 def with_other_goal(
     rho: Array, normals: Array, hand: Array, other_goal: Vector3 | None
 ) -> tuple[Array, Array]:
-    """Return distances and normals with the other arm's goal as one more obstacle (002, 4.3)."""
+    """Return distances and normals with the other arm's goal as one more obstacle (two-arm thesis, 4.3)."""
     if other_goal is None:
         return rho, normals
     away = hand - np.array(other_goal)

@@ -1,4 +1,4 @@
-"""Approach an item that may move: the improved potential field of document 002, 2.4 and 4.2."""
+"""Approach an item that may move: the improved potential field of the two-arm thesis, 2.4 and 4.2."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tandem.skills.ports.skill import ActionType
 from tandem.skills.ports.world import Side
 
 GOAL_RADIUS: Final = 0.10
-"""Metres before the grasp at which the field ends: the proximity pose (002, 4.3, "goal radius")."""
+"""Metres before the grasp at which the field ends: the "goal radius" of the two-arm thesis, 4.3."""
 
 
 class ApproachGoal(Message):
@@ -80,8 +80,8 @@ class ApproachResult(Message):
 class ApproachStatus(Message):
     """What everybody may know of an arm's approach; owner: the arm. 20 Hz while one runs, and on each change.
 
-    The other arm takes ``goal_in_base`` for an obstacle (002, 4.3); the coordination compares the distances
-    and counts the record.
+    The other arm takes ``goal_in_base`` for an obstacle (two-arm thesis, 4.3); the coordination compares the
+    distances and counts the record.
     """
 
     stamp: RobotTime
@@ -95,7 +95,7 @@ class ApproachStatus(Message):
     goal_positions: tuple[float, ...] = ()
     """Of the group's joints, in its order, where it will end as things are; none before that is known."""
     recorded: Count = 0
-    """Samples of the record (002, Algorithm 3), thinned by phi: the safe start is sample 0."""
+    """Samples of the record (two-arm thesis, Algorithm 3), thinned by phi: the safe start is sample 0."""
     at: Count = 0
     """The sample at which the arm stands or to which it goes back."""
 

@@ -14,7 +14,7 @@ from tandem.skills.ports.skill import ActionType
 
 
 class ArmState(StrEnum):
-    """What the group does, in the paper's words (000, III-C)."""
+    """What the group does, in the order-picking paper's words (III-C)."""
 
     ARM_IDLE = "ARM_IDLE"
     ARM_RUNNING = "ARM_RUNNING"

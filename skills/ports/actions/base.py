@@ -17,7 +17,7 @@ ARM_MARGIN: Final = 0.04
 
 
 class BaseState(StrEnum):
-    """What the base does, in the paper's words (000, III-B)."""
+    """What the base does, in the order-picking paper's words (III-B)."""
 
     BASE_IDLE = "BASE_IDLE"
     BASE_TO_GOAL = "BASE_TO_GOAL"
@@ -36,7 +36,7 @@ class BaseStatus(Message):
 class DriveGoal(Message):
     """Drive to the first of ``poses`` (in the map) that has a free way; planned and checked before driving.
 
-    ``serves_item`` says for which item, if any (000, III-B).
+    ``serves_item`` says for which item, if any (order-picking paper, III-B).
     """
 
     poses: Annotated[tuple[FloorPose, ...], Field(min_length=1)]

@@ -1,4 +1,4 @@
-"""Both arms: who may go (document 002, Algorithms 2 and 3), and two hands on one thing (eq. 4.2)."""
+"""Both arms: who may go (two-arm thesis, Algorithms 2 and 3), and two hands on one thing (eq. 4.2)."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ ORDER_LOST_AFTER: Final = 0.5
 
 
 class CoordinateGoal(Message):
-    """Coordinate both arms until cancelled (002, Algorithm 3). Ends by a cancel only, at rest.
+    """Coordinate both arms until cancelled (two-arm thesis, Algorithm 3). Ends by a cancel only, at rest.
 
     ``faithful``: the arm that has stepped back goes on when the leader has picked and is back in its safe
     place. ``eager``: arms whose announced ways come near each other do not wait for a risk: one goes as far
@@ -158,7 +158,7 @@ class ZoneRow(Message):
 
 
 class Zones(Message):
-    """The workspace of both hands at one height, in the base (002, 4.1.1); owner: bimanual.
+    """The workspace of both hands at one height, in the base (two-arm thesis, 4.1.1); owner: bimanual.
 
     A cell is reachable when the hand gets a grasp there that has collision-free joint positions.
     """

@@ -51,8 +51,9 @@ class LookResult(Message):
 class TrackGoal(Message):
     """Tell the tags of ``items`` (all of them unless given) from each picture, until cancelled.
 
-    What an arm hides is not told to be gone (002, Algorithm 1). The head follows what stands of ``gaze``, and
-    looks for what is gone of it; between its motions only, pictures are read. Without, it stays as it stands.
+    What an arm hides is not told to be gone (two-arm thesis, Algorithm 1). The head follows what stands of
+    ``gaze``, and looks for what is gone of it; between its motions only, pictures are read. Without, it stays
+    as it stands.
     """
 
     items: tuple[Annotated[int, Field(ge=0, le=MOST)], ...] = ()

@@ -11,7 +11,7 @@ from tandem.skills.ports.skill import ActionType
 
 
 class SceneEdit(StrEnum):
-    """The paper's changes to the scene (000, III-D)."""
+    """The order-picking paper's changes to the scene (III-D)."""
 
     ADD = "add"
     ATTACH = "attach"

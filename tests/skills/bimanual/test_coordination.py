@@ -1,4 +1,4 @@
-"""Algorithm 3 of document 002 on recorded traces: what was seen, and what was ordered."""
+"""Algorithm 3 of the two-arm thesis on recorded traces: what was seen, and what was ordered."""
 
 from __future__ import annotations
 

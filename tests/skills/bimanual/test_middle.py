@@ -1,4 +1,4 @@
-"""Two hands as one: document 002, eq. 4.2."""
+"""Two hands as one: two-arm thesis, eq. 4.2."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The arithmetic of a pick and a place, against numbers worked out by hand and the paper's equations."""
+"""The arithmetic of a pick and a place, against numbers worked out by hand and the order-picking paper's."""
 
 from __future__ import annotations
 

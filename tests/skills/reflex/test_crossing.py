@@ -1,4 +1,4 @@
-"""Algorithm 2 of document 002, on a grid, against matrices."""
+"""Algorithm 2 of the two-arm thesis, on a grid, against matrices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Algorithm 1 of document 002 against a table worked out by hand."""
+"""Algorithm 1 of the two-arm thesis against a table worked out by hand."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Would it help to draw back and grasp another way? The paper's failures of the arm (000, III-A.4)."""
+"""Would it help to draw back and grasp otherwise? The arm's failures in the order-picking paper, III-A.4."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Would it help to take another way or another stand? The paper's failures of the base (000, III-A.4)."""
+"""Would it help to take another way or stand? The base's failures in the order-picking paper, III-A.4."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Would it help to go home and search anew? The paper's recovery of the arm (000, III-A.4)."""
+"""Would it help to go home and search anew? The recovery of the arm in the order-picking paper, III-A.4."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bring a hand before its item by the potential field: document 002, 4.2."""
+"""Bring a hand before its item by the potential field: two-arm thesis, 4.2."""
 
 from __future__ import annotations
 

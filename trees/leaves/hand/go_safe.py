@@ -1,4 +1,4 @@
-"""Bring a hand to its safe zone: document 002, 4.1.1, S_L and S_R."""
+"""Bring a hand to its safe zone: two-arm thesis, 4.1.1, S_L and S_R."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Lift the item off what it stands on, towards the robot: document 000, eq. 2."""
+"""Lift the item off what it stands on, towards the robot: order-picking paper, eq. 2."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the proximity pose to the item; it gives up when the item moves away: document 002, 4.3 and 6."""
+"""From the proximity pose to the item; it gives up when the item moves away: two-arm thesis, 4.3 and 6."""
 
 from __future__ import annotations
 

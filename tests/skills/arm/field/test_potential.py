@@ -1,4 +1,4 @@
-"""The potentials of document 002, 2.4, against finite differences."""
+"""The potentials of the two-arm thesis, 2.4, against finite differences."""
 
 from __future__ import annotations
 
