@@ -14,9 +14,9 @@ import numpy as np
 from pydantic import JsonValue
 
 from benchmarks.rows import Row, quantile
-from tandem.executive.demo import Caller
-from tandem.executive.phases import Phases
-from tandem.executive.systems import LockstepSystem, SystemFailure
+from tandem.executive.system.systems import LockstepSystem, SystemFailure
+from tandem.executive.trials.demo import Caller
+from tandem.executive.trials.phase_times import Phases
 from tandem.sim.scenario import Scenario, load_scenario
 from tandem.sim.truth import lies_on
 from tandem.skills.arm.timing import bang_bang

@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 from typing import Final
 
-from tandem.executive.figures import Figures
+from tandem.executive.trials.figure_file import Figures
 
 BLOCK: Final = re.compile(r"(<!-- begin figures ([\w-]+) -->\n).*?(<!-- end figures \2 -->)", re.DOTALL)
 

@@ -20,14 +20,14 @@ from benchmarks.echo import KEY
 from benchmarks.machine import frozen, memory
 from benchmarks.processes import PREFIX, echo, free_endpoint, running
 from benchmarks.rows import Row, quantile
-from tandem.executive.campaigns.crash_rig import PREFIX as RIG_PREFIX
-from tandem.executive.campaigns.crash_rig import CrashRig
-from tandem.executive.campaigns.crash_world import ITEM, deeds
 from tandem.executive.ledger.sqlite import SqliteLedger
-from tandem.executive.processes import SPARE_AFTER
-from tandem.executive.requests import Asked, read_request
-from tandem.executive.task_book import TaskBook
-from tandem.executive.wall_clock import WallClock
+from tandem.executive.service.intake.request_parser import Asked, read_request
+from tandem.executive.service.tasks.task_book import TaskBook
+from tandem.executive.service.tasks.wall_clock import WallClock
+from tandem.executive.system.processes import SPARE_AFTER
+from tandem.executive.trials.campaigns.crash_rig import PREFIX as RIG_PREFIX
+from tandem.executive.trials.campaigns.crash_rig import CrashRig
+from tandem.executive.trials.campaigns.crash_world import ITEM, deeds
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, CancelTask, TaskAnswer, TaskStatus
 from tandem.skills.site import load

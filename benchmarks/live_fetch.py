@@ -17,9 +17,9 @@ from benchmarks.machine import command, descendants, memory
 from benchmarks.processes import free_endpoint
 from benchmarks.rows import Row
 from benchmarks.stillness import Stillness
-from tandem.executive.options import BusOptions
-from tandem.executive.parts import ROLES
-from tandem.executive.settings import WorkerSettings
+from tandem.executive.config.process_settings import WorkerSettings
+from tandem.executive.config.role_names import ROLES
+from tandem.executive.config.run_options import BusOptions
 from tandem.skills.ports.keys import CLOCK, Latest
 from tandem.skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
@@ -103,11 +103,11 @@ def memory_by_role(pid: int) -> dict[str, float]:
 
 def _role(pid: int) -> str | None:
     arguments = command(pid)
-    if "tandem.executive.worker" not in arguments:
+    if "tandem.executive.system.worker" not in arguments:
         return None
     try:
         return WorkerSettings.model_validate_json(
-            arguments[arguments.index("tandem.executive.worker") + 1]
+            arguments[arguments.index("tandem.executive.system.worker") + 1]
         ).role
     except (ValidationError, IndexError):
         return None

@@ -14,8 +14,8 @@ from typing import Final
 from pydantic import JsonValue
 
 from benchmarks.rows import Row
-from tandem.executive.demo import Caller
-from tandem.executive.systems import LockstepSystem
+from tandem.executive.system.systems import LockstepSystem
+from tandem.executive.trials.demo import Caller
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports import keys
 from tandem.skills.ports.hardware import BaseVelocity

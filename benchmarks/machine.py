@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
 
-from tandem.executive.provenance import installed_packages, processor
+from tandem.executive.trials.provenance import installed_packages, processor
 
 _PROC: Final = Path("/proc")
 

@@ -11,8 +11,8 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Final
 
-from tandem.executive.parts import Role
-from tandem.executive.settings import WorkerSettings
+from tandem.executive.config.process_settings import WorkerSettings
+from tandem.executive.config.role_names import Role
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 PREFIX: Final = "bench/mock"
@@ -44,7 +44,7 @@ def running(roles: Sequence[Role], data: Path | None = None) -> Iterator[tuple[s
                 site="lab",
                 data=None if data is None else str(data),
             )
-            started[role] = _start("tandem.executive.worker", settings.model_dump_json())
+            started[role] = _start("tandem.executive.system.worker", settings.model_dump_json())
             await_there(endpoint, "" if role == "router" else f"process/{role}")
         yield endpoint, {role: process.pid for role, process in started.items()}
     finally:

@@ -21,7 +21,7 @@ from pathlib import Path
 
 from benchmarks.machine import Others, describe
 from benchmarks.rows import Row
-from tandem.executive.provenance import provenance
+from tandem.executive.trials.provenance import provenance
 
 HERE = Path(__file__).parent
 MISSED = 1

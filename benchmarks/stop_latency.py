@@ -26,9 +26,9 @@ from benchmarks.fetch_time import NEAR_THE_TABLE, REQUESTED
 from benchmarks.processes import free_endpoint
 from benchmarks.rows import Row, quantile, spread
 from benchmarks.standing import Motion
-from tandem.executive.demo import ANSWER_WITHIN, Caller
-from tandem.executive.options import BusOptions, RunOptions
-from tandem.executive.systems import ProcessSystem, SystemFailure, wait_for
+from tandem.executive.config.run_options import BusOptions, RunOptions
+from tandem.executive.system.systems import ProcessSystem, SystemFailure, wait_for
+from tandem.executive.trials.demo import ANSWER_WITHIN, Caller
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.action import GoalState, GoalStatus
 from tandem.skills.ports.hardware import Stop, StopRelease

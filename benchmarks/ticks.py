@@ -16,8 +16,8 @@ from pydantic import JsonValue
 from benchmarks.machine import frozen
 from benchmarks.rows import Row, quantile, spread
 from tandem.executive.render.example import tree_of
-from tandem.executive.report import walk
-from tandem.executive.service import Executive
+from tandem.executive.service.executive import Executive
+from tandem.executive.trials.run_report import walk
 from tandem.skills.ports.geometry import Pose, from_axes
 from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask
 from tandem.skills.site import load

@@ -1,1 +1,1 @@
-"""The service: requests in, trees ticked, everyone told."""
+"""The task executive: its service, its command, and what puts whole systems together."""

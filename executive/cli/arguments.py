@@ -12,7 +12,7 @@ from typing import Annotated, Final, get_type_hints
 import typer
 
 from tandem.executive.cli.errors import CommandError
-from tandem.executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
+from tandem.executive.config.run_options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
 
 PANEL: Final = "Connection"
 """Heading in the help under which the shared options stand."""

@@ -13,7 +13,7 @@ from tandem.executive.cli.allowed import refuse_unless_allowed
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.client.talks import reason_of
-from tandem.executive.options import BusOptions
+from tandem.executive.config.run_options import BusOptions
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import client_in
 from tandem.skills.ports.bus import Pending

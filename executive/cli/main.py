@@ -14,10 +14,9 @@ from typing import Annotated, Final
 
 import typer
 
-from tandem.executive.cli import (
+from tandem.executive.cli.commands import (
     bench_command,
     campaign_command,
-    doctor,
     experiment_command,
     keys_command,
     request_command,
@@ -32,12 +31,13 @@ from tandem.executive.cli import (
     why_command,
     zones_command,
 )
+from tandem.executive.cli.commands import doctor_command as doctor
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
 from tandem.executive.cli.logs import LogOptions
-from tandem.executive.isolation import isolate_children
-from tandem.executive.parts import LogFormat
-from tandem.executive.screen import Screen
+from tandem.executive.config.role_names import LogFormat
+from tandem.executive.system.isolation import isolate_children
+from tandem.executive.system.quiet_screen import Screen
 from tandem.skills.ports.sources import DocumentError
 
 _LOG = logging.getLogger(__name__)

@@ -8,8 +8,8 @@ from typing import get_args
 
 from tandem.executive.cli.arguments import ENDPOINT, TLS
 from tandem.executive.cli.errors import CommandError
-from tandem.executive.options import BusOptions
-from tandem.executive.parts import ROLES, Role
+from tandem.executive.config.role_names import ROLES, Role
+from tandem.executive.config.run_options import BusOptions
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity, refuse_other_hosts, robot_in
 from tandem.skills.wire.endpoints import is_loopback

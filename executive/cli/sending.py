@@ -12,7 +12,7 @@ from tandem.executive.cli.connection import Connection
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.cli.waiting import Waiting
-from tandem.executive.options import BusOptions
+from tandem.executive.config.run_options import BusOptions
 from tandem.skills.ports.failure import KINDS, Failure
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.tasks import REQUEST, TASK_STATUS, TaskAnswer, TaskState, TaskStatus

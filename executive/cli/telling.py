@@ -19,7 +19,7 @@ def told(console: Console, report: Path | None, summary: Sequence[str], result: 
     for line in summary:
         console.print(line, style="red" if line.startswith("WRONG") else None, markup=False)
     if report is not None:
-        from tandem.executive.figures import write_figures  # noqa: PLC0415 - few need it
-        from tandem.executive.provenance import provenance  # noqa: PLC0415 - as above
+        from tandem.executive.trials.figure_file import write_figures  # noqa: PLC0415 - few need it
+        from tandem.executive.trials.provenance import provenance  # noqa: PLC0415 - as above
 
         write_figures(report, provenance(sys.argv, time.time()), tuple(summary), result)

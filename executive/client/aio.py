@@ -17,7 +17,7 @@ from tandem.executive.client.errors import ClientError, NotConnectedError, TaskF
 from tandem.executive.client.following import Following, FollowingTree
 from tandem.executive.client.questions import By, Forced, Questions, Request, When, new_id
 from tandem.executive.client.talks import LOST_AFTER, PATIENCE, T, Talk, Talks
-from tandem.executive.options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
+from tandem.executive.config.run_options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity
 from tandem.skills.ports.bus import Bus

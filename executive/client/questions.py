@@ -12,8 +12,8 @@ from pydantic import JsonValue
 
 from tandem.executive.client.errors import RefusedError, RejectedError, UnknownTaskError
 from tandem.executive.client.talks import Sent, Talk, Talks
+from tandem.executive.render.failure_words import chosen, explain
 from tandem.executive.security.identity import Identity
-from tandem.executive.why import chosen, explain
 from tandem.skills.ports.keys import Nothing, Service
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import (

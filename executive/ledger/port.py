@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from tandem.executive.on_restart import OnRestart
-from tandem.executive.task_memory import TaskMemory
+from tandem.executive.ledger.on_restart import OnRestart
+from tandem.executive.ledger.task_memory import TaskMemory
 from tandem.skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
 
 

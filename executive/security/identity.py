@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from tandem.executive.parts import Role as ProcessRole
+from tandem.executive.config.role_names import Role as ProcessRole
 from tandem.executive.security.holders import AUTHORITY, KeysError, role_in
 from tandem.executive.security.rights import Rights, rights_of
 from tandem.executive.security.role import PARTS, Part, Role

@@ -6,7 +6,7 @@ import logging
 from collections.abc import Callable
 from contextlib import ExitStack
 
-from tandem.executive.settings import RefusalError, WorkerSettings
+from tandem.executive.config.process_settings import RefusalError, WorkerSettings
 from tandem.executive.telemetry.observer import Observer, Record
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.wire.clocks import ProcessClocks

@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 
 import pybullet
 
-from tandem.executive.demo import Caller
-from tandem.executive.report import walk
-from tandem.executive.systems import LockstepSystem
+from tandem.executive.system.systems import LockstepSystem
+from tandem.executive.trials.demo import Caller
+from tandem.executive.trials.run_report import walk
 from tandem.sim.scenario import Scenario
 from tandem.sim.truth import Truth, lies_on
 from tandem.skills.ports.action import GoalStatus

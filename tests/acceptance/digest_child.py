@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 
-from tandem.executive.lockstep import Digest, Lockstep
+from tandem.executive.system.lockstep import Digest, Lockstep
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.tasks import REQUEST

@@ -14,11 +14,11 @@ from pathlib import Path
 
 import yaml
 
-from tandem.executive.options import BusOptions, RunOptions
-from tandem.executive.parts import Role
-from tandem.executive.processes import Supervisor
-from tandem.executive.settings import WorkerSettings
-from tandem.executive.systems import ProcessSystem, wait_for
+from tandem.executive.config.process_settings import WorkerSettings
+from tandem.executive.config.role_names import Role
+from tandem.executive.config.run_options import BusOptions, RunOptions
+from tandem.executive.system.processes import Supervisor
+from tandem.executive.system.systems import ProcessSystem, wait_for
 from tandem.sim.scenario import Scenario
 from tandem.skills.ports.tasks import REQUEST, TASK_LIST, AskTasks, TaskAnswer, TaskList
 from tests.fakes.ports import free_endpoint

@@ -11,12 +11,18 @@ from pathlib import Path
 import pytest
 
 from tandem.executive.cli.exit_codes import ExitCode
-from tandem.executive.demo import Caller
+from tandem.executive.config.role_names import ROLES, Role
+from tandem.executive.config.run_options import RunOptions
 from tandem.executive.ledger.sqlite import FILE, SqliteLedger
-from tandem.executive.options import RunOptions
-from tandem.executive.parts import ROLES, Role
-from tandem.executive.processes import RESTARTS
-from tandem.executive.systems import LedgerFailure, ProcessSystem, RefusedError, SystemFailure, wait_for
+from tandem.executive.system.processes import RESTARTS
+from tandem.executive.system.systems import (
+    LedgerFailure,
+    ProcessSystem,
+    RefusedError,
+    SystemFailure,
+    wait_for,
+)
+from tandem.executive.trials.demo import Caller
 from tandem.sim.scenario import load_scenario
 from tandem.sim.truth import lies_on
 from tandem.skills.ports.action import GoalState, status_topic

@@ -9,9 +9,9 @@ from collections.abc import Iterator
 import pytest
 
 from benchmarks.hanging import Moving, stands
-from tandem.executive.options import RunOptions
-from tandem.executive.parts import Role
-from tandem.executive.systems import ProcessSystem
+from tandem.executive.config.role_names import Role
+from tandem.executive.config.run_options import RunOptions
+from tandem.executive.system.systems import ProcessSystem
 from tandem.skills.ports.action import GoalState
 from tests.acceptance.live import go_on, own_bus
 

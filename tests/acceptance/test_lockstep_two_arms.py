@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.executive.experiments.run import run_experiment
-from tandem.executive.experiments.settings import LEAST, Kind, Options
+from tandem.executive.trials.experiments.run import run_experiment
+from tandem.executive.trials.experiments.settings import LEAST, Kind, Options
 
 pytestmark = pytest.mark.lockstep
 

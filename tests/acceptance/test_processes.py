@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from tandem.executive.cli.exit_codes import ExitCode
-from tandem.executive.demo import Caller
-from tandem.executive.options import RunOptions
-from tandem.executive.parts import Role
-from tandem.executive.systems import ProcessSystem
+from tandem.executive.config.role_names import Role
+from tandem.executive.config.run_options import RunOptions
+from tandem.executive.system.systems import ProcessSystem
+from tandem.executive.trials.demo import Caller
 from tandem.sim.scenario import load_scenario
 from tandem.sim.truth import lies_on
 from tandem.skills.ports.geometry import FloorPose

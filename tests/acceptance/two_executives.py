@@ -26,9 +26,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from tandem.executive.campaigns.crash_world import DEEDS, ITEM, Deed
-from tandem.executive.processes import Supervisor
-from tandem.executive.settings import REFUSED, WorkerSettings
+from tandem.executive.config.process_settings import REFUSED, WorkerSettings
+from tandem.executive.system.processes import Supervisor
+from tandem.executive.trials.campaigns.crash_world import DEEDS, ITEM, Deed
 from tandem.skills.ports.bus import Pending
 from tandem.skills.ports.keys import Nothing
 from tandem.skills.ports.lease import present_claims

@@ -14,7 +14,7 @@ ROOMS = {"executive", "skills", "sim", "trees"}
 CASES = {
     "trees load no vendor but py_trees": ("tandem.trees.registry", "discover()", (*HEAVY, "zenoh")),
     "the executive loads nothing heavy": (
-        "tandem.executive.service",
+        "tandem.executive.service.executive",
         "Executive",
         tuple(name for name in HEAVY if name != "yaml"),
     ),
@@ -29,7 +29,7 @@ CASES = {
         (*HEAVY, "zenoh", "py_trees"),
     ),
     "a process loads nothing that keeps records": (
-        "tandem.executive.worker",
+        "tandem.executive.system.worker",
         "main",
         ("prometheus_client", "opentelemetry", *HEAVY[:-1]),
     ),

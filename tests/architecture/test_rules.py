@@ -22,8 +22,8 @@ BY_HAND = {
 CLOCKS = {"time.sleep", "datetime.now", "time.time"}
 MAY_READ_A_CLOCK = {
     "skills/wire/clocks.py",
-    "executive/roles.py",  # names this start of the executive
-    "executive/processes.py",  # waits for other processes' ends, which nobody tells
+    "executive/system/roles.py",  # names this start of the executive
+    "executive/system/processes.py",  # waits for other processes' ends, which nobody tells
 }
 
 
@@ -45,7 +45,7 @@ def test_nothing_is_set_by_hand(path: Path) -> None:
 
 SERVES = {
     "skills/ports/serving.py",  # the one mechanism
-    "executive/campaigns/crash_points.py",  # buses around a bus
+    "executive/trials/campaigns/crash_points.py",  # buses around a bus
     "sim/line.py",
     "skills/scoped_bus.py",
     "skills/testing/faulty_bus.py",
@@ -91,18 +91,18 @@ def test_truth_is_read_by_tests_and_reports_only() -> None:
         and not str(path.relative_to(ROOT)).startswith("sim/")
     }
     assert readers <= {
-        "executive/demo.py",
-        "executive/report.py",
-        "executive/compose.py",
-        "executive/campaigns/crash_physics.py",
-        "executive/campaigns/hardware_restart.py",
-        "executive/campaigns/oracle.py",
+        "executive/trials/demo.py",
+        "executive/trials/run_report.py",
+        "executive/cli/running_system.py",
+        "executive/trials/campaigns/crash_physics.py",
+        "executive/trials/campaigns/hardware_restart.py",
+        "executive/trials/campaigns/oracle.py",
     }
 
 
 def test_python_programs_of_ours_are_isolated_from_the_current_folder() -> None:
-    """``executive.isolation.python`` makes their command lines; the benchmarks are found in the checkout."""
+    """``executive.system.isolation`` makes their command lines; the benchmarks are found in the checkout."""
     makers = {
         str(path.relative_to(ROOT)) for path in sources() if "sys.executable" in path.read_text("utf-8")
     }
-    assert makers == {"executive/isolation.py", "executive/cli/bench_command.py"}
+    assert makers == {"executive/system/isolation.py", "executive/cli/commands/bench_command.py"}

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from benchmarks.figures import fill, main, names
-from tandem.executive.figures import Figures, write_figures
-from tandem.executive.provenance import Provenance, provenance
+from tandem.executive.trials.figure_file import Figures, write_figures
+from tandem.executive.trials.provenance import Provenance, provenance
 from tandem.skills.ports.message import Message
 
 ROOT = Path(__file__).parents[2]

@@ -13,7 +13,7 @@ import pytest
 from benchmarks.machine import Others, descendants, memory
 from benchmarks.rows import Row, quantile, spread
 from benchmarks.run import names, page, table
-from tandem.executive.cli import bench_command
+from tandem.executive.cli.commands import bench_command
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.main import main
 

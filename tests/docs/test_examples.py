@@ -11,7 +11,7 @@ import pytest
 from py_trees.common import Status
 from pydantic import TypeAdapter
 
-from tandem.executive.testing import TreeBench
+from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.gripper.grip import Gripping
 from tandem.skills.ports.actions.gripper import Grip, GripGoal, grip
 from tandem.skills.ports.geometry import FloorPose, Pose, from_axes

@@ -5,8 +5,8 @@ from __future__ import annotations
 import sys
 import time
 
-from tandem.executive.service import Executive
-from tandem.executive.task_book import start_id
+from tandem.executive.service.executive import Executive
+from tandem.executive.service.tasks.task_book import start_id
 from tandem.skills.ports.geometry import Pose, from_axes
 from tandem.skills.ports.hardware import Clock
 from tandem.skills.ports.keys import CLOCK

@@ -12,7 +12,7 @@ from jsonschema import Draft7Validator
 from pydantic import JsonValue
 from surroundings import Surroundings
 
-from tandem.executive.asyncapi import asyncapi
+from tandem.executive.interface.asyncapi import asyncapi
 from tandem.skills.ports import keys, tasks, world
 from tandem.skills.ports.keys import Service, Topic
 from tandem.skills.ports.message import Message

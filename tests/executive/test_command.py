@@ -10,11 +10,11 @@ from pathlib import Path
 
 import pytest
 
-from tandem.executive import options
-from tandem.executive.cli import request_command
+from tandem.executive.cli.commands import request_command
 from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
 from tandem.executive.cli.main import main
 from tandem.executive.cli.sending import _with_id, describe_failure
+from tandem.executive.config import run_options as options
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.wire import zenoh_bus
 

@@ -4,8 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.executive.campaigns.crash_physics import MOMENTS, REQUESTS, SCENARIOS, Moment, wrong_in_truth
 from tandem.executive.render.example import tree_of
+from tandem.executive.trials.campaigns.crash_physics import (
+    MOMENTS,
+    REQUESTS,
+    SCENARIOS,
+    Moment,
+    wrong_in_truth,
+)
 from tandem.sim.scenario import load_scenario
 from tandem.sim.truth import TrueBody, TrueContact, Truth
 from tandem.skills.ports.geometry import IDENTITY, Pose

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from tandem.executive.campaigns import crash_points
-from tandem.executive.campaigns.crash_points import CrashPoints
-from tandem.executive.campaigns.crash_rig import CrashRig
-from tandem.executive.campaigns.crash_verbs import CASES, spread, verb_run
+from tandem.executive.trials.campaigns import crash_points
+from tandem.executive.trials.campaigns.crash_points import CrashPoints
+from tandem.executive.trials.campaigns.crash_rig import CrashRig
+from tandem.executive.trials.campaigns.crash_verbs import CASES, spread, verb_run
 from tandem.skills.ports import tasks
 from tandem.skills.ports.keys import Service
 from tandem.skills.ports.tasks import ControlAnswer

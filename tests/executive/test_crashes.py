@@ -6,9 +6,16 @@ from pathlib import Path
 
 import pytest
 
-from tandem.executive.campaigns.crash import CrashRun, Kill, never_reached, one_run, point_run, random_kills
-from tandem.executive.campaigns.crash_rig import CrashRig
-from tandem.executive.campaigns.crash_world import Deed, wrong_deeds
+from tandem.executive.trials.campaigns.crash import (
+    CrashRun,
+    Kill,
+    never_reached,
+    one_run,
+    point_run,
+    random_kills,
+)
+from tandem.executive.trials.campaigns.crash_rig import CrashRig
+from tandem.executive.trials.campaigns.crash_world import Deed, wrong_deeds
 from tests.fakes.ports import free_endpoint
 
 POINTS = (

@@ -8,13 +8,13 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from tandem.executive.experiments.draws import APART, draw_run, scenario_of
-from tandem.executive.experiments.figures import Flat, figure, from_above, in_space
-from tandem.executive.experiments.mover import Moved
-from tandem.executive.experiments.run import ArmRun, ExperimentRun
-from tandem.executive.experiments.settings import FARTHEST, LEAST, REGIONS, Kind, Options
-from tandem.executive.experiments.tables import picked, tables
-from tandem.executive.experiments.witness import Touch
+from tandem.executive.trials.experiments.draws import APART, draw_run, scenario_of
+from tandem.executive.trials.experiments.figures import Flat, figure, from_above, in_space
+from tandem.executive.trials.experiments.mover import Moved
+from tandem.executive.trials.experiments.run import ArmRun, ExperimentRun
+from tandem.executive.trials.experiments.settings import FARTHEST, LEAST, REGIONS, Kind, Options
+from tandem.executive.trials.experiments.tables import picked, tables
+from tandem.executive.trials.experiments.witness import Touch
 from tandem.skills.ports.message import Vector3
 
 KINDS: tuple[Kind, ...] = ("uncoordinated", "crossing", "coordinated")

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from tandem.executive.cli.main import main
-from tandem.executive.fault_file import check_faults, load_faults
-from tandem.executive.lockstep import Digest, Lockstep
-from tandem.executive.options import BusOptions, RunOptions
-from tandem.executive.systems import ProcessSystem
+from tandem.executive.config.fault_file import check_faults, load_faults
+from tandem.executive.config.run_options import BusOptions, RunOptions
+from tandem.executive.system.lockstep import Digest, Lockstep
+from tandem.executive.system.systems import ProcessSystem
 from tandem.sim.faults import CameraDark, HandOpens, HardwareSilent, ItemLifted
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.keys import BUMPERS, Latest
@@ -94,7 +94,7 @@ def test_the_option_reaches_who_runs_it(
         asked.append(options)
         return 0
 
-    monkeypatch.setattr(f"tandem.executive.compose.run_{command}", run)
+    monkeypatch.setattr(f"tandem.executive.cli.running_system.run_{command}", run)
     assert main([command, "--faults", str(file)]) == 0
     assert [options.faults for options in asked] == [file]
 

@@ -9,11 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from jsonschema import Draft202012Validator
 
-from tandem.executive.campaigns.from_schema import from_schema
-from tandem.executive.campaigns.fuzz import Target, fuzz
-from tandem.executive.campaigns.fuzz_all import fuzz_all
-from tandem.executive.campaigns.fuzz_inputs import TASK_HERE, Input
-from tandem.executive.schemas import separate_schemas
+from tandem.executive.interface.schemas import separate_schemas
+from tandem.executive.trials.campaigns.from_schema import from_schema
+from tandem.executive.trials.campaigns.fuzz import Target, fuzz
+from tandem.executive.trials.campaigns.fuzz_all import fuzz_all
+from tandem.executive.trials.campaigns.fuzz_inputs import TASK_HERE, Input
 from tandem.skills.ports.tasks import REQUEST
 from tandem.trees.registry import discover
 
@@ -43,7 +43,7 @@ class Careless(Target):
 
 
 def test_an_input_that_breaks_something_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tandem.executive.campaigns.fuzz.Target", Careless)
+    monkeypatch.setattr("tandem.executive.trials.campaigns.fuzz.Target", Careless)
     broken = fuzz(200, 1).broken
     assert broken.startswith("task/request b")
     assert broken.endswith("KeyError: 'task'")

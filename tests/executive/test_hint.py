@@ -5,9 +5,9 @@ from __future__ import annotations
 import datetime as dt
 from pathlib import Path
 
-from tandem.executive.hint import hint
-from tandem.executive.options import BusOptions, RunOptions
+from tandem.executive.config.run_options import BusOptions, RunOptions
 from tandem.executive.security.authority import Wanted, begin, issue
+from tandem.executive.system.first_request import hint
 from tandem.sim.scenario import load_scenario
 from tandem.skills.site import load
 

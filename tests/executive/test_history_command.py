@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from tandem.executive.cli.commands.history_command import moment
 from tandem.executive.cli.errors import CommandError
-from tandem.executive.cli.history import moment
 from tandem.executive.cli.main import main
 from tandem.executive.ledger.port import Entry
 from tandem.executive.ledger.sqlite import SqliteLedger

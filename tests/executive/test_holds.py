@@ -12,8 +12,8 @@ from py_trees.common import Status
 from surroundings import WAIT as KIND
 from surroundings import Surroundings
 
-from tandem.executive.holds import FIRST_TRY, LAST_TRY
 from tandem.executive.ledger.sqlite import SqliteLedger
+from tandem.executive.service.tasks.queue_holds import FIRST_TRY, LAST_TRY
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.hardware import StopState

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.executive.hung import Hung
+from tandem.executive.system.hung_processes import Hung
 
 
 class Looks:

@@ -59,7 +59,7 @@ def test_a_trace_of_the_stack_is_kept_together(which: str, lines: int) -> None:
 
 
 def test_a_tasks_changes_are_logged_with_its_id(caplog: pytest.LogCaptureFixture) -> None:
-    caplog.set_level(logging.INFO, logger="tandem.executive.task_log")
+    caplog.set_level(logging.INFO, logger="tandem.executive.service.tasks.task_log")
     here = Surroundings()
     here.ask({"task": "wait", "item": 1})
     here.world(2)
@@ -67,7 +67,7 @@ def test_a_tasks_changes_are_logged_with_its_id(caplog: pytest.LogCaptureFixture
     told = [
         (vars(each)["task"], vars(each)["state"], vars(each).get("kind", ""))
         for each in caplog.records
-        if each.name == "tandem.executive.task_log"
+        if each.name == "tandem.executive.service.tasks.task_log"
     ]
     assert told == [
         ("wait-0001", "QUEUED", ""),

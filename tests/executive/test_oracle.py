@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.executive.campaigns.oracle import Oracle, Verdict, misplaced
-from tandem.executive.campaigns.recovery import unstruck, wrong_in
-from tandem.executive.systems import LockstepSystem
+from tandem.executive.system.systems import LockstepSystem
+from tandem.executive.trials.campaigns.oracle import Oracle, Verdict, misplaced
+from tandem.executive.trials.campaigns.recovery import unstruck, wrong_in
 from tandem.sim.controls import MOVE, MoveRequest
 from tandem.sim.faults import BaseMoving, CameraDark, DepotTaken, Fault, FaultEvent, JointStall
 from tandem.sim.scenario import load_scenario

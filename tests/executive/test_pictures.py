@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from surroundings import Surroundings
 
-from tandem.executive.pictures import KEPT, KEPT_OF_A_TASK, PICTURE_WITHIN, Album
+from tandem.executive.service.running.failure_pictures import KEPT, KEPT_OF_A_TASK, PICTURE_WITHIN, Album
 from tandem.skills.ports.actions.perception import PICTURE
 from tandem.skills.ports.bus import Desk
 from tandem.skills.ports.failure import Failure, FailureKind

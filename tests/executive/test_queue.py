@@ -9,8 +9,8 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from surroundings import Skill, Surroundings, WaitForWorld
 
-from tandem.executive.service import Policy
-from tandem.executive.testing import TreeBench
+from tandem.executive.service.executive import Policy
+from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.skill import Command

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.executive.campaigns.reachable import Reachable
+from tandem.executive.trials.campaigns.reachable import Reachable
 from tandem.sim.robot import compose_robot
 from tandem.sim.scenario import Scenario, load_scenario
 from tandem.sim.things import BoxShape, Obstacle

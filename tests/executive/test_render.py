@@ -9,12 +9,12 @@ from typing import Literal
 import pytest
 from py_trees.behaviours import Success
 
-from tandem.executive.cli.tree_commands import Format
+from tandem.executive.cli.commands.tree_commands import Format
 from tandem.executive.render.example import NoExampleError, example_request, tree_of
 from tandem.executive.render.formats import FORMATS
 from tandem.executive.render.layout import lay_out, overlaps
 from tandem.executive.render.text import lines, unicode_text
-from tandem.executive.report import walk
+from tandem.executive.trials.run_report import walk
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import NodeStatus, TreeNode
 from tandem.skills.site import load

@@ -7,7 +7,7 @@ import json
 import pytest
 from surroundings import WAIT, Surroundings, WaitRequest
 
-from tandem.executive.requests import Asked, Refused, read_request
+from tandem.executive.service.intake.request_parser import Asked, Refused, read_request
 from tandem.skills.ports.documents import parse
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import REQUEST, TASK_ANSWERS, Problem, TaskState

@@ -12,9 +12,9 @@ from surroundings import Skill, Surroundings
 
 from tandem.executive.ledger.port import SentGoal
 from tandem.executive.ledger.sqlite import SqliteLedger
-from tandem.executive.resume import RESUMES
-from tandem.executive.service import Policy
-from tandem.executive.why import explain
+from tandem.executive.render.failure_words import explain
+from tandem.executive.service.executive import Policy
+from tandem.executive.service.tasks.resuming import RESUMES
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.message import Message

@@ -15,7 +15,7 @@ PROGRAM = """
 import ctypes, gc, sys
 from pathlib import Path
 from ruckig import Ruckig
-from tandem.executive.screen import Screen, end_unheard
+from tandem.executive.system.quiet_screen import Screen, end_unheard
 mode, log = sys.argv[1], Path(sys.argv[2])
 if mode != "plain":
     screen = Screen()

@@ -9,8 +9,8 @@ from typing import TypeVar
 import pytest
 from surroundings import NUDGE, Skill, Surroundings
 
-from tandem.executive.run import REST_WITHIN, TICK_PERIOD
-from tandem.executive.task_book import KEPT, MAX_WAITING, start_id
+from tandem.executive.service.running.tree_run import REST_WITHIN, TICK_PERIOD
+from tandem.executive.service.tasks.task_book import KEPT, MAX_WAITING, start_id
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.hardware import StopState
@@ -304,7 +304,8 @@ def test_ids_differ_between_two_starts() -> None:
 
 
 @pytest.mark.parametrize(
-    "module", ["tandem.executive.service", "tandem.executive.report", "tandem.trees.registry"]
+    "module",
+    ["tandem.executive.service.executive", "tandem.executive.trials.run_report", "tandem.trees.registry"],
 )
 def test_the_service_loads_nothing_heavy(module: str) -> None:
     heavy = "numpy cv2 ompl pinocchio coal pybullet ruckig yaml"

@@ -9,7 +9,14 @@ from pathlib import Path
 
 import pytest
 
-from tandem.executive.campaigns.soak import FileSize, ProcessGrowth, Sample, growth_of, request, what_is_wrong
+from tandem.executive.trials.campaigns.soak import (
+    FileSize,
+    ProcessGrowth,
+    Sample,
+    growth_of,
+    request,
+    what_is_wrong,
+)
 from tests.fakes.ports import free_endpoint
 
 

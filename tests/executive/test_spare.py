@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from tandem.executive import processes
-from tandem.executive.processes import Supervisor
-from tandem.executive.settings import WAIT, WorkerSettings
+from tandem.executive.config.process_settings import WAIT, WorkerSettings
+from tandem.executive.system import processes
+from tandem.executive.system.processes import Supervisor
 from tests.acceptance.live import children, left_behind
 from tests.fakes.ports import free_endpoint
 

@@ -9,10 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tandem.executive.ledger.memory import MemoryLedger
-from tandem.executive.requests import Asked
-from tandem.executive.states import FIRST, LEADS_TO, WrongTransitionError, check, table
-from tandem.executive.task_book import TaskBook
-from tandem.executive.wall_clock import WallClock
+from tandem.executive.service.intake.request_parser import Asked
+from tandem.executive.service.tasks.task_book import TaskBook
+from tandem.executive.service.tasks.task_states import FIRST, LEADS_TO, WrongTransitionError, check, table
+from tandem.executive.service.tasks.wall_clock import WallClock
 from tandem.skills.ports.tasks import TaskState
 from tandem.skills.wire.clocks import SteppedClocks
 from tests.executive.surroundings import WAIT, WaitRequest
@@ -74,4 +74,6 @@ def test_what_has_ended_never_changes(state: TaskState) -> None:
 
 def test_the_documentation_has_the_table() -> None:
     page = (ROOT / "docs" / "service.md").read_text("utf-8")
-    assert table() in page, "put what tandem.executive.states.table() returns into docs/service.md"
+    assert table() in page, (
+        "put what tandem.executive.service.tasks.task_states.table() returns into docs/service.md"
+    )

@@ -8,9 +8,9 @@ import pytest
 from surroundings import Surroundings
 
 from tandem.executive.client.pages import listed
-from tandem.executive.expectation import Expectation
 from tandem.executive.ledger.sqlite import SqliteLedger
-from tandem.executive.service import Policy
+from tandem.executive.service.executive import Policy
+from tandem.executive.service.tasks.time_left import Expectation
 from tandem.skills.ports.endpoint import Refusal
 from tandem.skills.ports.tasks import (
     TASK_HISTORY,
@@ -69,7 +69,7 @@ def test_the_status_of_an_ended_task_is_still_told(here: Surroundings) -> None:
 def test_the_history_has_what_memory_has_forgotten(
     here: Surroundings, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tandem.executive.task_book.KEPT", 2)
+    monkeypatch.setattr("tandem.executive.service.tasks.task_book.KEPT", 2)
     here.world(1)
     tasks = [here.ask(WAIT).task for _ in range(5)]
     here.step(8)

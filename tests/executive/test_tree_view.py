@@ -4,7 +4,7 @@ from py_trees.behaviours import StatusQueue
 from py_trees.common import Status
 from py_trees.composites import Selector, Sequence
 
-from tandem.executive.tree_view import TreeView
+from tandem.executive.service.running.tree_view import TreeView
 from tandem.trees.snapshot import snapshot
 
 

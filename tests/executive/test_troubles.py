@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tandem.executive.campaigns.troubles import DRIVES, HOPELESS, LOOKS, MOTIONS, RECOVERABLE, Case
+from tandem.executive.trials.campaigns.troubles import DRIVES, HOPELESS, LOOKS, MOTIONS, RECOVERABLE, Case
 from tandem.sim.draw import draw_fetch, why_not
 from tandem.sim.faults import Fault, HardwareSilent, ItemMoves, ObstacleAppears
 from tandem.sim.scenario import load_scenario

@@ -6,7 +6,7 @@ import socket
 
 import pytest
 
-from tandem.executive.vacancy import EndpointError, TakenError, require_vacant
+from tandem.executive.system.free_endpoint import EndpointError, TakenError, require_vacant
 from tests.fakes.ports import free_endpoint
 
 

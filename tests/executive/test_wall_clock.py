@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import pytest
 
 from tandem.executive.ledger.port import Reading
-from tandem.executive.wall_clock import DOUBT, FAR, NEAR, SETTLES, WallClock
+from tandem.executive.service.tasks.wall_clock import DOUBT, FAR, NEAR, SETTLES, WallClock
 from tandem.skills.ports.message import RobotTime
 
 NOON = 1_800_000_000.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.executive.why import NEXT, chosen, explain, last_picture, what_next
+from tandem.executive.render.failure_words import NEXT, chosen, explain, last_picture, what_next
 from tandem.skills.ports.failure import Failure, FailureKind, Helper
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.tasks import Attempt, Progress, TaskState, TaskStatus

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, cast
 
 import pytest
 
-from tandem.executive.experiments.witness import Witness, lean, tilt
+from tandem.executive.trials.experiments.witness import Witness, lean, tilt
 from tandem.sim.physics import Contact
 from tandem.skills.ports.geometry import Pose, about
 from tandem.skills.site import load

@@ -1,6 +1,6 @@
 """A router, a robot of mocked skills and an executive as processes that a test may kill and start again.
 
-They are started as ``python -m tandem.executive.worker SETTINGS`` and spoken to over the bus.
+They are started as ``python -m tandem.executive.system.worker SETTINGS`` and spoken to over the bus.
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ class Mocked:
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(paths), "WALL_CLOCK_SHIFT": shift}
         with (self.folder / f"{name}.log").open("ab") as log:
             self._processes[name] = subprocess.Popen(
-                [sys.executable, "-m", "tandem.executive.worker", json.dumps(told)],
+                [sys.executable, "-m", "tandem.executive.system.worker", json.dumps(told)],
                 stdin=subprocess.DEVNULL,
                 stdout=log,
                 stderr=log,

@@ -17,7 +17,7 @@ from typing import Final
 import pytest
 from pydantic import JsonValue
 
-from tandem.executive.lockstep import Lockstep
+from tandem.executive.system.lockstep import Lockstep
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.action import SendGoal, goal_service
 from tandem.skills.wire.memory import Kind, MemoryBus

@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from tandem.executive.testing import TreeBench
+from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.tasks import TASK_ANSWER, AnswerQuestion, TaskState
 from tandem.skills.site import load

@@ -7,7 +7,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Sequence
 
-from tandem.executive.testing import TreeBench
+from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.site import load
 from tandem.trees.behaviours.barrier import Barrier, Meet, Member

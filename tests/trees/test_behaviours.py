@@ -6,7 +6,7 @@ import pytest
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from tandem.executive.testing import TreeBench
+from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.site import load

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.executive.exploring import Coverage, explore
-from tandem.executive.hand_worlds import HAND_WORLDS
-from tandem.executive.worlds import fetch_corners, fetch_worlds
+from tandem.executive.trials.exploration.exploring import Coverage, explore
+from tandem.executive.trials.exploration.hand_worlds import HAND_WORLDS
+from tandem.executive.trials.exploration.worlds import fetch_corners, fetch_worlds
 
 DEPTH = 3
 

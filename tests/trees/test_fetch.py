@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import pytest
 from py_trees.common import Status
 
-from tandem.executive.testing import TreeBench
+from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.actions.base import RotateGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.geometry import IDENTITY, Pose, from_axes

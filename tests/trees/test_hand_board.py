@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.executive.hand_worlds import ITEMS, LEFT
-from tandem.executive.testing import TreeBench
+from tandem.executive.trials.exploration.hand_worlds import ITEMS, LEFT
+from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.geometry import angle_between
 from tandem.skills.ports.grasping import face, item_in_map

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 import pytest
 from py_trees.common import Status
 
-from tandem.executive.hand_worlds import CARTON, CROSSED, FAR, ITEMS, LEFT, RIGHT, drop
-from tandem.executive.testing import TreeBench
+from tandem.executive.trials.exploration.hand_worlds import CARTON, CROSSED, FAR, ITEMS, LEFT, RIGHT, drop
+from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.actions.bimanual import TwoHands, TwoHandsGoal
 from tandem.skills.ports.failure import Failure, FailureKind

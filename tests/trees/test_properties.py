@@ -7,8 +7,8 @@ import random
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tandem.executive.properties import draw, run, search
-from tandem.executive.worlds import fetch_worlds
+from tandem.executive.trials.exploration.properties import draw, run, search
+from tandem.executive.trials.exploration.worlds import fetch_worlds
 
 WORLDS = fetch_worlds()
 TICKS = 12_000

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import pytest
 from py_trees.common import Status
 
-from tandem.executive.testing import TreeBench
-from tandem.executive.worlds import fetch_worlds
+from tandem.executive.trials.exploration.tree_bench import TreeBench
+from tandem.executive.trials.exploration.worlds import fetch_worlds
 from tandem.skills.ports.actions.gripper import Grip, GripGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.testing.mock_skill import Fault

@@ -9,11 +9,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from tandem.executive.router import Router
+from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.security.authority import Wanted, begin, issue, revoke
 from tandem.executive.security.identity import Identity
 from tandem.executive.security.role import Part
-from tandem.executive.settings import WorkerSettings
+from tandem.executive.system.router import Router
 from tandem.skills.wire.credentials import Credentials
 from tandem.skills.wire.zenoh_bus import ZenohBus
 from tests.fakes.ports import free_endpoint

@@ -1,0 +1,186 @@
+"""``tandem experiment``: the experiments of the two-arm thesis, chapter 5; exit 1 when the aim is missed."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from rich.console import Console
+
+from tandem.executive.cli.commands.campaign_command import First, Jobs, ReportFile, Seed
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.telling import told
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from tandem.executive.trials.experiments.run import ExperimentRun
+    from tandem.executive.trials.experiments.settings import Kind, Options
+
+
+class Method(StrEnum):
+    """How the hands get before their items."""
+
+    APF_RRTCONNECT = "apf_rrtconnect"
+    RRTCONNECT = "rrtconnect"
+    RRTCONNECT_REPLAN = "rrtconnect_replan"
+
+
+class Mode(StrEnum):
+    """When an arm that was stopped goes on."""
+
+    FAITHFUL = "faithful"
+    EAGER = "eager"
+
+
+class Series(StrEnum):
+    """In which phase the things are moved."""
+
+    FIELD = "field"
+    GRASP = "grasp"
+
+
+Runs = Annotated[int, typer.Option("--runs", min=1, max=10_000, help="How many.")]
+How = Annotated[Method, typer.Option("--method", help="The thesis's, or one of its baselines.")]
+When = Annotated[Mode, typer.Option("--mode", help="When an arm that was stopped goes on.")]
+Phase = Annotated[Series, typer.Option("--series", help="In which phase the things are moved.")]
+Dual = Annotated[bool, typer.Option("--dual/--sequential", help="Both arms at once, or one after the other.")]
+Figures = Annotated[Path | None, typer.Option("--figures", metavar="DIR", help="Draw the paths here (SVG).")]
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the command."""
+    group = typer.Typer(help="Two arms, as in the thesis's chapter 5, in lockstep.", no_args_is_help=True)
+    for command in (uncoordinated, crossing, coordinated):
+        group.command(command.__name__)(command)
+    app.add_typer(group, name="experiment")
+
+
+def uncoordinated(
+    *,
+    method: How = Method.APF_RRTCONNECT,
+    dual: Dual = True,
+    mode: When = Mode.EAGER,
+    series: Phase = Series.FIELD,
+    runs: Runs = 60,
+    seed: Seed = 1,
+    report: ReportFile = None,
+    figures: Figures = None,
+    jobs: Jobs = 2,
+    first: First = 0,
+) -> None:
+    """Pick a cube with each hand, in three positions, while both are moved. Tables 5.1 to 5.3."""
+    _run("uncoordinated", method, dual, mode, series, runs, seed, report, figures, jobs, first)
+
+
+def crossing(
+    *,
+    method: How = Method.APF_RRTCONNECT,
+    dual: Dual = True,
+    mode: When = Mode.EAGER,
+    series: Phase = Series.FIELD,
+    runs: Runs = 60,
+    seed: Seed = 1,
+    report: ReportFile = None,
+    figures: Figures = None,
+    jobs: Jobs = 2,
+    first: First = 0,
+) -> None:
+    """Pick a cube with each hand, each on the other's side, while both are moved. Tables 5.4 and 5.5."""
+    _run("crossing", method, dual, mode, series, runs, seed, report, figures, jobs, first)
+
+
+def coordinated(
+    *,
+    method: How = Method.APF_RRTCONNECT,
+    mode: When = Mode.EAGER,
+    series: Phase = Series.FIELD,
+    runs: Runs = 60,
+    seed: Seed = 1,
+    report: ReportFile = None,
+    figures: Figures = None,
+    jobs: Jobs = 2,
+    first: First = 0,
+) -> None:
+    """Lift a carton with both hands while it is moved. Tables 5.6 and 5.7."""
+    _run("coordinated", method, True, mode, series, runs, seed, report, figures, jobs, first)
+
+
+def _run(  # noqa: PLR0917 - the command's options, in their order
+    kind: Kind,
+    method: Method,
+    dual: bool,  # noqa: FBT001 - as above
+    mode: Mode,
+    series: Series,
+    runs: int,
+    seed: int,
+    report: Path | None,
+    figures: Path | None,
+    jobs: int,
+    first: int,
+) -> None:
+    from tandem.executive.trials.campaigns.series import run_number  # noqa: PLC0415
+    from tandem.executive.trials.campaigns.series import series as in_series  # noqa: PLC0415
+    from tandem.executive.trials.experiments.run import Experiment, run_experiment  # noqa: PLC0415
+    from tandem.executive.trials.experiments.settings import Options  # noqa: PLC0415
+    from tandem.executive.trials.experiments.tables import picked  # noqa: PLC0415
+
+    options = Options(
+        kind=kind,
+        method=method.value,
+        sequential=not dual,
+        mode=mode.value,
+        series=series.value,
+        seed=seed,
+    )
+    console = Console(highlight=False, soft_wrap=True)
+    done: list[ExperimentRun] = []
+    work = partial(run_number, partial(run_experiment, options), first)
+    for run in in_series(work, runs, jobs=jobs):
+        done.append(run)
+        _tell(run, console)
+    done.sort(key=lambda each: each.run)
+    if figures is not None:
+        _draw(options, done, figures)
+    untouched = not any(run.touches for run in done)
+    reached = picked(done) == runs and untouched
+    summary = [*_tables(options, done), f"{picked(done)} of {runs} right in both arms (seed {seed})"]
+    told(console, report, summary, Experiment(options=options, runs=tuple(done)))
+    raise typer.Exit(ExitCode.OK if reached else ExitCode.TASK_FAILED)
+
+
+def _tell(run: ExperimentRun, console: Console) -> None:
+    mark = "ok  " if run.left.pick and run.right.pick else "FAIL"
+    why = "" if run.failure is None else f"  {run.failure.where}: {run.failure.kind}: {run.failure.message}"
+    console.print(
+        f"{mark} {run.run:3d}  position {run.position}  left {'ok' if run.left.pick else 'no'}"
+        f"  right {'ok' if run.right.pick else 'no'}  {run.total_s:6.1f} s  moved {len(run.moved)}"
+        f"  stops {run.stops}  touches {len(run.touches)}  {run.state.lower()}{why}",
+        markup=False,
+    )
+
+
+def _tables(options: Options, runs: Sequence[ExperimentRun]) -> Iterator[str]:
+    """Yield the lines of the tables: what, here, in the thesis."""
+    from tandem.executive.trials.experiments.tables import tables  # noqa: PLC0415
+
+    for title, rows in tables(options, runs):
+        whats, ours, theirs = zip(("", "here", "thesis"), *rows, strict=True)
+        widths = [max(map(len, column)) for column in (whats, ours, theirs)]
+        yield title
+        for row in zip(whats, ours, theirs, strict=True):
+            yield "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+        yield ""
+
+
+def _draw(options: Options, runs: Sequence[ExperimentRun], folder: Path) -> None:
+    from tandem.executive.trials.experiments.figures import figure, from_above, in_space  # noqa: PLC0415
+
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, flat in (("2d", from_above), ("3d", in_space)):
+        title = f"{options.kind}, {options.method}, {len(runs)} runs"
+        path = folder / f"{options.kind}-{options.method}-{name}.svg"
+        path.write_text(figure(title, runs, flat), encoding="utf-8")

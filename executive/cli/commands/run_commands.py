@@ -1,0 +1,261 @@
+"""``tandem demo`` and ``tandem up``."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Annotated, cast, get_args
+
+import typer
+
+from tandem.executive.cli.arguments import OwnEndpoint, OwnRobot, OwnSite, bus_options, connects
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.logs import LogOptions
+from tandem.executive.config.run_options import (
+    DEFAULT_ENDPOINT,
+    DEFAULT_ROBOT,
+    DEFAULT_SITE,
+    BusOptions,
+    RunOptions,
+    default_data,
+)
+from tandem.executive.ledger.on_restart import OnRestart as Restart
+from tandem.skills.wire.pulse import SILENT_AFTER
+
+Scenario = Annotated[
+    str,
+    typer.Option("--scenario", metavar="NAME|FILE", help="One of `tandem scenario list`, or a YAML file."),
+]
+Faults = Annotated[
+    Path | None,
+    typer.Option("--faults", metavar="FILE", help="What shall go wrong on purpose: a YAML file."),
+]
+Seed = Annotated[int, typer.Option("--seed", min=0, help="Of all that is random.")]
+Speed = Annotated[
+    str,
+    typer.Option("--speed", metavar="X|max", help="Simulated seconds in a second, or as fast as it goes."),
+]
+Window = Annotated[bool, typer.Option("--gui/--headless", help="Show the simulation's window.")]
+Lockstep = Annotated[
+    bool, typer.Option("--lockstep", help="All in one thread: the same seed gives the same run.")
+]
+MetricsAt = Annotated[
+    str,
+    typer.Option(
+        "--metrics", metavar="HOST:PORT", help="Serve metrics for Prometheus there: 127.0.0.1:9464."
+    ),
+]
+TracesTo = Annotated[
+    str,
+    typer.Option("--traces", metavar="URL", help="Send OpenTelemetry traces there: http://127.0.0.1:4318."),
+]
+ReportFile = Annotated[Path | None, typer.Option("--report", metavar="FILE", help="Write the report here.")]
+Data = Annotated[
+    Path | None,
+    typer.Option(
+        "--data", metavar="DIR", help="Of the ledger; $XDG_STATE_HOME/tandem/<site>-<robot> unless given."
+    ),
+]
+OnRestart = Annotated[
+    str,
+    typer.Option(
+        "--on-restart",
+        metavar="resume|ask|interrupt",
+        help="What becomes of a task that was under way when the executive ended.",
+    ),
+]
+Picture = Annotated[
+    Path | None, typer.Option("--picture", metavar="FILE", help="Save the last scene's picture here.")
+]
+Listen = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--listen", metavar="ENDPOINT", help="Where the router listens too, as tls/HOST:PORT; again for more."
+    ),
+]
+Insecure = Annotated[
+    bool,
+    typer.Option(
+        "--insecure", help="Listen beyond this host without TLS: whoever gets there moves the robot."
+    ),
+]
+SilentAfter = Annotated[
+    float,
+    typer.Option(
+        "--silent-after", min=0.2, max=10.0, help="Seconds unheard after which a process is said to hang."
+    ),
+]
+Only = Annotated[
+    str | None,
+    typer.Option("--only", metavar="ROLE,...", help="Start these processes alone; the others run elsewhere."),
+]
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands."""
+    app.command("demo")(demo)
+    app.command("up")(connects(up))
+
+
+def demo(
+    context: typer.Context,
+    *,
+    scenario: Scenario = "Demo",
+    faults: Faults = None,
+    seed: Seed = 1,
+    speed: Speed = "1",
+    gui: Window = False,
+    lockstep: Lockstep = False,
+    report: ReportFile = None,
+    picture: Picture = None,
+    connect: OwnEndpoint = DEFAULT_ENDPOINT,
+    site_key: OwnSite = DEFAULT_SITE,
+    robot: OwnRobot = DEFAULT_ROBOT,
+) -> None:
+    """Start all, fetch an item, stop all. Ends with 0 only when the item truly lies in the depot."""
+    logs = _logs(context)
+    _require_window(gui=gui, lockstep=lockstep)
+    options = RunOptions(
+        bus=bus_options(connect, site_key, robot),
+        scenario=_scenario(scenario, faults),
+        faults=faults,
+        seed=seed,
+        speed=_speed(speed),
+        gui=gui,
+        lockstep=lockstep,
+        report=report,
+        picture=picture,
+        log=logs.file,
+        verbose=logs.verbose,
+        log_format=logs.format,
+    )
+    from tandem.executive.cli.running_system import run_demo  # noqa: PLC0415 - loads the whole system
+
+    raise typer.Exit(run_demo(options))
+
+
+def up(
+    context: typer.Context,
+    *,
+    scenario: Scenario = "Demo",
+    faults: Faults = None,
+    seed: Seed = 1,
+    speed: Speed = "1",
+    gui: Window = False,
+    lockstep: Lockstep = False,
+    report: ReportFile = None,
+    metrics: MetricsAt = "",
+    traces: TracesTo = "",
+    data: Data = None,
+    on_restart: OnRestart = "resume",
+    listen: Listen = None,
+    insecure: Insecure = False,
+    only: Only = None,
+    silent_after: SilentAfter = SILENT_AFTER,
+    bus: BusOptions,
+) -> None:
+    """Start router, simulated robot, skills and executive, and watch them until Ctrl-C."""
+    from tandem.executive.cli.opening import checked_endpoints, checked_roles, owner_of  # noqa: PLC0415
+
+    logs = _logs(context)
+    if lockstep:
+        raise CommandError(
+            "up --lockstep: lockstep runs in one thread with a bus of its own, so no client could reach it; "
+            "use `tandem demo --lockstep`, or leave it out"
+        )
+    _require_window(gui=gui, lockstep=False)
+    bus, roles = owner_of(bus, by_environment=_by_environment(context)), checked_roles(only)
+    options = RunOptions(
+        bus=bus,
+        data=data or default_data(bus, os.environ),
+        on_restart=_on_restart(on_restart),
+        scenario=_scenario(scenario, faults),
+        faults=faults,
+        seed=seed,
+        speed=_speed(speed),
+        gui=gui,
+        report=report,
+        log=logs.file,
+        verbose=logs.verbose,
+        log_format=logs.format,
+        metrics=_metrics(metrics),
+        traces=_traces(traces),
+        silent_after=silent_after,
+        listen=checked_endpoints(bus, listen or (), insecure=insecure) if "router" in roles else (),
+        only=roles,
+    )
+    from tandem.executive.cli.running_system import run_up  # noqa: PLC0415 - loads the whole system
+
+    raise typer.Exit(run_up(options))
+
+
+def _by_environment(context: typer.Context) -> bool:
+    """Say whether TANDEM_AS names the holder, which may be meant for the commands of a client."""
+    source = context.get_parameter_source("holder")
+    return source is not None and source.name == "ENVIRONMENT"
+
+
+def _on_restart(text: str) -> Restart:
+    for wish in get_args(Restart):
+        if text == wish:
+            return cast("Restart", text)
+    raise typer.BadParameter(f"resume, ask or interrupt was expected; found {text!r}",
+                             param_hint="--on-restart")  # fmt: skip
+
+
+def _speed(text: str) -> float | None:
+    if text == "max":
+        return None
+    try:
+        speed = float(text)
+    except ValueError:
+        speed = 0.0
+    if not 0.01 <= speed <= 100.0:  # noqa: PLR2004 - beyond, nothing useful happens
+        raise typer.BadParameter(f"a number from 0.01 to 100, or max, was expected; found {text!r}",
+                                 param_hint="--speed")  # fmt: skip
+    return speed
+
+
+def _require_window(*, gui: bool, lockstep: bool) -> None:
+    if not gui:
+        return
+    from tandem.executive.cli.display import require_display  # noqa: PLC0415
+
+    if lockstep:
+        raise CommandError("--gui: lockstep shows no window; leave out --gui or --lockstep")
+    require_display(os.environ)
+
+
+def _metrics(text: str) -> str:
+    from tandem.executive.telemetry.process import host_and_port  # noqa: PLC0415
+
+    if not text:
+        return text
+    try:
+        host_and_port(text)
+    except ValueError as error:
+        raise typer.BadParameter(str(error), param_hint="--metrics") from error
+    return text
+
+
+def _traces(text: str) -> str:
+    if text and not text.startswith(("http://", "https://")):
+        raise typer.BadParameter(
+            f"an address such as http://127.0.0.1:4318 was expected; found {text!r}", param_hint="--traces"
+        )
+    return text
+
+
+def _scenario(name_or_path: str, faults: Path | None) -> str:
+    """Return it when both are right; CommandError names the file, the path in it and what was expected."""
+    from tandem.executive.cli.commands.scenario_commands import checked, checked_faults  # noqa: PLC0415
+
+    scenario = checked(name_or_path)
+    if faults is not None:
+        checked_faults(faults, scenario)
+    return name_or_path
+
+
+def _logs(context: typer.Context) -> LogOptions:
+    found = context.find_object(LogOptions)
+    return found or LogOptions()

@@ -1,0 +1,82 @@
+"""``tandem scenario``: the scenarios there are, and what is wrong with one's own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from tandem.executive.config.fault_file import FaultFile
+    from tandem.sim.scenario import Scenario
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands."""
+    group = typer.Typer(help="Scenarios of the simulation.", no_args_is_help=True)
+    group.command("list")(list_all)
+    group.command("check")(check)
+    app.add_typer(group, name="scenario")
+
+
+def list_all() -> None:
+    """List the scenarios that come with Tandem."""
+    from rich.console import Console  # noqa: PLC0415
+    from rich.table import Table  # noqa: PLC0415
+
+    from tandem.sim.scenario import load_scenario, scenario_names  # noqa: PLC0415
+
+    table = Table("name", "site", "items", "obstacles", "robot starts at", box=None)
+    for name in scenario_names():
+        scenario = load_scenario(name)
+        start = f"({scenario.start.x:g}, {scenario.start.y:g}), {scenario.start.yaw:.2f} rad"
+        tags = " ".join(str(item.tag) for item in scenario.items)
+        table.add_row(name, scenario.site, tags, str(len(scenario.obstacles)), start)
+    Console().print(table)
+
+
+def check(
+    file: Annotated[str, typer.Argument(metavar="FILE|NAME", help="A YAML file, or a name.")],
+    *,
+    faults: Annotated[
+        Path | None, typer.Option("--faults", metavar="FILE", help="Check this file of faults, too.")
+    ] = None,
+) -> None:
+    """Check a scenario against its model and its site. Ends with 2 when there is a mistake."""
+    scenario = checked(file)
+    typer.echo(
+        f"{file}: a right scenario: {scenario.name}, {len(scenario.items)} items, "
+        f"{len(scenario.obstacles)} obstacles, {len(scenario.faults)} faults, site {scenario.site}"
+    )
+    if faults is not None:
+        more = checked_faults(faults, scenario)
+        bus = "a sound bus" if more.bus is None else "a faulty bus"
+        typer.echo(f"{faults}: right faults: {len(more.faults)} of robot and room, {bus}")
+
+
+def checked(name_or_path: str) -> Scenario:
+    """Return the scenario.
+
+    Raises:
+        DocumentError: naming the file, the path and line in it, and what was expected.
+    """
+    from tandem.sim.scenario import read_scenario  # noqa: PLC0415
+    from tandem.sim.scene import build_scene  # noqa: PLC0415
+    from tandem.skills.site import load  # noqa: PLC0415
+
+    scenario, source = read_scenario(name_or_path)
+    build_scene(load(scenario.site), scenario, source=source)
+    return scenario
+
+
+def checked_faults(path: Path, scenario: Scenario) -> FaultFile:
+    """Return a file of faults that fits a scenario's site.
+
+    Raises:
+        DocumentError: naming the file, the path and line in it, and what was expected.
+    """
+    from tandem.executive.config.fault_file import check_faults  # noqa: PLC0415
+    from tandem.skills.site import load  # noqa: PLC0415
+
+    return check_faults(path, load(scenario.site))

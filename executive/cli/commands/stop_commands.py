@@ -1,0 +1,74 @@
+"""``tandem stop`` and ``tandem release``: the hardware's stop, which needs no executive."""
+
+from __future__ import annotations
+
+import getpass
+import socket
+from typing import TYPE_CHECKING, Annotated, TypeVar
+
+import typer
+
+from tandem.executive.cli.arguments import connects
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.config.run_options import BusOptions
+
+if TYPE_CHECKING:
+    from tandem.skills.ports.hardware import StopState
+    from tandem.skills.ports.keys import Service
+    from tandem.skills.ports.message import Message
+
+M = TypeVar("M", bound="Message")
+By = Annotated[str, typer.Option("--by", metavar="NAME", help="Your name; user@host unless given.")]
+Reason = Annotated[str, typer.Option("--reason", metavar="TEXT", help="Why, for those who find it stopped.")]
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands."""
+    app.command("stop")(connects(stop))
+    app.command("release")(connects(release))
+
+
+def stop(*, reason: Reason = "tandem stop", by: By = "", bus: BusOptions) -> None:
+    """Bring the robot to rest at once, and keep it there until `tandem release`. Needs no executive."""
+    from tandem.skills.ports.keys import STOP  # noqa: PLC0415
+
+    state = _ask(bus, STOP, by, reason)
+    if not state.stopped:
+        raise CommandError("the hardware answered, but the stop is NOT set", ExitCode.TASK_FAILED)
+    typer.echo(f"stopped: {_told(state)}; `tandem release` lets the robot move again")
+
+
+def release(*, reason: Reason = "tandem release", by: By = "", bus: BusOptions) -> None:
+    """Release the hardware's stop: the robot may move again, and a task that waits goes on."""
+    from tandem.skills.ports.keys import STOP_RELEASE  # noqa: PLC0415
+
+    state = _ask(bus, STOP_RELEASE, by, reason)
+    if state.stopped:
+        raise CommandError(f"the stop is still set: {_told(state)}", ExitCode.TASK_FAILED)
+    typer.echo("released: the robot may move again")
+
+
+def _ask(bus: BusOptions, service: Service[M, StopState], by: str, reason: str) -> StopState:
+    from tandem.executive.cli.connection import Connection  # noqa: PLC0415
+
+    with Connection(bus) as connection:
+        words = {"by": by or _self(connection.options), "reason": reason}
+        fields = {name: words[name] for name in service.asked.model_fields if name in words}
+        return connection.ask(service, service.asked.model_validate(fields), of="hardware")
+
+
+def _self(bus: BusOptions) -> str:
+    """Return who asks, in words for people: the holder of the key, or the user and the host."""
+    if bus.holder:
+        return bus.holder
+    try:
+        user = getpass.getuser()
+    except (KeyError, OSError):  # a user without a name, as in a container
+        user = "somebody"
+    return f"{user}@{socket.gethostname()}"
+
+
+def _told(state: StopState) -> str:
+    who = f"by {state.by or 'somebody'}"
+    return f"{who}: {state.reason}" if state.reason else who

@@ -1,0 +1,189 @@
+"""``tandem tree``: the trees there are, and pictures of them; no robot and no sim is needed."""
+
+from __future__ import annotations
+
+import sys
+from enum import StrEnum
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from tandem.executive.cli.arguments import Output, SiteFile, connects
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.config.run_options import DEFAULT_SITE, BusOptions
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from tandem.executive.trials.exploration.worlds import Make
+    from tandem.skills.ports.tasks import TreeNode
+
+
+class Format(StrEnum):
+    """How a tree can be drawn; the names of ``tandem.executive.render.formats``, which a test compares."""
+
+    UNICODE = "unicode"
+    ASCII = "ascii"
+    DOT = "dot"
+    SVG = "svg"
+    PNG = "png"
+    JSON = "json"
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands."""
+    group = typer.Typer(help="The trees of the tasks.", no_args_is_help=True)
+    group.command("list")(list_all)
+    group.command("render")(connects(render))
+    group.command("coverage")(coverage)
+    group.command("properties")(properties)
+    app.add_typer(group, name="tree")
+
+
+def list_all() -> None:
+    """List the kinds of task."""
+    from rich.console import Console  # noqa: PLC0415
+    from rich.table import Table  # noqa: PLC0415
+
+    from tandem.trees.registry import discover  # noqa: PLC0415
+
+    table = Table("task", "what it does", "fields of the request", box=None)
+    for kind in discover().values():
+        fields = [
+            name if info.is_required() else f"[{name}]"
+            for name, info in kind.request.model_fields.items()
+            if name != "task"
+        ]
+        table.add_row(kind.name, kind.summary, " ".join(fields).replace("[", r"\["))
+    Console().print(table)
+
+
+def render(
+    task: Annotated[str, typer.Argument(metavar="[TASK]", help="As `tandem tree list` tells it.")] = "",
+    *,
+    form: Annotated[Format, typer.Option("--format", "-f")] = Format.UNICODE,
+    output: Output = None,
+    live: Annotated[bool, typer.Option("--live", help="The tree that runs now.")] = False,
+    request: Annotated[str, typer.Option("--request", metavar="JSON", help="Draw it for this request.")] = "",
+    site: SiteFile = DEFAULT_SITE,
+    bus: BusOptions,
+) -> None:
+    """Draw a task's tree, or, with --live, the one that runs now with its statuses."""
+    from tandem.executive.render.formats import BINARY, FORMATS  # noqa: PLC0415
+
+    if live:
+        root = _running(bus)
+    elif task:
+        root = _built(task, request, site)
+    else:
+        raise CommandError("a TASK or --live was expected; see `tandem tree list`")
+    content = FORMATS[form.value](root)
+    if output is not None:
+        try:
+            output.write_bytes(content)
+        except OSError as error:
+            raise CommandError(
+                f"--output {output}: a writable file was expected: {error.strerror}"
+            ) from error
+        typer.echo(f"{output}: {len(content)} bytes")
+    elif form.value in BINARY and sys.stdout.isatty():
+        raise CommandError(f"{form.value} is no text: name a file with --output")
+    else:
+        sys.stdout.buffer.write(content)
+        sys.stdout.flush()
+
+
+def coverage(
+    task: Annotated[str, typer.Argument(metavar="TASK", help="As `tandem tree list` tells it.")],
+    *,
+    depth: Annotated[int, typer.Option("--depth", min=0, max=9, help="Failing leaves in one plan.")] = 3,
+    plans: Annotated[bool, typer.Option("--plans", help="Tell each plan before it is run.")] = False,
+) -> None:
+    """Have each leaf fail in each way, with mocked skills. Ends with 1 when a status or a rule was missed."""
+    from tandem.executive.trials.exploration.exploring import explore  # noqa: PLC0415
+
+    tell = typer.echo if plans else _tell_nobody
+    seen = explore(*_worlds(task), depth=depth, tell=tell)
+    for name, gaps in seen.missing().items():
+        typer.echo(f"not seen  {name}: {', '.join(status.lower() for status in gaps)}")
+    for broken in seen.broken:
+        typer.echo(f"broken    {broken}")
+    whole = not seen.missing() and not seen.broken
+    typer.echo(
+        f"{len(seen.wanted)} nodes, {seen.runs} runs, {seen.ticks} ticks:"
+        f" {len(seen.missing())} nodes not seen in every status, {len(seen.broken)} invariants broken"
+    )
+    raise typer.Exit(ExitCode.OK if whole else ExitCode.TASK_FAILED)
+
+
+def properties(
+    task: Annotated[str, typer.Argument(metavar="TASK", help="As `tandem tree list` tells it.")],
+    *,
+    ticks: Annotated[int, typer.Option("--ticks", min=1, max=10**9, help="Ticks of the tree.")] = 1_000_000,
+    seed: Annotated[int, typer.Option("--seed", min=0, help="Of all draws.")] = 1,
+) -> None:
+    """Run drawn schedules of faults with mocked skills. Ends with 1 when one broke a rule, and tells it."""
+    from tandem.executive.trials.exploration.properties import search  # noqa: PLC0415
+
+    worlds, _ = _worlds(task)
+    runs, bad = search(worlds, ticks=ticks, seed=seed, tell=typer.echo)
+    typer.echo(f"{runs} runs, {ticks} ticks or a few more: {bad} broke a rule")
+    raise typer.Exit(ExitCode.TASK_FAILED if bad else ExitCode.OK)
+
+
+def _worlds(task: str) -> tuple[Mapping[str, Make], Mapping[str, Make]]:
+    """Return the worlds and corners of a task.
+
+    Raises:
+        CommandError: when there are none.
+    """
+    from tandem.executive.trials.exploration.hand_worlds import HAND_WORLDS  # noqa: PLC0415
+    from tandem.executive.trials.exploration.worlds import fetch_corners, fetch_worlds  # noqa: PLC0415
+
+    if task == "fetch":
+        return fetch_worlds(), fetch_corners()
+    if task in HAND_WORLDS:
+        return HAND_WORLDS[task]()
+    known = ", ".join(("fetch", *HAND_WORLDS))
+    raise CommandError(f"no worlds to explore {task!r} in; there are some for {known}")
+
+
+def _tell_nobody(_: str) -> None:
+    """Tell nobody."""
+
+
+def _running(options: BusOptions) -> TreeNode:
+    from tandem.executive.cli.connection import Connection  # noqa: PLC0415
+    from tandem.skills.ports.keys import Nothing  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TREE_NOW  # noqa: PLC0415
+
+    with Connection(options) as connection:
+        return connection.ask(TREE_NOW, Nothing()).root
+
+
+def _built(task: str, request: str, site_name: str) -> TreeNode:
+    from tandem.executive.render.example import NoExampleError, example_request, tree_of  # noqa: PLC0415
+    from tandem.executive.service.intake.request_parser import Refused, read_request  # noqa: PLC0415
+    from tandem.skills.ports.documents import parse  # noqa: PLC0415
+    from tandem.skills.site import load  # noqa: PLC0415
+    from tandem.trees.registry import discover  # noqa: PLC0415
+
+    kinds = discover()
+    if task not in kinds:
+        raise CommandError(f"no task {task!r}; there are {', '.join(kinds)}")
+    site = load(site_name)
+    if not request:
+        try:
+            return tree_of(kinds[task], site, example_request(kinds[task], site))
+        except NoExampleError as error:
+            raise CommandError(str(error)) from error
+    asked = read_request(request.encode(), kinds, site)
+    document = parse(request.encode())
+    if isinstance(asked, Refused) or isinstance(document, tuple):
+        problems = asked.problems if isinstance(asked, Refused) else ()
+        lines = [
+            f"  {each.path}: expected {each.expected}, found {each.found or 'nothing'}" for each in problems
+        ]
+        raise CommandError("\n".join(("--request is wrong:", *lines)))
+    return tree_of(kinds[task], site, document)

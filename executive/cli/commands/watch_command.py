@@ -1,0 +1,132 @@
+"""``tandem watch``: the running tree in the terminal, with phase, progress and time."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Final
+
+import typer
+
+from tandem.executive.cli.arguments import connects
+from tandem.executive.config.run_options import BusOptions
+
+if TYPE_CHECKING:
+    from rich.console import Group
+
+    from tandem.executive.cli.connection import Connection
+    from tandem.skills.ports.message import RobotTime
+    from tandem.skills.ports.tasks import TaskStatus, TreeSnapshot
+
+REFRESH: Final = 0.1
+"""Seconds between two pictures, at the least."""
+BAR: Final = 30
+
+
+@dataclass
+class View:
+    """What is shown. ``gone``: the executive has not been seen for a while."""
+
+    status: TaskStatus | None = None
+    tree: TreeSnapshot | None = None
+    now: RobotTime | None = None
+    gone: bool = False
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the command."""
+    app.command("watch")(connects(watch))
+
+
+def watch(
+    once: Annotated[bool, typer.Option("--once", help="Print what is there now, and end.")] = False,  # noqa: FBT002
+    *,
+    bus: BusOptions,
+) -> None:
+    """Show the running task's tree as it runs, until Ctrl-C."""
+    from rich.console import Console  # noqa: PLC0415
+
+    from tandem.executive.cli.connection import Connection  # noqa: PLC0415
+
+    console = Console()
+    with Connection(bus) as connection:
+        view = _first(connection)
+        if once:
+            console.print(picture(view, height=10_000))
+        else:
+            _follow(connection, console, view)
+
+
+def picture(view: View, *, height: int) -> Group:
+    """Return what is to be shown in ``height`` lines of a terminal."""
+    from rich.console import Group  # noqa: PLC0415
+    from rich.text import Text  # noqa: PLC0415
+
+    from tandem.executive.render.signs import STATUS_STYLES  # noqa: PLC0415
+    from tandem.executive.render.text import lines  # noqa: PLC0415
+
+    parts = [Text(head(view), style="bold")]
+    if view.status is not None and view.status.failure is not None:
+        parts.append(Text(f"{view.status.failure.kind}: {view.status.failure.message}", style="red"))
+    if view.tree is not None and view.tree.task:
+        for line in lines(view.tree.root, height=max(4, height - len(parts) - 1)):
+            text = Text(line.lead, style="dim", no_wrap=True, overflow="ellipsis")
+            style = f"dim {STATUS_STYLES[line.status]}" if line.past else STATUS_STYLES[line.status]
+            parts.append(text.append(str(line)[len(line.lead) :], style=style))
+    return Group(*parts)
+
+
+def head(view: View) -> str:
+    """Return the line above the tree: task, state, phase, progress, robot seconds."""
+    if view.gone:
+        return "the executive is gone; waiting for it"
+    status = view.status
+    if status is None:
+        return "no task yet; ask for one with `tandem request`"
+    full = round(BAR * status.progress.fraction)
+    bar = "█" * full + "░" * (BAR - full)
+    phase = status.progress.phase or "-"
+    return f"{status.task}  {status.state}  {phase}  {bar} {status.progress.fraction:4.0%}  {_seconds(view)}"
+
+
+def _seconds(view: View) -> str:
+    status = view.status
+    if status is None or status.started is None:
+        return ""
+    end = view.now if status.ended is None else status.ended
+    seconds = None if end is None else end.since(status.started)
+    return "" if seconds is None else f"{max(0.0, seconds):.1f} s"
+
+
+def _first(connection: Connection) -> View:
+    from tandem.executive.client.pages import listed  # noqa: PLC0415
+    from tandem.skills.ports.keys import Nothing  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_LIST, TREE_NOW  # noqa: PLC0415
+
+    tasks = listed(lambda each: connection.ask(TASK_LIST, each))
+    tree = connection.ask(TREE_NOW, Nothing())
+    at_work = [each for each in tasks if not each.state.terminal and each.started is not None]
+    shown = (at_work or list(tasks))[-1] if tasks else None
+    return View(shown, tree, tree.stamp)
+
+
+def _follow(connection: Connection, console: object, view: View) -> None:
+    from rich.console import Console  # noqa: PLC0415
+    from rich.live import Live  # noqa: PLC0415
+
+    from tandem.skills.ports.keys import CLOCK, Latest  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_STATUS, TREE, TaskState  # noqa: PLC0415
+
+    assert isinstance(console, Console)
+    statuses, trees, clock = (Latest(connection.bus, topic) for topic in (TASK_STATUS, TREE, CLOCK))
+    with Live(picture(view, height=console.height), console=console, auto_refresh=False) as live:
+        while True:
+            time.sleep(REFRESH)
+            for status in statuses.take():
+                if status.state is not TaskState.QUEUED or view.status is None:
+                    view.status = status
+            view.tree = trees.refresh() or view.tree
+            tick = clock.refresh()
+            view.now = view.now if tick is None else tick.stamp
+            view.gone = "executive" not in connection.bus.alive()
+            live.update(picture(view, height=console.height), refresh=True)

@@ -1,0 +1,81 @@
+"""``tandem why``: why a task failed, what was tried, who can help, and the picture of that moment."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from tandem.executive.cli.arguments import connects
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.config.run_options import BusOptions
+
+if TYPE_CHECKING:
+    from tandem.executive.cli.connection import Connection
+    from tandem.skills.ports.tasks import TaskStatus
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the command."""
+    app.command("why")(connects(why))
+
+
+def why(
+    *,
+    task: Annotated[
+        str,
+        typer.Argument(metavar="[ID]", help="As `tandem tasks` tells it; the last that failed unless given."),
+    ] = "",
+    picture: Annotated[
+        Path | None,
+        typer.Option("--picture", metavar="FILE", help="Save the last attempt's picture (JPEG) here."),
+    ] = None,
+    data: Annotated[
+        Path | None,
+        typer.Option("--data", metavar="DIR", help="As `tandem up` had it; read when no executive runs."),
+    ] = None,
+    bus: BusOptions,
+) -> None:
+    """Tell why a task failed, what was tried, where things are, and what to do next."""
+    from tandem.executive.cli.commands.history_command import lately, of_ledger  # noqa: PLC0415
+    from tandem.executive.cli.connection import Connection  # noqa: PLC0415
+    from tandem.executive.render.failure_words import chosen, explain, last_picture  # noqa: PLC0415
+    from tandem.skills.ports.tasks import AskHistory  # noqa: PLC0415
+
+    known = of_ledger(bus, data, AskHistory(task=task)) if task else lately(bus, data)
+    status = chosen(known, task)
+    if status is None:
+        if task:
+            raise CommandError(f"no task {task!r} is known; see `tandem tasks --all`", ExitCode.BAD_INPUT)
+        typer.echo("no task has failed, and none is running")
+        return
+    typer.echo(explain(status))
+    typer.echo("")
+    if not last_picture(status):
+        typer.echo("no picture was taken when it went wrong")
+        return
+    if picture is None:
+        typer.echo(f"the picture of that moment: tandem why {status.task} --picture FILE")
+        return
+    # It is kept by the skills, not in the ledger: only this part needs a robot.
+    with Connection(bus) as connection:
+        typer.echo(_picture(connection, status, picture))
+
+
+def _picture(connection: Connection, status: TaskStatus, path: Path) -> str:
+    """Save the picture; return what there is to be told of it."""
+    from tandem.executive.render.failure_words import last_picture  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_PICTURE, AskPicture  # noqa: PLC0415
+
+    number = last_picture(status)
+    asked = AskPicture(task=status.task, picture=number).model_dump_json().encode()
+    picture = connection.raw(TASK_PICTURE, asked)
+    if not picture:
+        return f"picture {number} is no longer kept"
+    try:
+        path.write_bytes(picture)
+    except OSError as error:
+        raise CommandError(f"--picture {path}: a writable file was expected: {error.strerror}") from error
+    return f"the picture of that moment: {path.resolve()}"

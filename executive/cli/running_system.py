@@ -1,0 +1,221 @@
+"""What ``tandem demo`` and ``tandem up`` do: put a whole system together, run it, and end it."""
+
+from __future__ import annotations
+
+import json
+import signal
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Final
+
+from pydantic import JsonValue
+from rich.console import Console
+
+from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.config.fault_file import check_faults
+from tandem.executive.config.role_names import ROLES
+from tandem.executive.config.run_options import RunOptions
+from tandem.executive.ledger.port import LedgerError, LedgerLockedError
+from tandem.executive.system import startup_notice as taking_up
+from tandem.executive.system.first_request import hint
+from tandem.executive.system.free_endpoint import EndpointError
+from tandem.executive.system.systems import (
+    LedgerFailure,
+    LockstepSystem,
+    ProcessSystem,
+    RefusedError,
+    System,
+    SystemFailure,
+)
+from tandem.executive.trials.demo import Caller, succeeded
+from tandem.executive.trials.run_report import Recorder, write_report
+from tandem.sim.scenario import Scenario, read_scenario
+from tandem.sim.scene import build_scene
+from tandem.sim.truth import Truth, lies_on
+from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.sources import DocumentError
+from tandem.skills.site import load
+from tandem.skills.testing.faulty_bus import BusFaults
+
+DEMO_REQUEST: Final[dict[str, JsonValue]] = {"task": "fetch", "item": 29, "to": "depot"}
+PICTURE: Final = Path("tandem-demo.png")
+TASK_WITHIN: Final = 900.0
+"""Robot seconds for the demo's task."""
+
+
+def run_demo(options: RunOptions) -> ExitCode:
+    """Fetch one item and end; OK only when, in truth, the item lies in the depot."""
+
+    def work(console: Console) -> ExitCode:
+        scenario, site, bus_faults = _checked(options)
+        with _system(options, scenario, bus_faults, console) as system:
+            return _fetch(options, system, site, console)
+
+    return _ended(work)
+
+
+def run_up(options: RunOptions) -> ExitCode:
+    """Start router, stand-in, skills and executive, and watch them until Ctrl-C."""
+
+    def work(console: Console) -> ExitCode:
+        scenario, site, bus_faults = _checked(options)
+        taken_up = _taken_up(options)
+        with _system(options, scenario, bus_faults, console, first=taken_up) as system:
+            console.print(f"ready: {options.scenario} on {options.bus.prefix} at {options.bus.endpoint}")
+            console.print(f"in another terminal: {hint(options, scenario, site)}", markup=False)
+            console.print("Ctrl-C ends all")
+            if options.report is None:
+                while True:  # nothing is recorded that nobody asked for: weeks of it fill the memory
+                    system.advance()
+            recorder = Recorder(system.bus, system.clocks)
+            try:
+                while True:
+                    system.advance()
+                    recorder.step()
+            finally:
+                _write_report(options, recorder, system, notes={})
+
+    return _ended(work)
+
+
+def _taken_up(options: RunOptions) -> tuple[str, ...]:
+    """Return what the executive will take up, in words.
+
+    Raises:
+        RefusedError: when another process has the ledger.
+        LedgerFailure: when it can't be read.
+    """
+    if options.data is None or "executive" not in (options.only or ROLES):
+        return ()
+    try:
+        return taking_up.lines(taking_up.open_tasks(options.data), options.on_restart)
+    except LedgerLockedError as error:
+        raise RefusedError(str(error)) from error
+    except LedgerError as error:
+        raise LedgerFailure(str(error)) from error
+
+
+def _ended(work: Callable[[Console], ExitCode]) -> ExitCode:
+    """Do the work; say in words how it ended when it did not end by itself."""
+    console = Console(stderr=False, highlight=False, soft_wrap=True)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # a service manager's Ctrl-C
+    try:
+        return work(console)
+    except (DocumentError, EndpointError) as error:
+        console.print(f"error: {error}", style="red", markup=False)
+        return ExitCode.BAD_INPUT
+    except RefusedError as error:
+        console.print(f"refused: {error}", style="red", markup=False)
+        return ExitCode.REFUSED
+    except LedgerFailure as error:
+        console.print(f"error: {error}", style="red", markup=False)
+        return ExitCode.UNKEPT
+    except SystemFailure as error:
+        console.print(f"error: {error}", style="red", markup=False)
+        return ExitCode.TASK_FAILED
+    except KeyboardInterrupt:
+        console.print("interrupted; all that was started has been stopped")
+        return ExitCode.INTERRUPTED
+
+
+def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
+    scenario, source = read_scenario(options.scenario)
+    site = load(scenario.site)
+    build_scene(site, scenario, source=source)
+    if options.faults is None:
+        return scenario, site, None
+    more = check_faults(options.faults, site)
+    return scenario.with_faults(more.faults), site, more.bus
+
+
+@contextmanager
+def _system(
+    options: RunOptions,
+    scenario: Scenario,
+    bus_faults: BusFaults | None,
+    console: Console,
+    *,
+    first: tuple[str, ...] = (),
+) -> Iterator[System]:
+    if options.lockstep:
+        lockstep = LockstepSystem(scenario, options.seed, bus_faults=bus_faults)
+        try:
+            yield lockstep
+        finally:
+            lockstep.close()
+        return
+
+    def say(line: str) -> None:
+        console.print(line, style="yellow", markup=False)
+
+    with ProcessSystem(options, roles=options.only or ROLES, say=say, first=first) as processes:
+        yield processes
+
+
+def _fetch(options: RunOptions, system: System, site: Site, console: Console) -> ExitCode:
+    request = json.loads(options.request) if options.request else DEMO_REQUEST
+    recorder = Recorder(system.bus, system.clocks)
+    caller = Caller(system, lambda line: console.print(line, markup=False), also=recorder)
+    before = caller.truth()
+    console.print(f"request: {json.dumps(request)}", markup=False)
+    answer = caller.request(request)
+    if not answer.accepted:
+        for problem in answer.problems:
+            console.print(f"rejected: {problem.path}: {problem.expected}", style="red", markup=False)
+        return ExitCode.BAD_INPUT
+    status = caller.follow(answer.task, within=TASK_WITHIN)
+    after = caller.truth()
+    item, depot = int(str(request["item"])), str(request.get("to", "depot"))
+    there = lies_on(after, site, item, depot)
+    _show_end(options, caller, console)
+    ended = status.state.value.lower() if status.failure is None else f"failed: {status.failure.message}"
+    console.print(f"task {answer.task} {ended}", markup=False)
+    console.print(f"in truth, item {item} {'lies' if there else 'does not lie'} in {depot}", markup=False)
+    notes: dict[str, JsonValue] = {"item": item, "in_depot": there}
+    _write_report(options, recorder, system, notes=notes, start=_items(before), end=_items(after))
+    return ExitCode.OK if there and succeeded(status) else ExitCode.TASK_FAILED
+
+
+def _show_end(options: RunOptions, caller: Caller, console: Console) -> None:
+    picture = caller.photograph()
+    if picture is None:
+        console.print("no picture could be taken")
+        return
+    path = options.picture or PICTURE
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(picture)
+    console.print(f"picture of the last scene: {path.resolve()}", markup=False)
+
+
+def _items(truth: Truth) -> dict[int, Pose]:
+    return {
+        int(body.name.removeprefix("item_")): body.pose
+        for body in truth.bodies
+        if body.name.startswith("item_")
+    }
+
+
+def _write_report(
+    options: RunOptions,
+    recorder: Recorder,
+    system: System,
+    *,
+    notes: dict[str, JsonValue],
+    start: dict[int, Pose] | None = None,
+    end: dict[int, Pose] | None = None,
+) -> None:
+    if options.report is None:
+        return
+    processes = system.pids() if isinstance(system, ProcessSystem) else {}
+    report = recorder.report(
+        scenario=options.scenario,
+        seed=options.seed,
+        lockstep=options.lockstep,
+        start=start,
+        end=end,
+        processes=processes,
+        notes=notes,
+    )
+    write_report(options.report, report)

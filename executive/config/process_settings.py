@@ -1,0 +1,76 @@
+"""What the processes of a system are, what each needs to know, and how one refuses to start."""
+
+from __future__ import annotations
+
+from typing import Annotated, Final
+
+from pydantic import Field
+
+from tandem.executive.config.role_names import LogFormat, Role
+from tandem.executive.ledger.on_restart import OnRestart
+from tandem.skills.ports.hardware import StopState
+from tandem.skills.ports.message import Message
+from tandem.skills.wire.pulse import SILENT_AFTER
+
+
+class WorkerSettings(Message):
+    """What one process needs to know."""
+
+    role: Role
+    endpoint: str
+    prefix: str
+    site: str
+    """Name or path of the site file."""
+    scenario: str = "Demo"
+    faults: str | None = None
+    """Path of a file of faults on purpose, besides the scenario's own."""
+    seed: int = 1
+    speed: float | None = 1.0
+    """Simulated seconds in a second; None: as fast as all followers go."""
+    gui: bool = False
+    journal: str | None = None
+    """File in which the keeper keeps what no sensor can restore."""
+    data: str | None = None
+    """Folder of the executive's ledger and of the skills' goal journals; None: nothing is kept."""
+    on_restart: OnRestart = "resume"
+    """What becomes of a task that was under way when the executive ended, unless its request says so."""
+    died: str = ""
+    """How the process whose place it takes ended, with its last words; empty: nobody knows, or it did not."""
+    lineage: Annotated[str, Field(pattern="^[0-9a-z]{0,32}$")] = ""
+    """Random name of who starts the role's processes one after the other; empty: one of its own."""
+    generation: Annotated[int, Field(ge=0, le=999_999_999)] = 0
+    """Counts them: each takes the place of the one before, which is known to be dead."""
+    stop: StopState | None = None
+    """The hardware's: the stop that was set when the one before it died; it begins with it."""
+    crash_at: str | None = None
+    """Kill this process at a point by its name (``executive.crash_points``); for the campaign of crashes."""
+    crash_log: str | None = None
+    """File to which each such point is written when it is first passed."""
+    verbose: bool = False
+    log_format: LogFormat = "text"
+    metrics: str = ""
+    """The observer's: host and port where it serves metrics for Prometheus; empty: nowhere."""
+    traces: str = ""
+    """The observer's: address of a collector of OpenTelemetry traces; empty: none."""
+    silent_after: float = SILENT_AFTER
+    """Host seconds without a beat after which another process is said not to go on."""
+    listen: tuple[str, ...] = ()
+    """Endpoints at which the router listens besides its own."""
+    keys: str | None = None
+    """Folder of keys, with which every process shows who it is; None: nobody asks."""
+    holder: str = ""
+    """The robot's name in that folder."""
+    parent: int | None = None
+    """Process id of who starts it, and without whom it ends; None: whoever is its parent when it begins."""
+
+
+WAIT: Final = "--wait"
+"""Instead of settings: load what a role needs, and read the settings from standard input."""
+REFUSED: Final = 4
+"""Exit code of a process that must not start here."""
+UNKEPT: Final = 5
+"""Exit code of an executive whose ledger can't be opened or written."""
+
+
+class RefusalError(RuntimeError):
+    """A process that must not start here; the message says why. Exit code 4."""

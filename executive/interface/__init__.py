@@ -1,0 +1,1 @@
+"""The interface as data and as documents: JSON Schemas, AsyncAPI, generated pages."""

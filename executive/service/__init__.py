@@ -1,0 +1,1 @@
+"""The executive: requests come in, tasks wait and run, everyone is told."""

@@ -1,0 +1,403 @@
+"""The executive: takes requests, keeps them, runs one at a time, and tells everyone what happens.
+
+What it tells is on disk first. Loads nothing heavy (a test proves it), so that it is back in a blink after a
+crash.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Final
+
+from tandem.executive.ledger.memory import MemoryLedger
+from tandem.executive.ledger.on_restart import OnRestart
+from tandem.executive.ledger.port import Ledger, LedgerError
+from tandem.executive.service.heartbeat import Pulse
+from tandem.executive.service.intake.client_gateway import cancel_of_own
+from tandem.executive.service.intake.client_limits import Bounds
+from tandem.executive.service.intake.request_intake import Intake
+from tandem.executive.service.intake.request_parser import Asked
+from tandem.executive.service.running.current_task import Turn
+from tandem.executive.service.running.emergency_stop import Halt
+from tandem.executive.service.running.endings import Ending
+from tandem.executive.service.running.failure_pictures import Album, Tries
+from tandem.executive.service.running.orphaned_goals import Leftovers
+from tandem.executive.service.running.sent_goals import LedgerJournal
+from tandem.executive.service.running.tree_run import Run
+from tandem.executive.service.tasks.queue_holds import Holds
+from tandem.executive.service.tasks.resuming import Comeback, How, take_up
+from tandem.executive.service.tasks.task_book import KEPT, MAX_WAITING, TURN, TaskBook
+from tandem.executive.service.tasks.task_log import TaskLog
+from tandem.executive.service.tasks.time_left import Expectation
+from tandem.executive.service.tasks.wall_clock import WallClock
+from tandem.executive.service.verbs.task_control import Control
+from tandem.executive.service.verbs.task_queries import Questions
+from tandem.executive.service.verbs.verb_service import Verbs
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import (
+    TASK_STATUS,
+    TREE,
+    CancelTask,
+    ExecutiveInfo,
+    TaskState,
+    TaskStatus,
+    TreeNode,
+    TreeSnapshot,
+    task_status,
+)
+from tandem.trees.clients import Clients
+from tandem.trees.context import TreeContext
+from tandem.trees.knowledge import Knowledge
+from tandem.trees.task import TaskType
+
+NAME: Final = "executive"
+"""What it is announced as; goals of skills come to rest when this name is gone."""
+PRUNE_EVERY: Final = 100
+"""Ended tasks after which old ones are looked for."""
+DAY: Final = 86_400.0
+
+_LOG = logging.getLogger(__name__)
+_NO_TREE: Final = TreeNode(path="idle", name="idle", kind="action", type="Nothing")
+
+
+@dataclass(frozen=True)
+class Policy:
+    """How the service treats tasks."""
+
+    on_restart: OnRestart = "resume"
+    """What becomes of a task that was under way, unless its request says so."""
+    waiting: int = MAX_WAITING
+    """Tasks that may wait."""
+    bounds: Bounds = field(default_factory=Bounds)
+    """What one client may ask for."""
+    keep_tasks: int = 20_000
+    """Ended tasks that a lasting ledger keeps ..."""
+    keep_days: float = 180.0
+    """... and for how long."""
+
+
+class Executive:
+    """The service, as a node.
+
+    Args:
+        bus: where clients and skills are.
+        clocks: robot time for trees, UTC for when a request came.
+        site: what is known beforehand.
+        tasks: the kinds of request, by name (``tandem.trees.registry.discover()``).
+        start: part of each task's id (``task_book.start_id``); empty in lockstep.
+        host: names this start of the host (``wall_clock.host_start``), for a ledger that lasts.
+        version: of this program, told to who asks.
+        ledger: what was accepted and what became of it; in memory unless given. Closed with the service.
+        policy: how the service treats tasks.
+        died: how the executive of before ended, in words; empty when it did not crash, or nobody knows.
+
+    Raises:
+        LedgerError: also in ``step``, when the ledger can't be written: nothing may be told then.
+    """
+
+    def __init__(
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        site: Site,
+        tasks: Mapping[str, TaskType[Message]],
+        *,
+        start: str = "",
+        host: str = "",
+        version: str = "",
+        ledger: Ledger | None = None,
+        policy: Policy | None = None,
+        died: str = "",
+    ) -> None:
+        self._ledger: Ledger = MemoryLedger() if ledger is None else ledger
+        self._policy = Policy() if policy is None else policy
+        self.knowledge = Knowledge(bus, clocks, site)
+        self.clients = Clients(bus, clocks, NAME, LedgerJournal(self._ledger, self._remember))
+        self._wall = WallClock(clocks, self._ledger.reading(), host)
+        bounds = self._policy.bounds
+        self.book = TaskBook(
+            self._ledger, self._wall, start, bound=self._policy.waiting, bound_of_one=bounds.open
+        )
+        self._bus, self._clocks, self._kinds, self._version = bus, clocks, dict(tasks), version
+        self._holds = Holds(clocks, self.knowledge, self.clients)
+        self.book.hold = lambda kind: self._holds.why_not(self._kinds[kind])
+        self._told_first: tuple[str, str] = ("", "")  # of those that wait, and what it waits for
+        self._turn: Turn | None = None
+        self._last_tree = TreeSnapshot(task="", kind="", tick=0, root=_NO_TREE)
+        self._intake = Intake(bus, clocks, self.book, self._kinds, site, bounds=bounds)
+        self._control = Control(self.book, clocks, lambda: self._turn, self._tell)
+        self._control.changed = self._changed_by_verb
+        own = cancel_of_own(self.book.find, self._control.cancel)
+        self._verbs = Verbs(bus, clocks, self._control.verbs(), self._keep, (own,))
+        self._album = Album(bus, clocks)
+        self._questions = Questions(bus, clocks, self.book, self._ledger, info=self._info, tree=self._tree)
+        self._tries: list[Tries] = []  # of the running task, and of those before whose picture is under way
+        self._pulse, self._task_log = Pulse(bus, clocks), TaskLog()
+        self._leftovers = Leftovers(bus, clocks, self.clients, self.knowledge)
+        self._ended = 0
+        self._closed = False
+        self._come_back(died)
+        bus.announce(NAME)
+
+    @property
+    def name(self) -> str:
+        """For logs."""
+        return NAME
+
+    @property
+    def idle(self) -> bool:
+        """Whether no task runs or waits."""
+        return self._turn is None and not self.book.waiting
+
+    @property
+    def running(self) -> Run | None:
+        """The run of the task under way."""
+        return None if self._turn is None else self._turn.run
+
+    def step(self) -> bool:
+        """Answer whoever asks, then move the running task on."""
+        self.book.look_at_the_clock(self._clocks.monotonic())
+        for task in self._intake.step():
+            status = self.book.get(task)
+            if status is not None and status.state is TaskState.QUEUED:
+                self._holds.asked(status.kind)
+                self._tell(status)
+        more = self._verbs.step()
+        for late in self.book.expire(self._clocks.robot()):
+            self._tell(late)
+        self._move_on()
+        self._tell_first()
+        self._note_tries()
+        more = self._album.step() or more
+        more = self._questions.step() or more
+        self._pulse.step("" if self._turn is None else self._turn.task, len(self.book.waiting))
+        next_one = self._turn is None and self.book.next() is not None and self._leftovers.none
+        return self._intake.unread or more or next_one
+
+    def close(self) -> None:
+        """Stop the tree, whose leaves cancel their goals, and leave. Closing twice is allowed.
+
+        A lasting ledger keeps what waits and what runs: it is taken up after the next start. Without one it
+        is cancelled.
+        """
+        if self._closed:
+            return
+        self._closed = True
+        if not self._ledger.lasting:
+            for task in self.book.waiting:
+                self._control.cancel(CancelTask(task=task))
+            if self._turn is not None:
+                self._control.cancel(CancelTask(task=self._turn.task))
+        elif self._turn is not None:
+            self._turn.run.make_room()
+            self._note_order(self._turn)
+        for end in (self._intake, self._verbs, self._album, self._questions):
+            end.close()
+        self.clients.close()
+        self.knowledge.close()
+        self._ledger.close()
+
+    def _note_order(self, turn: Turn) -> None:
+        """Note that the task is left in order: that it is under way at the next start is no crash."""
+        try:
+            memory = self.book.entry(turn.task).memory
+            self.book.remember(turn.task, memory.model_copy(update={"in_order": True}))
+            self.book.keep()
+        except LedgerError:
+            _LOG.exception("that the executive ends in order could not be noted")
+
+    # After a start.
+
+    def _come_back(self, died: str) -> None:
+        found: Comeback = take_up(
+            self._ledger,
+            self.book,
+            self._intake.read,
+            self._policy.on_restart,
+            self._clocks.robot(),
+            died=died,
+        )
+        self._leftovers.adopt(self._ledger.open_goals())
+        for status in found.changed:
+            self._tell(status)
+        under_way = found.under_way
+        if under_way is not None:
+            _LOG.info("a task was under way", extra={"task": under_way.task, "taken_up": under_way.how})
+            self._begin(under_way.task, under_way.asked, under_way.how)
+        self._prune()
+
+    def _prune(self) -> None:
+        policy = self._policy
+        keep = policy.keep_tasks if self._ledger.lasting else KEPT
+        # By their number tasks are forgotten in any case; by their age only on a clock that can tell it.
+        old = self._wall.utc() - policy.keep_days * DAY if self._wall.tells_age else 0.0
+        if not self._wall.tells_age:
+            _LOG.warning("no task is forgotten by its age: %s", self._wall.trouble())
+        self._ledger.prune(older_than=old, keep=keep)
+
+    # The task under way.
+
+    def _move_on(self) -> None:
+        if self._turn is None or not self._leftovers.settled:
+            self._leftovers.step()
+            if not self._leftovers.none:
+                return
+        if self._turn is None:
+            turn = self.book.next()
+            if turn is None:
+                return
+            self.book.queue.remove(turn.task)
+            self._begin(turn.task, turn.asked, "go on")
+        if self._turn is not None:
+            self._go_on(self._turn)
+
+    def _go_on(self, turn: Turn) -> None:
+        self._make_room(turn)
+        turn.run.step()
+        self._changed(turn)
+        if turn.run.ended is None:
+            return
+        self._turn = None
+        self._note_tries()
+        self._note_common(turn, turn.run.ended)
+        self._tell(turn.end())
+        self._ended += 1
+        if self._ended % PRUNE_EVERY == 0:
+            self._prune()
+
+    def _note_common(self, turn: Turn, ended: Ending) -> None:
+        """Have tasks wait for what failed this one and would fail them; this one too, if it was a try."""
+        if ended.state not in {TaskState.SUCCEEDED, TaskState.FAILED}:
+            return
+        status = self.book.entry(turn.task).status
+        waits = self._holds.note(turn.asked.kind.name, turn.task, ended.failure)
+        if waits and status.state is TaskState.RUNNING:
+            _LOG.warning("a task waits again", extra={"task": turn.task, "why": str(ended.failure)})
+            turn.run.ended = Ending(TaskState.QUEUED)
+
+    def _make_room(self, turn: Turn) -> None:
+        """Let a task of a higher priority take over where the tree says that it may."""
+        run = turn.run
+        if not run.context.interruptible or run.state is not TaskState.RUNNING or run.ending is not None:
+            return
+        waits, status = self.book.next(), self.book.get(turn.task)
+        if waits is not None and status is not None and waits.priority > status.priority:
+            _LOG.info("a task makes room", extra={"task": turn.task, "room_for": waits.task})
+            run.make_room()
+
+    def _begin(self, task: str, asked: Asked, how: How) -> None:
+        self._tell(self.book.begin(task, self._clocks.robot()))
+        try:
+            self._turn = self._build(task, asked)
+        except Exception as error:  # noqa: BLE001 - a builder's mistake costs its task, not the service
+            _LOG.exception("a tree could not be built", extra={"task": task})
+            what = f"{type(error).__name__}: {error}"
+            text = f"building the tree raised {what}; the executive's log has the trace"
+            failure = Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=asked.kind.name)
+            self._tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
+            return
+        self._turn.take_up(how)
+        self._changed(self._turn)
+
+    def _build(self, task: str, asked: Asked) -> Turn:
+        memory = self.book.entry(task).memory
+        context = TreeContext(
+            task,
+            self.clients,
+            self.knowledge,
+            self._clocks,
+            goals_before=self._ledger.attempts(task),
+            notes=dict(memory.notes),
+            answers_before=dict(memory.answers),
+        )
+        status = self.book.get(task)
+        context.enter("", 0.0 if status is None else status.progress.fraction)
+        root = asked.kind.build(asked.request, context)
+        self._tries.append(Tries(self._bus, self._clocks, context, self._album))
+        run = Run(
+            context,
+            root,
+            asked.kind.name,
+            clocks=self._clocks,
+            halt=Halt(self._bus, self._clocks),
+            ticked=self._pulse.ticked,
+            waits=lambda: self._holds.robot(asked.kind),
+        )
+        return Turn(run, asked, self.book, self._clocks, Expectation(self._ledger.past(asked.kind.name)))
+
+    # What is told.
+
+    def _remember(self) -> None:
+        """Note what a restart must know of the task under way; on disk with what is kept next."""
+        if self._turn is not None:
+            self._turn.remember()
+
+    def _keep(self) -> None:
+        """Have all that holds now on disk."""
+        self._remember()
+        self.book.keep()
+
+    def _tell(self, status: TaskStatus) -> None:
+        """Publish a status once it is on disk."""
+        self.book.keep()
+        status = self.book.explained(status)
+        self._questions.last = status.task
+        self._task_log.note(status)
+        TASK_STATUS.publish(self._bus, status)
+        task_status(status.task).publish(self._bus, status)
+
+    def _changed_by_verb(self, turn: Turn) -> None:
+        """Tell what a verb has changed, and have it on disk, whichever key it came by: its answer is next."""
+        self._changed(turn)
+        self._keep()
+
+    def _changed(self, turn: Turn) -> None:
+        turn.remember()
+        tree = turn.run.changed_tree()
+        if tree is not None:
+            self._last_tree = tree
+            TREE.publish(self._bus, tree)
+        status = turn.progress()
+        if status is not None:
+            self._tell(status)
+
+    def _tell_first(self) -> None:
+        """Tell what the first of those that wait waits for, when that has changed."""
+        first = None if self._turn is not None else next(iter(self.book.queue), None)
+        now = ("", "") if first is None else (first.task, self.book.waits_for(first).removesuffix(TURN))
+        if now == self._told_first:
+            return
+        (before, was_held), self._told_first = self._told_first, now
+        status = None if first is None else self.book.get(first.task)
+        if status is not None and (now[1] or (was_held and before == status.task)):
+            _LOG.info("a task waits", extra={"task": status.task, "waits_for": now[1]})
+            self._tell(status)
+
+    def _note_tries(self) -> None:
+        for tries in self._tries:
+            if tries.step():
+                # An ended task is told once; who asks for the list later sees the picture that came late.
+                status = self.book.tried(tries.context.task, tries.tried)
+                if status is not None and not status.state.terminal:
+                    self._tell(status)
+        running = None if self._turn is None else self._turn.run.context
+        self._tries = [each for each in self._tries if each.context is running or each.pending]
+
+    def _tree(self) -> TreeSnapshot:
+        return self._last_tree if self._turn is None else self._turn.run.tree()
+
+    def _info(self) -> ExecutiveInfo:
+        return ExecutiveInfo(
+            name=NAME,
+            version=self._version,
+            tasks=tuple(self._kinds),
+            running="" if self._turn is None else self._turn.task,
+            queued=len(self.book.waiting),
+            waits_for=self._told_first[1],
+        )

@@ -1,0 +1,1 @@
+"""One tree at work: ticks, halts, pauses, ends."""

@@ -1,0 +1,429 @@
+"""One task under way: its tree is ticked when there is a reason to, and its end is awaited at rest.
+
+It looks after what no tree can: goals that don't come to rest, hardware that is silent, pause and step.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable
+from typing import Final
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from tandem.executive.ledger.port import LedgerError
+from tandem.executive.ledger.task_memory import Winding
+from tandem.executive.service.running.emergency_stop import Halt
+from tandem.executive.service.running.endings import (
+    Ending,
+    abandoned,
+    hardware_lost,
+    kept_from_winding_down,
+    not_at_rest,
+    not_wound_down,
+    raised,
+    unsaid,
+)
+from tandem.executive.service.running.pausing import Hold, Step
+from tandem.executive.service.running.tree_view import TreeView
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.tasks import NodeStatus, Progress, TaskState, TreeNode, TreeSnapshot
+from tandem.trees.clients import AnyGoal
+from tandem.trees.context import TreeContext
+from tandem.trees.elapsed import Elapsed
+from tandem.trees.gates import Gates
+
+TICK_PERIOD: Final = 0.05
+"""Robot seconds after which the tree is ticked although nothing was heard: its timers."""
+SILENT_PERIOD: Final = 0.25
+"""Host seconds after which it is ticked although the robot's clock stands still."""
+REST_WITHIN: Final = 5.0
+"""Robot seconds in which a goal must have come to rest once told to; then the hardware is stopped."""
+SILENCE_ALLOWED: Final = 10.0
+"""Host seconds that this is waited for while the robot's clock stands still."""
+SILENT_AFTER: Final = 0.4
+"""Host seconds without the hardware's clock after which the tree waits."""
+LOST_AFTER: Final = 15.0
+"""Host seconds without it after which the task ends."""
+WIND_DOWN_WITHIN: Final = 120.0
+"""Robot seconds for what is done after a cancel."""
+WAITS: Final = "waits for the hardware"
+
+_LOG = logging.getLogger(__name__)
+
+
+def _nobody(_: float) -> None:
+    """Nobody asks how long a tick took."""
+
+
+def _for_nothing() -> str:
+    return ""
+
+
+class Run:
+    """One task, from its first tick until the robot is at rest.
+
+    Args:
+        context: what the tree was built with.
+        root: the tree.
+        kind: the kind of task.
+        clocks: robot time for timers, host time for when the robot's stands still.
+        halt: stops the hardware, when goals don't come to rest.
+        ticked: told how many seconds of the host each tick took.
+        waits: returns what it has to wait for before its first tick, or nothing; asked until then.
+    """
+
+    def __init__(
+        self,
+        context: TreeContext,
+        root: Behaviour,
+        kind: str,
+        *,
+        clocks: Clocks,
+        halt: Halt,
+        ticked: Callable[[float], None] = _nobody,
+        waits: Callable[[], str] = _for_nothing,
+    ) -> None:
+        self.context = context
+        self.ended: Ending | None = None
+        self.ticks = 0
+        self.canceling = False
+        """Whether it has been cancelled."""
+        self.winding: Winding = ""
+        """How far it is with what is done after a cancel."""
+        self.told_to_go_on = False
+        """Whether an operator had it go on after a restart."""
+        self._root, self._kind, self._clocks, self._halt = root, kind, clocks, halt
+        self._ticked, self._waits_for, self._kept = ticked, waits, ""
+        self._hold = Hold(context, clocks)
+        self._ending: Ending | None = None
+        self._resting = Elapsed(clocks)  # since the tree's end
+        self._winding: Elapsed | None = None  # since the wind-down began
+        self._before_winding: Failure | None = None
+        self._halted: tuple[AnyGoal, ...] | None = None  # the goals for whose sake the hardware is stopped
+        self._waits = False
+        self._ticked_at: RobotTime | None = None
+        self._ticked_on_host = clocks.monotonic()
+        self._progress = context.progress  # a task that is taken up again does not fall back
+        self._view = TreeView(root)
+        self._shown: TreeNode | None = None
+        self._touched = False  # a tree changes only when it is ticked or stopped
+        self.gates = Gates(root, context)
+        """Breakpoints and forced nodes."""
+        self.yielding = False
+        """Whether it makes room for another task."""
+        self.running: tuple[str, ...] = ()
+        """The leaves that run, by their names."""
+
+    @property
+    def ending(self) -> Ending | None:
+        """How it is going to end, once that is known."""
+        return self._ending
+
+    @property
+    def state(self) -> TaskState:
+        """Where it stands, until it has ended."""
+        return TaskState.CANCELING if self.canceling else self._hold.state
+
+    @property
+    def progress(self) -> Progress:
+        """Phase and fraction; the fraction never falls."""
+        waits = WAITS if self._waits else f"waits for {self._kept}" if self._kept else ""
+        return self._progress.model_copy(update={"phase": waits}) if waits else self._progress
+
+    def step(self) -> None:
+        """Take in what has arrived; tick, or wait for rest."""
+        if self.ended is not None:
+            return
+        heard = self._poll()
+        silent = self.context.knowledge.hardware_silent_for
+        self._waits = silent > SILENT_AFTER
+        if self._halted is not None:
+            self._go_on_halting(self._halted)
+        elif silent > LOST_AFTER:
+            self._lose_hardware(silent)
+        elif not self._waits:
+            self._go_on(heard=heard)
+        self._note_progress()
+
+    def cancel(self) -> None:
+        """Stop the tree: its leaves cancel their goals. ``ended`` is set when all have come to rest.
+
+        What is to be done after a cancel is done then; cancelled once more, that is stopped as well.
+        """
+        if self.canceling and self.winding == "begun":
+            self.winding = "left"
+        if self._ending is None or self.yielding:
+            self.canceling, self.yielding = True, False
+            self._hold.resume()
+            self._stop_tree()
+            self._end_with(Ending(TaskState.CANCELED))
+
+    def make_room(self) -> None:
+        """Stop the tree for another task's sake: it ends as QUEUED when all is at rest."""
+        if self._ending is None:
+            self.yielding = True
+            self._stop_tree()
+            self._end_with(Ending(TaskState.QUEUED))
+
+    def step_on(self, step: Step) -> None:
+        """Go on, just built, until one more leaf has ended or by one tick, and pause then."""
+        self._hold.resume(step)
+
+    @property
+    def stepping(self) -> Step:
+        """How far it goes on before it is paused again."""
+        return self._hold.stepping
+
+    def interrupt(self, failure: Failure) -> None:
+        """Stop the tree: the task ends as INTERRUPTED when all is at rest."""
+        self._hold.resume()
+        self._stop_tree()
+        self._end_with(Ending(TaskState.INTERRUPTED, failure))
+
+    def look_again(self) -> None:
+        """Tick with the next step, whatever the timers say: something has changed."""
+        self._ticked_at = None
+
+    def abandon(self) -> str:
+        """Give it up although not all is at rest; return why not, or nothing."""
+        if not self.canceling:
+            return "only a task that has been cancelled can be abandoned"
+        silent = self.context.knowledge.hardware_silent_for
+        self._resting.update()
+        if silent <= SILENT_AFTER and self._halted is None:
+            return "the hardware answers; its skills are coming to rest"
+        skills = (handle.action for handle in self.context.clients.open)
+        self.ended = self._ending = Ending(TaskState.INTERRUPTED, abandoned(self._root.name, skills, silent))
+        return ""
+
+    def pause(self) -> str:
+        """Have all come to rest and the tree stay where it is; return why not, or nothing."""
+        why = self.held_up_by()
+        if not why:
+            self._hold.pause()
+        return why
+
+    def resume(self) -> str:
+        """Go on after a pause; return why not, or nothing."""
+        why = self.held_up_by()
+        if not why and self._hold.free:
+            why = "the task is not paused"
+        if not why and self.context.question is not None and self.ticks == 0:
+            why = "it asks whether it shall go on: answer that"
+        if not why:
+            self._go_on_from_gate()
+            self._hold.resume()
+        return why
+
+    def step_by(self, step: Step) -> str:
+        """Go on until one more leaf has ended or by one tick, and pause again; return why not, or nothing."""
+        why = self.held_up_by()
+        if not why and self._hold.state is not TaskState.PAUSED:
+            pausing = self._hold.state is TaskState.PAUSING
+            why = "its skills are still coming to rest" if pausing else "the task is not paused"
+        if not why and self.context.question is not None and self.ticks == 0:
+            why = "it asks whether it shall go on: answer that"
+        if not why:
+            self._go_on_from_gate()
+            self._hold.resume(step)
+        return why
+
+    def changed_tree(self) -> TreeSnapshot | None:
+        """Return the tree if a status or message in it is another than at the last call."""
+        if not self._touched:
+            return None
+        self._touched = False
+        now = self._view.look()
+        if now is self._shown:
+            return None
+        self._shown = now
+        return self.tree()
+
+    def tree(self) -> TreeSnapshot:
+        """Return the tree as it is."""
+        return TreeSnapshot(
+            task=self.context.task,
+            kind=self._kind,
+            tick=self.ticks,
+            stamp=self._clocks.robot(),
+            root=self._view.look(),
+        )
+
+    def _go_on_from_gate(self) -> None:
+        self.gates.release()
+        self.look_again()
+
+    def held_up_by(self) -> str:
+        """Return why its tree is not to be held or changed any more, or nothing."""
+        if self.canceling:
+            return "the task is being cancelled"
+        if self.yielding:
+            return "the task makes room for another one"
+        return "" if self._ending is None else f"the task is about to end: {self._ending.state}"
+
+    def _poll(self) -> bool:
+        try:
+            return self.context.poll()
+        except Exception as error:  # noqa: BLE001 - a tree's mistake costs its task, not the service
+            self._crash(error)
+            return False
+
+    def _go_on(self, *, heard: bool) -> None:
+        stuck = self.context.clients.stuck(REST_WITHIN, SILENCE_ALLOWED)
+        if stuck:
+            self._stop_hardware(stuck)
+            return
+        self._hold.step()
+        self._kept = self._waits_for() if self.ticks == 0 and self._ending is None else ""
+        if self._ending is None and self._hold.free and not self._kept and (heard or self._due()):
+            self._tick()
+        if self._winding is not None:
+            self._watch_winding(self._winding)
+        if self._ending is not None:
+            self._await_rest(self._ending)
+
+    # The tree.
+
+    def _due(self) -> bool:
+        if self.ticks == 0:
+            return True
+        now = self._clocks.robot()
+        if self._clocks.monotonic() - self._ticked_on_host >= SILENT_PERIOD:
+            return True
+        if now is None or self._ticked_at is None:
+            return now is not None
+        passed = now.since(self._ticked_at)
+        return passed is None or passed >= TICK_PERIOD
+
+    def _tick(self) -> None:
+        self._ticked_at, self._ticked_on_host = self._clocks.robot(), self._clocks.monotonic()
+        self.ticks += 1
+        self._touched = True
+        try:
+            ticked = tuple(self._view.heed(self._root.tick()))
+            self._judge(ticked)
+            # Last, and so also when the tree has ended: nothing of it runs any more.
+            self.running = tuple(n.name for n in ticked if not n.children and n.status is Status.RUNNING)
+        except LedgerError:
+            raise  # no goal may be sent that is not written down
+        except Exception as error:  # noqa: BLE001 - a tree's mistake costs its task, not the service
+            self._crash(error)
+        self._ticked(self._clocks.monotonic() - self._ticked_on_host)
+
+    def _judge(self, ticked: tuple[Behaviour, ...]) -> None:
+        status = NodeStatus(self._root.status.name)
+        if status is NodeStatus.RUNNING:
+            self._hold.after_tick(ticked)
+            if self.gates.hit:
+                self._hold.pause()
+        elif status is NodeStatus.SUCCESS:
+            self._end_with(Ending(TaskState.CANCELED if self.canceling else TaskState.SUCCEEDED))
+        else:
+            self._end_with(self._as_failed(self._told() or unsaid(self._root)))
+
+    def _told(self) -> Failure | None:
+        """Return the failure that the tree has told; one from before the wind-down is not its own."""
+        failures = self.context.failures
+        if self._winding is None:
+            return self.context.failure()
+        return failures[-1] if failures and failures[-1] is not self._before_winding else None
+
+    def _as_failed(self, failure: Failure) -> Ending:
+        state = TaskState.CANCELED if self.canceling else TaskState.FAILED
+        return Ending(state, self._with_places(failure))
+
+    def _crash(self, error: Exception) -> None:
+        """End a tree that raised: a mistake in the program, which must cost this task and nothing else."""
+        _LOG.error("a tree raised", extra={"task": self.context.task}, exc_info=error)
+        if self._ending is None:
+            self._stop_tree()
+            self._end_with(self._as_failed(raised(self._root, error)))
+
+    def _stop_tree(self) -> None:
+        self._touched = True
+        self.running = ()
+        try:
+            self._root.stop(Status.INVALID)
+        except Exception:  # noqa: BLE001 - the tree is given up anyway
+            _LOG.exception("a tree raised while it was stopped", extra={"task": self.context.task})
+
+    # The end.
+
+    def _end_with(self, ending: Ending) -> None:
+        self._ending, self._resting = ending, Elapsed(self._clocks)
+
+    def _await_rest(self, ending: Ending) -> None:
+        self._resting.update()
+        if self.context.quiet:
+            if not self._begins_winding(ending):
+                self.ended = self._ending
+        elif self._resting.beyond(REST_WITHIN, SILENCE_ALLOWED):
+            self._stop_hardware(self.context.clients.open)
+
+    def _begins_winding(self, ending: Ending) -> bool:
+        """Turn to what is to be done after a cancel, once; return whether there is something to do."""
+        tree = self.context.wind_down
+        if not self.canceling or tree is None or self._winding is not None or ending.failure is not None:
+            return False
+        if self.winding == "left":
+            return False
+        stop = self.context.knowledge.stopped
+        if stop.stopped:
+            self._end_with(Ending(ending.state, kept_from_winding_down(tree.name, stop.by)))
+            return False
+        self.winding = "begun"
+        self._before_winding = self.context.failures[-1] if self.context.failures else None
+        self._winding, self._ending = Elapsed(self._clocks), None
+        self._root, self._view, self._shown = tree, TreeView(tree), None
+        self.gates = Gates(tree, self.context)
+        self._touched, self._ticked_at = True, None
+        return True
+
+    def _watch_winding(self, since: Elapsed) -> None:
+        since.update()
+        if self._ending is None and since.beyond(WIND_DOWN_WITHIN, WIND_DOWN_WITHIN):
+            self._stop_tree()
+            self._end_with(self._as_failed(not_wound_down(self._root.name, WIND_DOWN_WITHIN)))
+
+    def _stop_hardware(self, stuck: tuple[AnyGoal, ...]) -> None:
+        if self._ending is None:
+            self._stop_tree()
+        self._halted = stuck
+        self._halt.set(f"the goals of {self.context.task} did not come to rest")
+
+    def _go_on_halting(self, stuck: tuple[AnyGoal, ...]) -> None:
+        if not self._halt.step():
+            return
+        if self._halt.confirmed:
+            self.context.clients.drop(stuck, "it did not come to rest; the hardware was stopped")
+        skills = (handle.action for handle in stuck)
+        confirmed, before = self._halt.confirmed, self._last_failure()
+        failure = not_at_rest(self._root.name, skills, REST_WITHIN, confirmed=confirmed, before=before)
+        self.ended = self._ending = Ending(TaskState.FAILED, self._with_places(failure))
+
+    def _lose_hardware(self, silent: float) -> None:
+        if self._ending is None:
+            self._stop_tree()
+        failure = hardware_lost(self._root.name, silent, before=self._last_failure())
+        self.ended = self._ending = Ending(TaskState.FAILED, self._with_places(failure))
+
+    def _with_places(self, failure: Failure) -> Failure:
+        """Add where everything is, as the task's builder tells it."""
+        try:
+            return self.context.with_places(failure)
+        except Exception:  # noqa: BLE001 - the end is told in any case
+            _LOG.exception("where everything is could not be told", extra={"task": self.context.task})
+            return failure
+
+    def _last_failure(self) -> Failure | None:
+        return self.context.failure() if self._ending is None else self._ending.failure
+
+    def _note_progress(self) -> None:
+        told = self.context.progress
+        done = self._ending is not None and self._ending.state is TaskState.SUCCEEDED
+        fraction = 1.0 if done else max(told.fraction, self._progress.fraction)
+        self._progress = Progress(phase=told.phase or self._progress.phase, fraction=fraction)

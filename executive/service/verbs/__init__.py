@@ -1,0 +1,1 @@
+"""What clients ask of a task that is there: verbs and queries."""

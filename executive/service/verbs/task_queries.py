@@ -1,0 +1,114 @@
+"""What anybody may ask: the tasks, one task, the history, who serves here, the tree as it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Final
+
+from tandem.executive.ledger.port import Ledger, LedgerError
+from tandem.executive.service.tasks.task_book import TaskBook
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.endpoint import answering, endpoint
+from tandem.skills.ports.keys import Nothing, Service
+from tandem.skills.ports.serving import Endpoints
+from tandem.skills.ports.tasks import (
+    PAGE,
+    TASK_HISTORY,
+    TASK_INFO,
+    TASK_LIST,
+    TASK_STATUS,
+    TREE,
+    TREE_NOW,
+    AskHistory,
+    AskTasks,
+    ExecutiveInfo,
+    TaskStatus,
+    TreeSnapshot,
+    task_status,
+)
+
+LAST_STATUS: Final = Service(TASK_STATUS.key, Nothing, TaskStatus, reads=True)
+ONE_STATUS: Final = Service(task_status("*").key, Nothing, TaskStatus, reads=True)
+LAST_TREE: Final = Service(TREE.key, Nothing, TreeSnapshot, reads=True)
+"""A topic's key that is queried answers with what was published there last."""
+
+
+class Questions:
+    """Serves the questions.
+
+    Args:
+        bus: where clients are.
+        clocks: host time for rates.
+        book: the tasks in memory.
+        ledger: all tasks.
+        info: tells who serves.
+        tree: returns the tree as it is.
+    """
+
+    def __init__(
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        book: TaskBook,
+        ledger: Ledger,
+        *,
+        info: Callable[[], ExecutiveInfo],
+        tree: Callable[[], TreeSnapshot],
+    ) -> None:
+        self.last = ""
+        """The task that was told of last."""
+        self._book, self._ledger = book, ledger
+        self._written: dict[str, tuple[TaskStatus, str, bytes]] = {}
+        self._endpoints = Endpoints(
+            bus,
+            clocks.monotonic,
+            (
+                answering(TASK_LIST, self._list),
+                answering(TASK_INFO, lambda _: info()),
+                answering(TREE_NOW, lambda _: tree()),
+                answering(LAST_TREE, lambda _: tree()),
+                answering(LAST_STATUS, lambda _: self._find(self.last) if self.last else None),
+                endpoint(ONE_STATUS, lambda call: self._find(call.name), keys=self._keys),
+                answering(TASK_HISTORY, self._history),
+            ),
+            fatal=(LedgerError,),
+        )
+
+    def step(self) -> bool:
+        """Answer who asked; whoever asks for what is not there gets no answer. Return whether more wait."""
+        return self._endpoints.step()
+
+    def close(self) -> None:
+        """Stop serving."""
+        self._endpoints.close()
+
+    def _find(self, task: str) -> TaskStatus | None:
+        status = self._book.find(task)
+        return None if status is None else self._book.explained(status)
+
+    def _keys(self) -> Iterable[str]:
+        tasks, _ = self._book.page(0, PAGE)
+        return (task_status(status.task).key for status in reversed(tasks))
+
+    def _list(self, asked: AskTasks) -> bytes:
+        return self._page(*self._book.page(asked.before, asked.limit))
+
+    def _history(self, asked: AskHistory) -> bytes:
+        found = self._ledger.history(asked)
+        # What is in memory is newer than what is on disk, by what need not be on disk.
+        return self._page((self._book.get(each.task) or each for each in found.tasks), found.more)
+
+    def _page(self, tasks: Iterable[TaskStatus], more: int) -> bytes:
+        """Return a TaskList or History as JSON; a status that has not changed is not written anew."""
+        if len(self._written) > 2 * (self._book.count + PAGE):
+            self._written.clear()
+        return b'{"tasks":[%s],"more":%d}' % (b",".join(self._write(each) for each in tasks), more)
+
+    def _write(self, status: TaskStatus) -> bytes:
+        known, waits = self._written.get(status.task), self._book.waits(status)
+        if known is not None and known[0] is status and known[1] == waits:
+            return known[2]
+        written = self._book.explained(status).model_dump_json().encode()
+        self._written[status.task] = (status, waits, written)
+        return written

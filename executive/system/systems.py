@@ -1,0 +1,368 @@
+"""A whole system at work, in one of its two forms, seen from whoever runs it: a demo, a campaign, a test."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Sequence
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Final, Protocol, Self
+
+from tandem.executive.config.process_settings import REFUSED, UNKEPT, WorkerSettings
+from tandem.executive.config.role_names import OBSERVER, ROLES, Role
+from tandem.executive.config.run_options import RunOptions
+from tandem.executive.security.identity import Identity
+from tandem.executive.system.free_endpoint import TakenError, require_vacant
+from tandem.executive.system.hung_processes import HUNG_AFTER, Hung
+from tandem.executive.system.processes import RESTARTED, Death, Supervisor
+from tandem.executive.telemetry.log_files import UserLog
+from tandem.executive.telemetry.relay import LogRelay
+from tandem.sim.chatter import unheard
+from tandem.sim.scenario import Scenario, load_scenario
+from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.hardware import StopState
+from tandem.skills.ports.keys import STOP_STATE, Latest, Nothing
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import TASK_INFO
+from tandem.skills.testing.faulty_bus import BusFaults
+from tandem.skills.wire.clocks import ProcessClocks
+from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
+
+READY_WITHIN: Final = 60.0
+"""Host seconds that processes have for their start."""
+
+
+class SystemFailure(RuntimeError):  # noqa: N818 - what happened to a system, not a mistake in a call
+    """The system can't go on; the message says which process ended, with its last words."""
+
+
+class LedgerFailure(SystemFailure):
+    """The executive can't keep its ledger; the message says why."""
+
+
+class RefusedError(RuntimeError):
+    """The system must not start here; the message says why."""
+
+
+class System(Protocol):
+    """What both forms offer."""
+
+    @property
+    def bus(self) -> Bus:
+        """An end of the bus."""
+        ...
+
+    @property
+    def clocks(self) -> Clocks:
+        """Robot time as heard."""
+        ...
+
+    def advance(self) -> None:
+        """Let the system go on a little.
+
+        Raises:
+            SystemFailure: when a part of it has ended.
+        """
+        ...
+
+    def close(self) -> None:
+        """End it."""
+        ...
+
+
+class LockstepSystem:
+    """All in one thread.
+
+    Args:
+        scenario: where all starts.
+        seed: of all that is random.
+        digest: take every message into a hash.
+        site: what is known beforehand, when it is not the scenario's own site file.
+        bus_faults: what happens to messages that skills and executive receive.
+    """
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        seed: int,
+        *,
+        digest: bool = False,
+        site: Site | None = None,
+        bus_faults: BusFaults | None = None,
+    ) -> None:
+        with unheard():
+            # pybullet prints when it was built. A process that only watches others never loads it.
+            from tandem.executive.system.lockstep import Digest, Lockstep  # noqa: PLC0415
+
+            self.lockstep = Lockstep(scenario, seed, site=site, bus_faults=bus_faults)
+        self._digest = Digest()
+        if digest:
+            self.lockstep.hub.watch(self._digest)
+        self.bus: Bus = self.lockstep.bus
+        self.clocks: Clocks = self.lockstep.clocks
+
+    def advance(self) -> None:
+        """Let one period pass."""
+        self.lockstep.step()
+
+    def digest(self) -> str:
+        """Return the hash over all messages so far."""
+        return self._digest.hexdigest()
+
+    def close(self) -> None:
+        """End all nodes."""
+        self.lockstep.close()
+
+
+class ProcessSystem:
+    """Processes over zenoh, started here and watched. Use as a context.
+
+    Args:
+        options: scenario, seed, speed, endpoint.
+        roles: which processes to start.
+        say: takes a line when a skill's process has died and is started again.
+        hung_after: host seconds without a beat after which a process is killed and started again.
+        first: lines to be said before anything starts, once it is clear that this system may.
+
+    Raises:
+        ScenarioError: when the scenario is wrong.
+    """
+
+    def __init__(
+        self,
+        options: RunOptions,
+        *,
+        roles: tuple[Role, ...] = ROLES,
+        say: Callable[[str], None] = lambda _: None,
+        hung_after: float = HUNG_AFTER,
+        first: Sequence[str] = (),
+    ) -> None:
+        observed: tuple[Role, ...] = (OBSERVER,) if options.metrics or options.traces else ()
+        self._options, self._roles, self._say = options, roles + observed, say
+        self._first = tuple(first)
+        self._ready = False
+        self._hung = Hung(time.monotonic, hung_after)
+        self._site = load_scenario(options.scenario).site
+        self._folder = tempfile.TemporaryDirectory(prefix="tandem-")
+        self.supervisor = Supervisor(Path(self._folder.name) / "logs")
+        self._logs = ExitStack()
+        self._relay = LogRelay(self.supervisor.folder, self._log_sinks(), options.log_format)
+        self._bus: ZenohBus | None = None
+        self._clocks: ProcessClocks | None = None
+        self._stop: Latest[StopState] | None = None
+
+    @property
+    def bus(self) -> ZenohBus:
+        """An end of the bus, once started."""
+        assert self._bus is not None, "start it first"
+        return self._bus
+
+    @property
+    def clocks(self) -> ProcessClocks:
+        """Robot time as heard, once started."""
+        assert self._clocks is not None, "start it first"
+        return self._clocks
+
+    def __enter__(self) -> Self:
+        """Start all processes, and wait until the executive answers.
+
+        Raises:
+            SystemFailure: when a process ends or is not ready in time.
+            RefusedError: when there is such a system already, or another program has its endpoint.
+            EndpointError: when nothing can listen at the endpoint.
+        """
+        try:
+            self._start()
+        except BaseException:
+            self.close()
+            raise
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """End all."""
+        self.close()
+
+    def advance(self) -> None:
+        """Wait for a message, at most 50 ms, and look after the processes."""
+        self.bus.waker.wait(0.05)
+        self.clocks.refresh()
+        self._look_after()
+
+    def pids(self) -> dict[str, int]:
+        """Return the processes' ids by role."""
+        return {child.role: child.process.pid for child in self.supervisor.children}
+
+    def close(self) -> None:
+        """End all processes and remove what they left on disk."""
+        if self._bus is not None:
+            self._bus.close()
+            self._bus = None
+        self.supervisor.end()
+        self._relay.step(last=True)
+        self._logs.close()
+        self._folder.cleanup()
+
+    def _log_sinks(self) -> tuple[Callable[[str], None], ...]:
+        sinks: list[Callable[[str], None]] = [_to_stderr] if self._options.verbose else []
+        if self._options.log is not None:
+            file = UserLog(self._options.log)
+            self._logs.callback(file.close)
+            sinks.append(file.write)
+        return tuple(sinks)
+
+    def _start(self) -> None:
+        bus = self._options.bus
+        self.supervisor.folder.mkdir(parents=True, exist_ok=True)
+        if "router" in self._roles:
+            self._refuse_second_router()
+        for line in self._first:
+            self._say(line)
+        if "router" in self._roles:
+            self.supervisor.start(self._settings("router"))
+        self._connect()
+        for role in self._roles:
+            if role != "router":
+                self.supervisor.start(self._settings(role))
+        self._await(lambda: not self._not_started(), f"not all processes of {bus.prefix} started")
+        if "executive" in self._roles:
+            self._await(self._executive_answers, f"the executive of {bus.prefix} did not answer")
+            self.supervisor.keep_spare("executive")
+        self._ready = True
+
+    def _not_started(self) -> tuple[str, ...]:
+        """Return the roles that no process of ours plays yet: settled as the only one, and ready."""
+        alive, ours = self.bus.alive(), self.supervisor.lineage
+        settled = {name.split("/")[1] for name in alive if name.startswith("role/") and f"/{ours}." in name}
+        return tuple(
+            r for r in self._roles if r != "router" and not (r in settled and f"process/{r}" in alive)
+        )
+
+    def _refuse_second_router(self) -> None:
+        endpoint = self._options.bus.endpoint
+        try:
+            self._open(0.3).close()
+        except BusError:
+            self._require_vacant()
+            return
+        raise RefusedError(
+            f"a router answers at {endpoint} already: another system runs there; "
+            f"end it, or take another endpoint with --connect tcp/127.0.0.1:7448"
+        )
+
+    def _require_vacant(self) -> None:
+        try:
+            for endpoint in (self._options.bus.endpoint, *self._options.listen):
+                require_vacant(endpoint)
+        except TakenError as error:
+            raise RefusedError(str(error)) from error
+
+    def _connect(self) -> None:
+        deadline = time.monotonic() + READY_WITHIN
+        while self._bus is None:
+            try:
+                self._bus = self._open(0.5)
+            except BusError:
+                self._look_after()
+                if time.monotonic() > deadline:
+                    raise SystemFailure(f"no router at {self._options.bus.endpoint}") from None
+        self._clocks = ProcessClocks(self._bus)
+        self._stop = Latest(self._bus, STOP_STATE)
+
+    def _open(self, patience: float) -> ZenohBus:
+        bus = self._options.bus
+        shown = None if bus.keys is None else Identity(bus.keys, bus.holder).part("supervisor")
+        return ZenohBus(bus.endpoint, bus.prefix, patience=patience, credentials=shown)
+
+    def _executive_answers(self) -> bool:
+        return wait_for(self, TASK_INFO.query(self.bus, Nothing(), timeout=0.3), 0.5) is not None
+
+    def _await(self, holds: Callable[[], bool], otherwise: str) -> None:
+        deadline = time.monotonic() + READY_WITHIN
+        while not holds():
+            self.advance()
+            if time.monotonic() > deadline:
+                raise SystemFailure(f"{otherwise} within {READY_WITHIN:.0f} s")
+
+    def _settings(self, role: Role) -> WorkerSettings:
+        options = self._options
+        data = options.data or Path(self._folder.name)
+        return WorkerSettings(
+            role=role,
+            endpoint=options.bus.endpoint,
+            prefix=options.bus.prefix,
+            site=self._site,
+            scenario=options.scenario,
+            faults=None if options.faults is None else str(options.faults),
+            seed=options.seed,
+            speed=options.speed,
+            gui=options.gui,
+            journal=str(data / "held.jsonl") if role == "keeper" else None,
+            data=str(data),
+            on_restart=options.on_restart,
+            verbose=options.verbose,
+            log_format=options.log_format,
+            metrics=options.metrics if role == OBSERVER else "",
+            traces=options.traces if role == OBSERVER else "",
+            silent_after=options.silent_after,
+            listen=options.listen if role == "router" else (),
+            keys=None if options.bus.keys is None else str(options.bus.keys),
+            holder=options.bus.holder,
+        )
+
+    def _look_after(self) -> None:
+        """Start skills again that have died; what died in the start, or too often, ends the system."""
+        deaths, fatal = self.supervisor.deaths(), list[Death]()
+        for death in deaths:
+            if self._ready and self.supervisor.restart(death.role, self._stop_of(death.role)):
+                self._say(f"{death.head()}; started again")
+            elif self._ready and death.role == OBSERVER:
+                self.supervisor.give_up(death.role)
+                self._say(f"{death.head()} again and again; nothing is recorded any more")
+            else:
+                fatal.append(death)
+        if fatal:
+            raise _end_of(fatal)
+        if self._ready:
+            self._kill_hung()
+        self._relay.step()
+        self.supervisor.tidy()
+
+    def _stop_of(self, role: str) -> StopState | None:
+        """Return the stop that hardware which is started again begins with: that of before."""
+        stop = None if self._stop is None or role != "hardware" else self._stop.refresh()
+        return stop if stop is not None and stop.stopped else None
+
+    def _kill_hung(self) -> None:
+        """Kill who hangs for too long; the next look finds it dead, and starts it again.
+
+        Not the hardware: what it simulates would begin anew, and a robot's own is not ours to kill.
+        """
+        names = {f"process/{child.role}": child for child in self.supervisor.children}
+        restarted = {name for name in names if name.removeprefix("process/") in {*RESTARTED} - {"hardware"}}
+        for name in self._hung.look(restarted & self.bus.alive(), self.bus.awake()):
+            self._say(f"the {names[name].role} process hangs; it is killed")
+            names[name].process.kill()
+
+
+def _to_stderr(line: str) -> None:
+    sys.stderr.write(f"{line}\n")
+    sys.stderr.flush()
+
+
+def _end_of(fatal: Sequence[Death]) -> Exception:
+    """Return the error that says which processes ended, and whether one refused or can't keep its ledger."""
+    words, codes = "\n".join(death.describe() for death in fatal), {death.code for death in fatal}
+    if UNKEPT in codes:
+        return LedgerFailure(words)
+    return RefusedError(words) if REFUSED in codes else SystemFailure(words)
+
+
+def wait_for(system: System, pending: Pending, within: float) -> bytes | None:
+    """Let the system go on until a query has ended, at most ``within`` host (lockstep: robot) seconds."""
+    deadline = system.clocks.monotonic() + within
+    while pending.poll() is None and not pending.done() and system.clocks.monotonic() < deadline:
+        system.advance()
+    return pending.poll()

@@ -1,0 +1,161 @@
+"""Fetches in which something goes wrong: drawn starts, drawn faults, in lockstep with all physics."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from tandem.executive.system.systems import LockstepSystem, SystemFailure
+from tandem.executive.trials.campaigns.fetch import DEPOT, WARM_UP, draw_run
+from tandem.executive.trials.campaigns.oracle import Oracle, Verdict
+from tandem.executive.trials.campaigns.troubles import Case, Trouble, draw_hopeless, draw_recoverable
+from tandem.executive.trials.demo import Caller
+from tandem.sim.controls import FAULTS
+from tandem.sim.scenario import Scenario
+from tandem.skills.ports.clocks import robot_seconds
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import Attempt, TaskState
+from tandem.skills.site import load
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from tandem.sim.faults import Fault, FaultEvent
+
+TASK_WITHIN: Final = 1200.0
+"""Robot seconds (host seconds while the hardware is silent) in which a task must have ended."""
+
+
+class RecoveryRun(Message):
+    """One run. ``right``: every fault struck, it ended as it must, and nothing is ``wrong`` in truth.
+
+    A run that can be mended must end as a fetch without any fault must (``FetchRun``); but what falls out of
+    the hand by a fault may push other things. A hopeless one must end with the right kind, at rest, and leave
+    the room as it was.
+    """
+
+    run: int
+    item: int
+    trouble: str
+    hopeless: bool
+    struck: tuple[str, ...]
+    """What went wrong in truth, with the robot's time."""
+    unstruck: tuple[str, ...]
+    """Faults that never struck, or were refused: the run has shown nothing about them."""
+    state: str
+    wrong: tuple[str, ...]
+    """What is wrong in truth; see ``tandem.executive.trials.campaigns.oracle``."""
+    right: bool
+    failure: Failure | None
+    tried: tuple[Attempt, ...]
+    robot_seconds: float
+    digest: str
+
+
+class RecoveryCampaign(Message):
+    """A whole campaign: how many of the recoverable runs and of the hopeless ones were right.
+
+    ``unstruck``: runs in which a drawn fault never struck. They count as not right.
+    """
+
+    scenario: str
+    seed: int
+    recovered: int
+    recoverable: int
+    right_kind: int
+    hopeless: int
+    unstruck: int
+    runs: tuple[RecoveryRun, ...]
+
+
+def run_recovery(scenario: Scenario, seed: int, run: int) -> RecoveryRun:
+    """Draw and run number ``run`` of the recoverable ones; the same numbers give the same run."""
+    return _run(scenario, seed, run, hopeless=False)
+
+
+def run_hopeless(scenario: Scenario, seed: int, run: int) -> RecoveryRun:
+    """Draw and run number ``run`` of the hopeless ones."""
+    return _run(scenario, seed, run, hopeless=True)
+
+
+def _run(scenario: Scenario, seed: int, run: int, *, hopeless: bool) -> RecoveryRun:
+    site, rng = load(scenario.site), np.random.default_rng((seed, run, int(hopeless)))
+    draw = draw_run(site, scenario, rng)
+    case = Case(rng, draw.item, site, draw.scenario)
+    trouble = draw_hopeless(case, run) if hopeless else draw_recoverable(case)
+    struck = draw.scenario.model_copy(update={"faults": trouble.faults})
+    system = LockstepSystem(struck, seed * 1000 + run, digest=True, bus_faults=trouble.bus)
+    try:
+        return _fetch(system, site, run, draw.item, trouble)
+    finally:
+        system.close()
+
+
+def _fetch(system: LockstepSystem, site: Site, run: int, item: int, trouble: Trouble) -> RecoveryRun:
+    events, caller = Latest(system.bus, FAULTS, depth=1024), Caller(system, _quiet)
+    oracle = Oracle(system, site, item, DEPOT)
+    while robot_seconds(system.clocks) < WARM_UP:
+        system.advance()
+    began = robot_seconds(system.clocks)
+    answer = caller.request({"task": "fetch", "item": item, "to": DEPOT})
+    failure, tried = None, tuple[Attempt, ...]()
+    try:
+        status = caller.follow(answer.task, within=TASK_WITHIN)
+        state, failure, tried = status.state.value, status.failure, status.tried
+    except SystemFailure as error:
+        state = f"STUCK: {error}"
+    ended, digest, told = robot_seconds(system.clocks), system.digest(), events.take()
+    missed = unstruck(trouble.faults, told)
+    wrong = wrong_in(oracle.verdict(), hopeless=bool(trouble.ends_in))
+    if trouble.ends_in:
+        ended_well = failure is not None and failure.kind in trouble.ends_in
+    else:
+        ended_well = state == TaskState.SUCCEEDED.value
+    return RecoveryRun(
+        run=run,
+        item=item,
+        trouble=trouble.name,
+        hopeless=bool(trouble.ends_in),
+        struck=tuple(f"{event.stamp.seconds:.2f} s {event.phase}: {event.words}" for event in told),
+        unstruck=missed,
+        state=state,
+        wrong=wrong,
+        right=ended_well and not missed and not wrong,
+        failure=failure,
+        tried=tried,
+        robot_seconds=round(ended - began, 2),
+        digest=digest,
+    )
+
+
+def unstruck(faults: tuple[Fault, ...], told: Iterable[FaultEvent]) -> tuple[str, ...]:
+    """Return the faults that never began, by the sim's own account, in words."""
+    began = {event.number for event in told if event.phase == "began"}
+    return tuple(
+        f"{fault.kind} ({_when(fault)})" for number, fault in enumerate(faults) if number not in began
+    )
+
+
+def wrong_in(verdict: Verdict, *, hopeless: bool) -> tuple[str, ...]:
+    """Return what of a verdict counts here.
+
+    What a fault alone did to the room is not the robot's doing. A robot that nothing helps can't bring the
+    item, and need not get home.
+    """
+    if hopeless:
+        return verdict.disturbed + verdict.restless
+    return verdict.misplaced + verdict.disturbed + verdict.not_home + verdict.restless
+
+
+def _when(fault: Fault) -> str:
+    if fault.when is None:
+        return f"at {fault.at or 0.0:g} s"
+    return f"{fault.when.event}, time {fault.when.nth}, {fault.when.after:g} s after it"
+
+
+def _quiet(_: str) -> None:
+    """Tell nobody."""

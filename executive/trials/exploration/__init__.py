@@ -1,0 +1,1 @@
+"""Trees tried with mocked skills: each leaf fails in each way, and the task must end."""
