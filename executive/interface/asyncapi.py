@@ -14,8 +14,8 @@ from typing import Final
 from pydantic import JsonValue, TypeAdapter
 from pydantic.json_schema import models_json_schema
 
+from tandem.executive.interface.entries import Entry, entries
 from tandem.executive.interface.field_docs import first_paragraph
-from tandem.executive.interface.pages import Entry, entries
 from tandem.executive.interface.schemas import with_envelope
 from tandem.skills.ports.keys import RGBD, Topic
 from tandem.skills.ports.message import Message

@@ -14,7 +14,7 @@ from typer.core import TyperCommand, TyperGroup
 from typer.main import get_command
 
 from tandem.executive.cli.main import build
-from tandem.executive.interface.pages import fill, tables
+from tandem.executive.cli.pages import fill, tables
 from tandem.trees.registry import discover
 
 ROOT = Path(__file__).parents[2]
@@ -64,7 +64,7 @@ def test_links_lead_somewhere(page: Path) -> None:
 @pytest.mark.parametrize("page", PAGES, ids=named)
 def test_tables_made_from_the_code_are_up_to_date(page: Path) -> None:
     text = page.read_text("utf-8")
-    assert fill(text) == text, f"run: python -m tandem.executive.interface.pages {named(page)}"
+    assert fill(text) == text, f"run: python -m tandem.executive.cli.pages {named(page)}"
 
 
 def test_the_readme_has_every_command_and_exit_code() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from tandem.executive.interface.pages import fill, marked, tables
+from tandem.executive.cli.pages import fill, marked, tables
 from tandem.executive.interface.schemas import CLIENT_MESSAGES, interface_schema, separate_schemas
 from tandem.skills.ports import keys, tasks, world
 from tandem.skills.ports.failure import FailureKind
@@ -17,7 +17,7 @@ PAGE = Path(__file__).parents[2] / "docs" / "interface.md"
 
 def test_the_page_is_up_to_date() -> None:
     page = PAGE.read_text(encoding="utf-8")
-    assert fill(page) == page, "run: python -m tandem.executive.interface.pages docs/interface.md"
+    assert fill(page) == page, "run: python -m tandem.executive.cli.pages docs/interface.md"
 
 
 def test_the_page_has_every_table() -> None:

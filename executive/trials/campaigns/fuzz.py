@@ -17,7 +17,7 @@ from hypothesis import HealthCheck, Phase, given, seed, settings
 from jsonschema import Draft202012Validator
 from pydantic import JsonValue
 
-from tandem.executive.interface.pages import entries
+from tandem.executive.interface.entries import entries
 from tandem.executive.interface.schemas import separate_schemas
 from tandem.executive.service.executive import Executive
 from tandem.executive.trials.campaigns.fuzz_all import AllCounts

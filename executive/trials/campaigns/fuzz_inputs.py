@@ -13,7 +13,7 @@ from typing import Final
 from hypothesis import strategies as st
 from pydantic import JsonValue, TypeAdapter
 
-from tandem.executive.interface.pages import entries
+from tandem.executive.interface.entries import entries
 from tandem.executive.interface.schemas import interface_schema
 from tandem.executive.trials.campaigns.from_schema import as_json, from_schema
 from tandem.skills.ports.keys import Service

@@ -13,7 +13,7 @@ from typing import Final
 from hypothesis import strategies as st
 from pydantic import JsonValue
 
-from tandem.executive.interface.pages import all_actions, all_entries
+from tandem.executive.interface.entries import all_actions, all_entries
 from tandem.executive.trials.campaigns.from_schema import as_json
 from tandem.executive.trials.campaigns.fuzz_inputs import ALMOST_JSON, ANY_JSON, Input, documents_of
 from tandem.skills.ports.action import goal_service

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.executive.interface.pages import all_entries
+from tandem.executive.interface.entries import all_entries
 from tandem.executive.security.rights import rights_of
 from tandem.executive.security.role import PARTS, ROLES
 from tandem.skills.ports.keys import Service, Topic

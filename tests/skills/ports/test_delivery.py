@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import zenoh
 
-from tandem.executive.interface.pages import entries
+from tandem.executive.interface.entries import entries
 from tandem.skills.ports.delivery import DELIVERY, Delivery, delivery_of
 from tandem.skills.ports.keys import Topic
 from tandem.skills.ports.match import matches

@@ -1,0 +1,76 @@
+"""Fills the generated tables of the documentation, out of the code.
+
+Run ``python -m tandem.executive.cli.pages docs/interface.md``. In a page the tables stand between
+``<!-- begin NAME -->`` and ``<!-- end NAME -->``; the prose around them is written by hand. A test compares
+the pages with the code.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Final
+
+from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
+from tandem.executive.cli.main import build
+from tandem.executive.interface.field_docs import first_paragraph
+from tandem.executive.interface.tables import interface_tables, table
+
+_MARKED: Final = re.compile(r"(<!-- begin (\w+) -->\n).*?(<!-- end \2 -->)", re.DOTALL)
+
+
+def tables() -> dict[str, str]:
+    """Return each table's Markdown by its name."""
+    return {**interface_tables(), "exit_codes": _exit_code_table(), "commands": _command_table()}
+
+
+def fill(page: str) -> str:
+    """Return the page with its tables made anew.
+
+    Raises:
+        KeyError: naming a marked table that there is none of.
+    """
+    made = tables()
+    return _MARKED.sub(lambda found: f"{found[1]}{made[found[2]]}\n{found[3]}", page)
+
+
+def marked(page: str) -> list[str]:
+    """Return the names of the tables that the page has."""
+    return [found[2] for found in _MARKED.finditer(page)]
+
+
+def _exit_code_table() -> str:
+    return table(("code", "meaning"), [(str(code.value), MEANINGS[code]) for code in ExitCode])
+
+
+def _command_table() -> str:
+    app = build(["request"])
+    rows = [_command_row("", each.name, each.callback, each.help) for each in app.registered_commands]
+    for group in app.registered_groups:
+        of = group.typer_instance
+        assert of is not None
+        rows += [
+            _command_row(f"{group.name} ", each.name, each.callback, each.help)
+            for each in of.registered_commands
+        ]
+    return table(("command", "what it does"), rows)
+
+
+def _command_row(
+    group: str, name: str | None, callback: Callable[..., object] | None, text: str | None
+) -> tuple[str, str]:
+    return (f"`tandem {group}{name}`", text or first_paragraph(callback))
+
+
+def main(argv: list[str]) -> int:
+    """Fill the pages named."""
+    for name in argv:
+        page = Path(name)
+        page.write_text(fill(page.read_text(encoding="utf-8")), encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
