@@ -1,4 +1,4 @@
-"""The object recorder: two-arm thesis, 4.2.1, Algorithm 1.
+"""The object recorder: two-arm thesis, 4.3, Algorithm 1.
 
     for all o in O: R.update(o) or R.push(o); O_f.push(o)
     for all r in R: if r not in O and r not in P: O_f.push(r)

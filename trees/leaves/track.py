@@ -1,4 +1,4 @@
-"""Tell where the items are from each picture, for as long as it is let run: two-arm thesis, 4.2."""
+"""Tell where the items are from each picture, for as long as it is let run: two-arm thesis, 4.3."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The hands' paths as SVG, written by hand: from above and in space (two-arm thesis, fig. 5.3 to 5.13)."""
+"""The hands' paths as SVG, written by hand: from above and in space.
+
+Two-arm thesis, fig. 5.3 to 5.8, 5.12 and 5.13.
+"""
 
 from __future__ import annotations
 

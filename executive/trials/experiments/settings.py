@@ -1,4 +1,4 @@
-"""What an experiment is asked for, and where its things may stand: two-arm thesis, 5.2."""
+"""What an experiment is asked for (two-arm thesis, 5.2), and where its things may stand."""
 
 from __future__ import annotations
 

@@ -55,4 +55,4 @@ OFFSETS: Final = MappingProxyType(
         "rrtconnect": ((0.10950, 0.12623), (0.10956, 0.12624)),
     }
 )
-"""Table 5.7: signed mean and deviation of the grasping offset (m), left and right."""
+"""Table 5.7: mean (signed, or it could not be so small) and deviation of the offset (m), left and right."""
