@@ -10,7 +10,6 @@ from typing import Final
 
 from benchmarks.processes import free_endpoint
 from benchmarks.rows import Row
-from tandem.executive.config.role_names import Role
 from tandem.executive.config.run_options import BusOptions, RunOptions
 from tandem.executive.system.systems import ProcessSystem, wait_for
 from tandem.skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
@@ -94,7 +93,7 @@ def rows() -> Iterator[Row]:
     options = RunOptions(bus=BusOptions(endpoint=free_endpoint()), scenario="Defaults")
     posture = "carry"
     with ProcessSystem(options) as system:
-        roles: tuple[Role, ...] = ("executive", "arm_left")
+        roles: tuple[str, ...] = ("executive", "arm_left")
         for role in roles:
             took = []
             for number in range(TIMES):
@@ -104,7 +103,7 @@ def rows() -> Iterator[Row]:
             yield Row(f"the arm stands after its {role} process hangs, worst", max(took), "s", 0.5, note=note)
 
 
-def _once(system: ProcessSystem, role: Role, goal_id: str, posture: str) -> float:
+def _once(system: ProcessSystem, role: str, goal_id: str, posture: str) -> float:
     moving = Moving(system, goal_id, posture)
     _until(system, moving.moves)
     process = system.pids()[role]

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Final
 
 from tandem.executive.config.process_settings import WorkerSettings
-from tandem.executive.config.role_names import Role
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 PREFIX: Final = "bench/mock"
@@ -28,7 +27,7 @@ def free_endpoint() -> str:
 
 
 @contextmanager
-def running(roles: Sequence[Role], data: Path | None = None) -> Iterator[tuple[str, dict[str, int]]]:
+def running(roles: Sequence[str], data: Path | None = None) -> Iterator[tuple[str, dict[str, int]]]:
     """Start a router and these roles; yields the router's endpoint, and the process ids by role.
 
     ``data``: folder of the executive's ledger; without it nothing is kept.

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tandem.executive.cli.errors import CommandError
-from tandem.executive.config.role_names import LogFormat
+from tandem.executive.config.log_format import LogFormat
 from tandem.executive.telemetry.logs import formatter
 
 

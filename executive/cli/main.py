@@ -35,7 +35,7 @@ from tandem.executive.cli.commands import doctor_command as doctor
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
 from tandem.executive.cli.logs import LogOptions
-from tandem.executive.config.role_names import LogFormat
+from tandem.executive.config.log_format import LogFormat
 from tandem.executive.system.isolation import isolate_children
 from tandem.executive.system.quiet_screen import Screen
 from tandem.skills.ports.sources import DocumentError

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import get_args
 
 from tandem.executive.cli.arguments import ENDPOINT, TLS
 from tandem.executive.cli.errors import CommandError
-from tandem.executive.config.role_names import ROLES, Role
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity, refuse_other_hosts, robot_in
@@ -61,16 +59,19 @@ def checked_endpoints(bus: BusOptions, listen: Sequence[str], *, insecure: bool)
     return tuple(listen)
 
 
-def checked_roles(only: str | None) -> tuple[Role, ...]:
+def checked_roles(only: str | None) -> tuple[str, ...]:
     """Return the roles named, in the order in which they are started; all when none is named.
 
     Raises:
         CommandError: naming those that there are.
     """
+    from tandem.executive.system.roles.registry import names  # noqa: PLC0415 - `tandem --help` is quick
+
     if only is None:
-        return ROLES
+        return names()
+    known = names(on_request=True)
     named = [each.strip() for each in only.split(",")]
-    unknown = [each for each in named if each not in get_args(Role)]
+    unknown = [each for each in named if each not in known]
     if unknown:
-        raise CommandError(f"--only: of {', '.join(ROLES)} some were expected; found {unknown[0]!r}")
-    return tuple(role for role in ROLES if role in named)
+        raise CommandError(f"--only: of {', '.join(known)} some were expected; found {unknown[0]!r}")
+    return tuple(role for role in known if role in named)

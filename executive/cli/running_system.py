@@ -14,12 +14,12 @@ from rich.console import Console
 
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.fault_file import check_faults
-from tandem.executive.config.role_names import ROLES
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.ledger.port import LedgerError, LedgerLockedError
 from tandem.executive.system import startup_notice as taking_up
 from tandem.executive.system.first_request import hint
 from tandem.executive.system.free_endpoint import EndpointError
+from tandem.executive.system.roles.registry import names as role_names
 from tandem.executive.system.systems import (
     LedgerFailure,
     LockstepSystem,
@@ -87,7 +87,7 @@ def _taken_up(options: RunOptions) -> tuple[str, ...]:
         RefusedError: when another process has the ledger.
         LedgerFailure: when it can't be read.
     """
-    if options.data is None or "executive" not in (options.only or ROLES):
+    if options.data is None or "executive" not in (options.only or role_names()):
         return ()
     try:
         return taking_up.lines(taking_up.open_tasks(options.data), options.on_restart)
@@ -150,7 +150,7 @@ def _system(
     def say(line: str) -> None:
         console.print(line, style="yellow", markup=False)
 
-    with ProcessSystem(options, roles=options.only or ROLES, say=say, first=first) as processes:
+    with ProcessSystem(options, roles=options.only or role_names(), say=say, first=first) as processes:
         yield processes
 
 

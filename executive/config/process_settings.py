@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated, Final
 
 from pydantic import Field
 
-from tandem.executive.config.role_names import LogFormat, Role
-from tandem.executive.ledger.on_restart import OnRestart
+from tandem.executive.config.log_format import LogFormat
+from tandem.executive.config.on_restart import OnRestart
 from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.message import Message
 from tandem.skills.wire.pulse import SILENT_AFTER
@@ -16,7 +17,11 @@ from tandem.skills.wire.pulse import SILENT_AFTER
 class WorkerSettings(Message):
     """What one process needs to know."""
 
-    role: Role
+    role: Annotated[str, Field(pattern="^[a-z][a-z0-9_]{0,63}$")]
+    played_by: Annotated[str, Field(pattern="^[a-z0-9_]{0,63}$")] = ""
+    """Entry point under ``tandem.roles`` that plays the role; empty: the file that ships with Tandem."""
+    arguments: Mapping[str, str] = {}
+    """What only the role's own code reads."""
     endpoint: str
     prefix: str
     site: str
@@ -42,10 +47,6 @@ class WorkerSettings(Message):
     """Counts them: each takes the place of the one before, which is known to be dead."""
     stop: StopState | None = None
     """The hardware's: the stop that was set when the one before it died; it begins with it."""
-    crash_at: str | None = None
-    """Kill this process at a point by its name (``executive.crash_points``); for the campaign of crashes."""
-    crash_log: str | None = None
-    """File to which each such point is written when it is first passed."""
     verbose: bool = False
     log_format: LogFormat = "text"
     metrics: str = ""

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from tandem.executive.config.role_names import LogFormat, Role
-from tandem.executive.ledger.on_restart import OnRestart
+from tandem.executive.config.log_format import LogFormat
+from tandem.executive.config.on_restart import OnRestart
 from tandem.skills.wire.pulse import SILENT_AFTER
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
@@ -78,7 +78,7 @@ class RunOptions:
     """Host seconds without a beat after which a process is said not to go on."""
     listen: tuple[str, ...] = ()
     """Endpoints at which the router listens besides that of ``bus``."""
-    only: tuple[Role, ...] = ()
+    only: tuple[str, ...] = ()
     """Roles that are started here; empty: all."""
     data: Path | None = None
     """Folder of the ledger and of what skills keep; None: one that ends with the run."""

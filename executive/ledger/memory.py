@@ -8,9 +8,9 @@ from dataclasses import replace
 from typing import Final
 
 from tandem.executive.ledger.port import Entry, Reading, SentGoal, Transition
+from tandem.executive.ledger.sender import asked_by
 from tandem.executive.ledger.stubs import stub_of
 from tandem.executive.ledger.task_memory import TaskMemory
-from tandem.executive.service.intake.request_parser import asked_by
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.tasks import AskHistory, History, TaskStatus
 

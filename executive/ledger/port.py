@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from tandem.executive.ledger.on_restart import OnRestart
+from tandem.executive.config.on_restart import OnRestart
 from tandem.executive.ledger.task_memory import TaskMemory
 from tandem.skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
 

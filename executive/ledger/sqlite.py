@@ -14,13 +14,13 @@ from functools import wraps
 from pathlib import Path
 from typing import Concatenate, Final, ParamSpec, TypeVar
 
+from tandem.executive.config.on_restart import OnRestart
 from tandem.executive.ledger.memory import PAST, split
-from tandem.executive.ledger.on_restart import OnRestart
 from tandem.executive.ledger.port import Entry, LedgerError, LedgerLockedError, Reading, SentGoal, Transition
 from tandem.executive.ledger.schema import MIGRATIONS
+from tandem.executive.ledger.sender import asked_by
 from tandem.executive.ledger.stubs import KEPT_IDS, stub_of
 from tandem.executive.ledger.task_memory import TaskMemory
-from tandem.executive.service.intake.request_parser import asked_by
 from tandem.skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
 
 FILE: Final = "ledger.sqlite"

@@ -12,6 +12,7 @@ from typing import Final, Literal
 
 from tandem.executive.security.holders import Holder
 from tandem.executive.security.rights import Rights, rights_of
+from tandem.executive.security.role import Part
 from tandem.skills.ports.delivery import KEPT
 from tandem.skills.ports.keys import TRAJECTORY
 from tandem.skills.ports.message import MAX_REQUEST_BYTES, Message
@@ -88,12 +89,13 @@ PUT_BY_CLIENTS: Final = ("task/request", "task/by/**")
 _DECLARATIONS: Final[tuple[Kind, ...]] = ("declare_subscriber", "declare_queryable")
 
 
-def access_control(holders: Iterable[Holder], prefix: str) -> AccessControl:
+def access_control(holders: Iterable[Holder], prefix: str, parts: Mapping[Part, Rights]) -> AccessControl:
     """Return the rules for all who have a key that holds.
 
     Args:
         holders: who has been given a key.
         prefix: ``<site>/<robot>`` of the robot.
+        parts: what each part of the robot may do that is a process.
     """
     valid = [holder for holder in holders if not holder.revoked]
     # That somebody listens or serves is told to all: without it a client's session drops what it puts.
@@ -101,7 +103,7 @@ def access_control(holders: Iterable[Holder], prefix: str) -> AccessControl:
     rules = [Rule(id="declarations", flows=("egress",), messages=_DECLARATIONS, key_exprs=("**",))]
     policies = []
     for holder in valid:
-        own = _rules(holder, prefix)
+        own = _rules(holder, prefix, parts)
         rules += own
         policies.append(
             Policy(rules=("declarations", *(rule.id for rule in own)), subjects=(holder.common_name,))
@@ -135,8 +137,8 @@ def low_pass_filter(prefix: str) -> tuple[dict[str, object], ...]:
     )
 
 
-def _rules(holder: Holder, prefix: str) -> list[Rule]:
-    rights: Rights = rights_of(holder.role, holder.part).of(holder.name)
+def _rules(holder: Holder, prefix: str, parts: Mapping[Part, Rights]) -> list[Rule]:
+    rights: Rights = rights_of(holder.role, holder.part, parts).of(holder.name)
     rules = []
     for verb, keys in rights.model_dump().items():
         for flow, kinds in MESSAGES[verb].items():

@@ -8,18 +8,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from tandem.executive.config.role_names import Role as ProcessRole
 from tandem.executive.security.holders import AUTHORITY, KeysError, role_in
 from tandem.executive.security.rights import Rights, rights_of
 from tandem.executive.security.role import PARTS, Part, Role
 from tandem.skills.wire.credentials import Credentials
 from tandem.skills.wire.endpoints import host_of
 
-_PARTS: Final[dict[ProcessRole, Part]] = {
-    "router": "router",
-    "hardware": "hardware",
-    "executive": "executive",
-}
 LOOKS_ON: Final[Part] = "supervisor"
 """The part whose certificate a command shows in a robot's name: it may look, and change nothing."""
 
@@ -53,10 +47,6 @@ class Identity:
     def part(self, part: Part) -> Credentials:
         """Return the files of a part of the robot, as ``client`` does."""
         return _files(self.folder, f"{self.name}.{part}")
-
-    def process(self, role: ProcessRole) -> Credentials:
-        """Return the files of a process: those of the part that it belongs to."""
-        return self.part(_PARTS.get(role, "skills"))
 
     def role(self) -> Role:
         """Return the role that the client's certificate tells."""

@@ -5,6 +5,7 @@ The file ships with the program. ``tandem.executive.security.acl`` makes zenoh's
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 from typing import Final
@@ -49,12 +50,17 @@ def _table() -> dict[str, Rights]:
     return TypeAdapter(dict[str, Rights]).validate_python(parse_document(text, "access.yaml")[0])
 
 
-def rights_of(role: Role, part: Part | None = None) -> Rights:
+def rights_of(role: Role, part: Part | None = None, parts: Mapping[Part, Rights] | None = None) -> Rights:
     """Return what a role may do; a robot's by its part.
+
+    Args:
+        role: what the key was made for.
+        part: of the robot.
+        parts: what the parts that are processes may do.
 
     Raises:
         KeyError: when the file has no such entry.
     """
     if role == "robot":
-        return _table()[f"robot.{part}"]
+        return parts[part] if parts and part is not None and part in parts else _table()[f"robot.{part}"]
     return _table()[_FOR_ALL_CLIENTS].also(_table()[role])

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
+from tandem.executive.config.on_restart import OnRestart
 from tandem.executive.ledger.memory import MemoryLedger
-from tandem.executive.ledger.on_restart import OnRestart
 from tandem.executive.ledger.port import Ledger, LedgerError
 from tandem.executive.service.heartbeat import Pulse
 from tandem.executive.service.intake.client_gateway import cancel_of_own

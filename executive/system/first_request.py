@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shlex
 
-from tandem.executive.config.role_names import ROLES
 from tandem.executive.config.run_options import (
     DEFAULT_ENDPOINT,
     DEFAULT_ROBOT,
@@ -13,6 +12,7 @@ from tandem.executive.config.run_options import (
     RunOptions,
 )
 from tandem.executive.security.holders import KeysError, read_holders
+from tandem.executive.system.roles.registry import names as role_names
 from tandem.sim.scenario import Scenario
 from tandem.skills.ports.site import Site
 
@@ -22,7 +22,7 @@ ASKERS = ("operator", "requester")
 
 def hint(options: RunOptions, scenario: Scenario, site: Site) -> str:
     """Return a command that works in another terminal, as one line of a shell."""
-    roles = options.only or ROLES
+    roles = options.only or role_names()
     words = _request(scenario, site) if {"hardware", "executive"} <= set(roles) else []
     wait = ["--wait"] if words else []
     return shlex.join(["tandem", *(words or ["tasks"]), *way_to(options.bus), *wait])

@@ -8,8 +8,10 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Sequence
 
-from tandem.executive.config.role_names import Role
-from tandem.executive.system.roles import SKILL_ROLES, Surroundings, executive_node, skill_nodes
+from tandem.executive.system.roles.executive import executive_node
+from tandem.executive.system.roles.registry import skill_roles
+from tandem.executive.system.roles.role import Role, Surroundings
+from tandem.executive.system.skill_process import nodes_of
 from tandem.sim.scenario import Scenario
 from tandem.sim.station import Station, StationSettings
 from tandem.skills.one_boot import OneBoot
@@ -71,8 +73,8 @@ class Lockstep:
         self.station = Station(MemoryBus(self.hub), site, scenario, how)
         self.period = self.station.model.description.period
         self.nodes: list[Node] = [self.station]
-        for role in SKILL_ROLES:
-            if role not in without:
+        for role in skill_roles(self.station.model.description):
+            if role.name not in without:
                 self.nodes.append(self._skills(role, seed, site))
         self.bus = MemoryBus(self.hub)
         """An end of the bus for whoever runs the system."""
@@ -90,11 +92,11 @@ class Lockstep:
                 seed=seed,
                 charge=True,
             )
-            return skill_nodes(role, at)
+            return nodes_of(role, at)
 
-        return OneBoot(role, self._end(role), self.clocks, build, self.station.model.description)
+        return OneBoot(role.name, self._end(role.name), self.clocks, build, self.station.model.description)
 
-    def _end(self, role: Role) -> Bus:
+    def _end(self, role: str) -> Bus:
         """Return an end of the bus for a role."""
         bus = MemoryBus(self.hub)
         if self._bus_faults is None:

@@ -20,8 +20,9 @@ from types import FrameType
 from typing import IO, Final, Self
 
 from tandem.executive.config.process_settings import REFUSED, UNKEPT, WAIT, WorkerSettings
-from tandem.executive.config.role_names import OBSERVER, ROLES
 from tandem.executive.system.isolation import isolated, python
+from tandem.executive.system.roles.registry import role_of
+from tandem.executive.system.roles.role import Kind
 from tandem.executive.telemetry.log_files import trim
 from tandem.skills.ports.hardware import StopState
 
@@ -31,10 +32,11 @@ FOLLOWERS_END_WITHIN: Final = 1.5
 """Seconds in which what a process had started ends by itself, once the process has."""
 LAST_WORDS: Final = 12
 """Lines of a dead process's log that are shown."""
-SKILL_ROLES: Final = tuple(role for role in ROLES if role not in {"router", "hardware", "executive"})
-RESTARTED: Final = (*SKILL_ROLES, "hardware", "executive", OBSERVER)
+RESTARTED: Final[frozenset[Kind]] = frozenset(("skills", "hardware", "executive", "observer"))
 """Those that are started again: what they do is taken up. Simulated hardware begins
 at its scenario's start."""
+ENDS: Final[tuple[Kind, ...]] = ("executive", "skills", "observer", "hardware", "router")
+"""The order in which they are told to end."""
 NO_USE: Final = (REFUSED, UNKEPT)
 """Exit codes that say that another start would end the same way."""
 RESTARTS: Final = 3
@@ -181,7 +183,7 @@ class Supervisor:
         bound = RESTARTS_OF_EXECUTIVE if role == "executive" else RESTARTS
         times = self._restarted.setdefault(role, deque(maxlen=bound))
         often = len(times) == bound and now - times[0] < RESTARTS_WITHIN
-        if role not in RESTARTED or often or child.process.returncode in NO_USE:
+        if role_of(child.settings).kind not in RESTARTED or often or child.process.returncode in NO_USE:
             return False
         times.append(now)
         self.children.remove(child)
@@ -189,7 +191,7 @@ class Supervisor:
         self._orphans[child.process.pid] = now + FOLLOWERS_END_WITHIN
         _tell_group(child.process.pid, signal.SIGTERM)
         died = Death(role, child.process.returncode, child.last_words()).describe()[-QUOTED:]
-        fresh: dict[str, object] = {"crash_at": None, "died": died, "stop": stop}
+        fresh: dict[str, object] = {"arguments": {}, "died": died, "stop": stop}
         self.start(child.settings.model_copy(update=fresh))
         return True
 
@@ -221,8 +223,8 @@ class Supervisor:
             _dismiss(spare)
         self._spares.clear()
         self._spare_at.clear()
-        for roles in (("executive",), SKILL_ROLES, (OBSERVER,), ("hardware", "mock"), ("router",)):
-            going = [child for child in self.children if child.role in roles]
+        for kind in ENDS:
+            going = [child for child in self.children if role_of(child.settings).kind == kind]
             for child in going:
                 if child.process.poll() is None:
                     child.process.terminate()

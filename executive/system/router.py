@@ -14,6 +14,7 @@ from typing import Final
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
 from tandem.executive.security.acl import access_control, low_pass_filter
 from tandem.executive.security.holders import LIST, KeysError, read_holders
+from tandem.executive.system.roles.registry import rights_of_parts
 from tandem.skills.wire.configs import router_config
 from tandem.skills.wire.credentials import Credentials
 from tandem.skills.wire.linger import close_at_once
@@ -87,7 +88,7 @@ class Router:
         if self._list is None:
             return None
         holders = read_holders(self._list.parent).holders
-        return access_control(holders, self._settings.prefix).model_dump_json()
+        return access_control(holders, self._settings.prefix, rights_of_parts()).model_dump_json()
 
     def _version(self) -> tuple[int, int]:
         """Return what changes with the list: who replaces a file gives it another inode."""

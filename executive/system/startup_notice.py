@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final, Literal
 
-from tandem.executive.ledger.on_restart import OnRestart
+from tandem.executive.config.on_restart import OnRestart
 from tandem.executive.ledger.port import Entry
 from tandem.executive.ledger.sqlite import FILE, SqliteLedger
 from tandem.skills.ports.tasks import TaskState

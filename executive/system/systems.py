@@ -11,12 +11,13 @@ from pathlib import Path
 from typing import Final, Protocol, Self
 
 from tandem.executive.config.process_settings import REFUSED, UNKEPT, WorkerSettings
-from tandem.executive.config.role_names import OBSERVER, ROLES, Role
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.security.identity import Identity
 from tandem.executive.system.free_endpoint import TakenError, require_vacant
 from tandem.executive.system.hung_processes import HUNG_AFTER, Hung
 from tandem.executive.system.processes import RESTARTED, Death, Supervisor
+from tandem.executive.system.roles.observer import NAME as OBSERVER
+from tandem.executive.system.roles.registry import names
 from tandem.executive.telemetry.log_files import UserLog
 from tandem.executive.telemetry.relay import LogRelay
 from tandem.sim.chatter import unheard
@@ -135,13 +136,13 @@ class ProcessSystem:
         self,
         options: RunOptions,
         *,
-        roles: tuple[Role, ...] = ROLES,
+        roles: tuple[str, ...] | None = None,
         say: Callable[[str], None] = lambda _: None,
         hung_after: float = HUNG_AFTER,
         first: Sequence[str] = (),
     ) -> None:
-        observed: tuple[Role, ...] = (OBSERVER,) if options.metrics or options.traces else ()
-        self._options, self._roles, self._say = options, roles + observed, say
+        observed = (OBSERVER,) if options.metrics or options.traces else ()
+        self._options, self._roles, self._say = options, (names() if roles is None else roles) + observed, say
         self._first = tuple(first)
         self._ready = False
         self._hung = Hung(time.monotonic, hung_after)
@@ -286,7 +287,7 @@ class ProcessSystem:
             if time.monotonic() > deadline:
                 raise SystemFailure(f"{otherwise} within {READY_WITHIN:.0f} s")
 
-    def _settings(self, role: Role) -> WorkerSettings:
+    def _settings(self, role: str) -> WorkerSettings:
         options = self._options
         data = options.data or Path(self._folder.name)
         return WorkerSettings(

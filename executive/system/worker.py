@@ -16,7 +16,7 @@ from typing import Final
 
 from tandem.executive.config.process_settings import REFUSED, UNKEPT, WAIT, RefusalError, WorkerSettings
 from tandem.executive.ledger.port import LedgerError, LedgerLockedError
-from tandem.executive.system import roles
+from tandem.executive.system import playing
 from tandem.executive.system.quiet_screen import end_unheard
 from tandem.executive.telemetry.logs import formatter
 
@@ -48,7 +48,7 @@ def main(argv: list[str]) -> int:
     """Play the role; return the process's exit code."""
     if argv[0] == WAIT:
         # A spare: what the role needs is loaded before it is needed. The end of the pipe is its parent's end.
-        roles.load_ahead(argv[1])
+        playing.load_ahead(argv[1])
         argv = [sys.stdin.readline()]
         if not argv[0]:
             return 0
@@ -62,7 +62,7 @@ def main(argv: list[str]) -> int:
     ending = Ending() if settings.parent is None else Ending(parent=settings.parent)
     ending.listen()
     try:
-        roles.play(settings, ending)
+        playing.play(settings, ending)
     except (RefusalError, LedgerLockedError) as refusal:
         logging.getLogger(__name__).error("%s", refusal)  # noqa: TRY400 - no fault of the program
         return REFUSED

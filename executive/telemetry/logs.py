@@ -10,7 +10,7 @@ import logging
 from datetime import UTC, datetime
 from typing import Final
 
-from tandem.executive.config.role_names import LogFormat
+from tandem.executive.config.log_format import LogFormat
 
 _OWN: Final = frozenset(
     (*vars(logging.LogRecord("", 0, "", 0, "", (), None)), "message", "asctime", "taskName")

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from tandem.executive.config.role_names import LogFormat
+from tandem.executive.config.log_format import LogFormat
 from tandem.executive.telemetry.logs import JsonLines
 
 

@@ -15,7 +15,6 @@ from pathlib import Path
 import yaml
 
 from tandem.executive.config.process_settings import WorkerSettings
-from tandem.executive.config.role_names import Role
 from tandem.executive.config.run_options import BusOptions, RunOptions
 from tandem.executive.system.processes import Supervisor
 from tandem.executive.system.systems import ProcessSystem, wait_for
@@ -99,7 +98,7 @@ def kill(process: int) -> None:
     os.kill(process, signal.SIGKILL)
 
 
-def play(role: Role, options: RunOptions, folder: Path) -> tuple[int, str]:
+def play(role: str, options: RunOptions, folder: Path) -> tuple[int, str]:
     """Start one more process of a role; return its exit code and its last words."""
     settings = WorkerSettings(
         role=role,

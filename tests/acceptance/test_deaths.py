@@ -11,10 +11,10 @@ from pathlib import Path
 import pytest
 
 from tandem.executive.cli.exit_codes import ExitCode
-from tandem.executive.config.role_names import ROLES, Role
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.ledger.sqlite import FILE, SqliteLedger
 from tandem.executive.system.processes import RESTARTS
+from tandem.executive.system.roles.registry import names as role_names
 from tandem.executive.system.systems import (
     LedgerFailure,
     ProcessSystem,
@@ -58,7 +58,7 @@ BEFORE_THE_TABLE = FloorPose(x=-0.55, y=0.50, yaw=0.0)
 
 
 def test_a_process_that_nobody_can_do_without_is_named_and_the_rest_ends() -> None:
-    role: Role = "router"
+    role: str = "router"
     ends = {}
 
     def one_dies() -> None:
@@ -71,7 +71,7 @@ def test_a_process_that_nobody_can_do_without_is_named_and_the_rest_ends() -> No
         one_dies()
     assert str(caught.value).startswith(f"the {role} process ended (signal 9)")
     codes = {name: end.returncode for name, end in ends.items()}
-    assert codes == {name: -9 if name == role else 0 for name in ROLES}
+    assert codes == {name: -9 if name == role else 0 for name in role_names()}
     assert left_behind(end.pid for end in ends.values()) == ()
 
 
@@ -134,7 +134,7 @@ def test_a_ledger_has_one_owner(tmp_path: Path) -> None:
     ledger.close()
 
 
-KILLS: dict[str, tuple[tuple[Role, str, int], ...]] = {
+KILLS: dict[str, tuple[tuple[str, str, int], ...]] = {
     "left": (
         ("perception", LOOK.name, 2),
         ("base", DRIVE.name, 1),
@@ -209,7 +209,7 @@ def test_ctrl_c_ends_all(tmp_path: Path, when: str) -> None:
             started = children(up.pid)
             time.sleep(0.02)
         started = children(up.pid)
-        assert len(started) >= (len(ROLES) if when == "ready" else 3), said.read_text()
+        assert len(started) >= (len(role_names()) if when == "ready" else 3), said.read_text()
         up.send_signal(signal.SIGINT)
         assert up.wait(30.0) == ExitCode.INTERRUPTED, said.read_text()
         assert "stopped" in said.read_text()

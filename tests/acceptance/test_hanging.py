@@ -9,7 +9,6 @@ from collections.abc import Iterator
 import pytest
 
 from benchmarks.hanging import Moving, stands
-from tandem.executive.config.role_names import Role
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.system.systems import ProcessSystem
 from tandem.skills.ports.action import GoalState
@@ -25,7 +24,7 @@ def live() -> Iterator[ProcessSystem]:
 
 
 @pytest.mark.parametrize("role", ["executive", "arm_left"])
-def test_the_arm_stands_while_it_hangs_and_gets_there_afterwards(live: ProcessSystem, role: Role) -> None:
+def test_the_arm_stands_while_it_hangs_and_gets_there_afterwards(live: ProcessSystem, role: str) -> None:
     moving = Moving(live, f"{role}/hangs/1", "carry")
     go_on(live, moving.moves, within=30.0, seen=lambda: (moving.status(), moving.joints.refresh()))
     process = live.pids()[role]

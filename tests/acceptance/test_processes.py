@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 
 from tandem.executive.cli.exit_codes import ExitCode
-from tandem.executive.config.role_names import Role
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.system.systems import ProcessSystem
 from tandem.executive.trials.demo import Caller
@@ -107,7 +106,7 @@ def test_a_fetch_asked_for_by_a_plain_put_goes_on_whatever_else_is_asked(live: P
 
 
 @pytest.mark.parametrize("role", ["hardware", "executive"])
-def test_a_second_one_for_the_same_robot_refuses(live: ProcessSystem, tmp_path: Path, role: Role) -> None:
+def test_a_second_one_for_the_same_robot_refuses(live: ProcessSystem, tmp_path: Path, role: str) -> None:
     code, words = play(role, live._options, tmp_path)
     assert code == ExitCode.REFUSED, words
     assert f"{role}: process " in words

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.executive.ledger.on_restart import OnRestart
+from tandem.executive.config.on_restart import OnRestart
 from tandem.executive.ledger.port import Entry
 from tandem.executive.system.startup_notice import MOVES, lines
 from tandem.skills.ports.tasks import TaskState, TaskStatus

@@ -11,6 +11,7 @@ import typer
 from tandem.executive.cli.arguments import OwnEndpoint, OwnRobot, OwnSite, bus_options, connects
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.logs import LogOptions
+from tandem.executive.config.on_restart import OnRestart as Restart
 from tandem.executive.config.run_options import (
     DEFAULT_ENDPOINT,
     DEFAULT_ROBOT,
@@ -19,7 +20,6 @@ from tandem.executive.config.run_options import (
     RunOptions,
     default_data,
 )
-from tandem.executive.ledger.on_restart import OnRestart as Restart
 from tandem.skills.wire.pulse import SILENT_AFTER
 
 Scenario = Annotated[

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 
 from pydantic import JsonValue
 
-from tandem.executive.service.intake.request_parser import ANYBODY, BY_FIELD, asked_by
+from tandem.executive.ledger.sender import ANYBODY, BY_FIELD, asked_by
 from tandem.skills.ports.documents import show
 from tandem.skills.ports.endpoint import Call, Endpoint, endpoint
 from tandem.skills.ports.tasks import TASK_CANCEL, CancelTask, ControlAnswer, Problem, TaskStatus, by_client

@@ -10,6 +10,7 @@ from typing import Final
 
 from pydantic import JsonValue, ValidationError
 
+from tandem.executive.ledger.sender import BY_FIELD
 from tandem.executive.service.intake.envelope import FIELDS, Envelope
 from tandem.skills.ports.documents import parse, problems_of, show
 from tandem.skills.ports.message import PLAIN_TEXT, Message
@@ -21,10 +22,6 @@ KIND_FIELD: Final = "task"
 """Names the kind of task."""
 ID_FIELD: Final = "id"
 """The client's own name for its request: repeated in the answer."""
-BY_FIELD: Final = "by"
-"""Who asked, by the key of the request; put there by ``tandem.executive.service.intake.client_gateway``."""
-ANYBODY: Final = ""
-"""Who came by a key without a name."""
 MAX_ID: Final = 64
 PLAIN: Final = re.compile(PLAIN_TEXT)
 """Ids stand in logs, in files and on screens."""
@@ -48,11 +45,6 @@ class Refused:
 
     problems: tuple[Problem, ...]
     client_id: str = ""
-
-
-def asked_by(document: Mapping[str, JsonValue]) -> str:
-    """Return who asked, out of a document with the sender's name."""
-    return str(document.get(BY_FIELD, ANYBODY))
 
 
 def read_request(payload: bytes, kinds: Mapping[str, TaskType[Message]], site: Site) -> Asked | Refused:

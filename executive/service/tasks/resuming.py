@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Final, Literal
 
-from tandem.executive.ledger.on_restart import OnRestart
+from tandem.executive.config.on_restart import OnRestart
 from tandem.executive.ledger.port import Entry, Ledger
 from tandem.executive.ledger.task_memory import TaskMemory
 from tandem.executive.service.intake.request_parser import Asked, Refused

@@ -10,9 +10,10 @@ from dataclasses import replace
 from typing import Final
 
 from tandem.executive.ledger.port import Entry, Ledger, LedgerError
+from tandem.executive.ledger.sender import asked_by
 from tandem.executive.ledger.stubs import same_request
 from tandem.executive.ledger.task_memory import TaskMemory
-from tandem.executive.service.intake.request_parser import Asked, asked_by
+from tandem.executive.service.intake.request_parser import Asked
 from tandem.executive.service.tasks.task_queue import TaskQueue, Waiting
 from tandem.executive.service.tasks.task_states import FIRST, check
 from tandem.executive.service.tasks.wall_clock import WallClock, date

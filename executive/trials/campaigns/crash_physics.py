@@ -15,7 +15,6 @@ from typing import Final, Literal
 
 from pydantic import JsonValue
 
-from tandem.executive.config.role_names import Role
 from tandem.executive.config.run_options import BusOptions, RunOptions
 from tandem.executive.system.systems import ProcessSystem, SystemFailure
 from tandem.executive.trials.campaigns.crash_world import Deed, wrong_deeds
@@ -56,7 +55,7 @@ class Moment:
     kind: Kind
     phase: str
     leaf: str
-    skill: Role
+    skill: str
 
 
 MOMENTS: Final = (
@@ -71,7 +70,7 @@ MOMENTS: Final = (
     Moment("pick_two", "lift", "right arm: lift", "arm_right"),
     Moment("pick_two", "to safety", "right arm: to safety", "arm_right"),
 )
-OTHERS: Final[tuple[Role, ...]] = ("keeper", "bimanual", "perception")
+OTHERS: Final[tuple[str, ...]] = ("keeper", "bimanual", "perception")
 
 
 class PhysicsRun(Message):
@@ -81,7 +80,7 @@ class PhysicsRun(Message):
     kind: Kind
     phase: str
     leaf: str
-    victim: Role
+    victim: str
     after: float
     """Robot seconds after the leaf's begin."""
     killed_at: float | None
@@ -115,7 +114,7 @@ def physics_runs(
         moment = MOMENTS[run % len(MOMENTS)]
         draw = random.Random(f"{seed}/{run}")  # noqa: S311 - no secret
         rounds = run // len(MOMENTS)
-        victim: Role = "executive" if rounds == 0 else moment.skill if rounds == 1 else draw.choice(OTHERS)
+        victim: str = "executive" if rounds == 0 else moment.skill if rounds == 1 else draw.choice(OTHERS)
         options = RunOptions(
             bus=BusOptions(endpoint=endpoint, site="crash"),
             scenario=SCENARIOS[moment.kind],
@@ -126,7 +125,7 @@ def physics_runs(
         yield _one_run(options, run, moment, victim, round(draw.uniform(*DELAY), 3))
 
 
-def _one_run(options: RunOptions, run: int, moment: Moment, victim: Role, after: float) -> PhysicsRun:
+def _one_run(options: RunOptions, run: int, moment: Moment, victim: str, after: float) -> PhysicsRun:
     with ProcessSystem(options) as system:
         killer = Killer(system, moment, victim, after)
         caller = Caller(system, _quiet, also=killer)
@@ -194,7 +193,7 @@ class Killer:
 
     system: ProcessSystem
     moment: Moment
-    victim: Role
+    victim: str
     after: float
     killed_at: float | None = None
     deeds: list[Deed] = field(default_factory=list)

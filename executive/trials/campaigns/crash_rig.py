@@ -15,6 +15,7 @@ from pydantic import JsonValue
 from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.system.processes import Supervisor
 from tandem.executive.trials.campaigns.crash_world import RESET, AskReset
+from tandem.executive.trials.campaigns.mock_roles import CRASH_AT, CRASH_LOG, CRASHING
 from tandem.skills.ports.keys import Service
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import REQUEST, TASK_HISTORY, AskHistory, TaskAnswer, TaskStatus
@@ -86,7 +87,10 @@ class CrashRig:
             update: dict[str, object] = {"role": role}
             if role == "executive":
                 self.crash_at = self.crash_at if crash_at is None else crash_at
-                update |= {"crash_at": crash_at, "crash_log": None if crash_log is None else str(crash_log)}
+                if crash_at is not None or crash_log is not None:
+                    told = {CRASH_AT: crash_at, CRASH_LOG: None if crash_log is None else str(crash_log)}
+                    arguments = {name: value for name, value in told.items() if value is not None}
+                    update |= {"played_by": CRASHING, "arguments": arguments}
             self._supervisor.start(self._plain.model_copy(update=update))
             if role == "router":
                 self._leave()

@@ -16,7 +16,6 @@ from typing import Final
 
 from pydantic import JsonValue
 
-from tandem.executive.config.role_names import Role
 from tandem.executive.config.run_options import BusOptions, RunOptions
 from tandem.executive.system.systems import ProcessSystem, SystemFailure, wait_for
 from tandem.executive.trials.campaigns.crash_world import ITEM, RESET, AskReset
@@ -25,7 +24,7 @@ from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, CancelTask, TaskAnswer
 
 ROBOT: Final = "soak"
-ROLES: Final[tuple[Role, ...]] = ("router", "mock", "executive")
+ROLES: Final[tuple[str, ...]] = ("router", "mock", "executive")
 SUPERVISOR: Final = "supervisor"
 WARM_UP: Final = 200
 """Tasks after which memory is no longer expected to grow: caches, inboxes and arenas are full then."""

@@ -1,0 +1,85 @@
+"""How a process plays its role: it settles that it is the only one, then does what the role's file says."""
+
+from __future__ import annotations
+
+import os
+import re
+import socket
+import uuid
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tandem.executive.config.process_settings import RefusalError, WorkerSettings
+from tandem.executive.system.roles.registry import part_of, role_of, shipped
+from tandem.executive.system.roles.role import Role, Stage
+from tandem.skills.ports.lease import Claim
+
+if TYPE_CHECKING:
+    from tandem.skills.wire.credentials import Credentials
+
+
+def load_ahead(name: str) -> None:
+    """Load what playing a role will need, so that its start takes no time for it later."""
+    role = shipped().get(name)
+    if role is not None and role.ahead is not None:
+        role.ahead()
+
+
+def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
+    """Play a role until ``stopped`` says so.
+
+    Raises:
+        RefusalError: there is no such role, another process plays it already, or the hardware does not
+            tell who it is.
+    """
+    try:
+        role = role_of(settings)
+    except LookupError as error:
+        raise RefusalError(str(error.args[0])) from error
+    if role.route is not None:
+        role.route(settings, stopped)
+        return
+    from tandem.skills.wire.presence import Presence, RivalError  # noqa: PLC0415
+    from tandem.skills.wire.zenoh_bus import ZenohBus  # noqa: PLC0415
+
+    bus = ZenohBus(
+        settings.endpoint,
+        settings.prefix,
+        credentials=credentials_of(settings, role),
+        silent_after=settings.silent_after,
+    )
+    try:
+        # Settled long before ``process/...`` says that the role is ready to be played.
+        presence = Presence(bus, settings.role, claim_of(settings))
+        presence.settle(stopped)
+        stage = Stage(settings, bus, presence, stopped)
+        if role.play is not None:
+            role.play(stage)
+        else:
+            from tandem.executive.system.skill_process import play_skills  # noqa: PLC0415
+
+            play_skills(stage, role)
+    except RivalError as rival:
+        raise RefusalError(
+            f"{rival}, for {settings.prefix} at {settings.endpoint}; end it first, or give this robot keys "
+            f"of its own with --robot"
+        ) from rival
+    finally:
+        bus.close()
+
+
+def claim_of(settings: WorkerSettings) -> Claim:
+    """Return what this process claims its role with."""
+    host = re.sub(r"[^0-9A-Za-z_-]", "-", socket.gethostname())[:64] or "host"
+    lineage = settings.lineage or uuid.uuid4().hex[:12]
+    return Claim(lineage, settings.generation, os.getpid(), host)
+
+
+def credentials_of(settings: WorkerSettings, role: Role) -> Credentials | None:
+    """Return the certificate and key that a process shows; None where no keys are used."""
+    if settings.keys is None:
+        return None
+    from tandem.executive.security.identity import Identity  # noqa: PLC0415
+
+    return Identity(Path(settings.keys), settings.holder).part(part_of(role))

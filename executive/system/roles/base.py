@@ -1,0 +1,25 @@
+"""The base: localisation, driving, and the guard that brakes before an obstacle."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from tandem.executive.system.roles.role import Role, Surroundings, skill_rights
+from tandem.skills.ports.node import Node
+
+
+def _nodes(at: Surroundings) -> Sequence[Node]:
+    from tandem.skills.base.process import build  # noqa: PLC0415
+
+    return build(at.bus, at.clocks, at.description, at.site, charge=at.charge)
+
+
+ROLES = (
+    Role(
+        name="base",
+        starts=40,
+        kind="skills",
+        nodes=_nodes,
+        rights=skill_rights(tells=("world/**", "hw/base/velocity")),
+    ),
+)

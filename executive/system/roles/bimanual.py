@@ -1,0 +1,48 @@
+"""What needs both arms at once: the reflex against crossing arms, coordination, two hands on one thing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from tandem.executive.system.roles.role import Role, Surroundings, skill_rights
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.node import Node
+
+
+def _nodes(at: Surroundings) -> Sequence[Node]:
+    from tandem.skills.bimanual.process import nodes  # noqa: PLC0415
+    from tandem.skills.kinematics.described import load_hulls  # noqa: PLC0415
+    from tandem.skills.reflex.process import nodes as reflexes  # noqa: PLC0415
+
+    hulls = load_hulls(at.description, at.seed)
+    return [
+        *reflexes(at.bus, at.description, at.site, hulls),
+        *nodes(
+            at.bus,
+            at.clocks,
+            at.description,
+            site=at.site,
+            compute=at.compute,
+            hulls=hulls,
+            charge=at.charge,
+        ),
+    ]
+
+
+def _needed(description: RobotDescription) -> bool:
+    return len(description.end_effectors) > 1
+
+
+ROLES = (
+    Role(
+        name="bimanual",
+        starts=50,
+        kind="skills",
+        needed=_needed,
+        nodes=_nodes,
+        rights=skill_rights(
+            tells=("hw/group/*/setpoint",),
+            asks=("hw/group/*/goal", "hw/group/*/cancel", "hw/gripper/*/command"),
+        ),
+    ),
+)

@@ -1,0 +1,25 @@
+"""Perception: the head camera's pictures, tags and clutter. It turns the head."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from tandem.executive.system.roles.role import Role, Surroundings, skill_rights
+from tandem.skills.ports.node import Node
+
+
+def _nodes(at: Surroundings) -> Sequence[Node]:
+    from tandem.skills.perception.process import nodes  # noqa: PLC0415
+
+    return nodes(at.bus, at.clocks, at.description, at.site, at.compute, charge=at.charge)
+
+
+ROLES = (
+    Role(
+        name="perception",
+        starts=30,
+        kind="skills",
+        nodes=_nodes,
+        rights=skill_rights(tells=("world/**",), asks=("hw/group/*/goal", "hw/group/*/cancel")),
+    ),
+)

@@ -1,0 +1,109 @@
+"""What a role's file declares: its name, when it is needed, how it is played, what it may do on the bus.
+
+A role's own libraries are imported when it is played, inside its functions: the executive's process loads no
+numpy, the base's no camera library.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Final, Literal
+
+from tandem.executive.config.process_settings import WorkerSettings
+from tandem.executive.security.rights import Rights
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.node import Node
+from tandem.skills.ports.site import Site
+
+if TYPE_CHECKING:
+    from tandem.skills.wire.presence import Presence
+    from tandem.skills.wire.zenoh_bus import ZenohBus
+
+Kind = Literal["router", "hardware", "skills", "executive", "observer"]
+"""Whose certificate a role shows, where keys are used; an observer shows that of the skills."""
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """What the nodes of a skills role are made with."""
+
+    bus: Bus
+    clocks: Clocks
+    description: RobotDescription
+    site: Site
+    compute: Compute
+    seed: int
+    charge: bool = False
+    """Whether computations cost their declared robot time (lockstep)."""
+    journal: Path | None = None
+
+
+@dataclass(frozen=True)
+class Stage:
+    """What a role that plays itself is given.
+
+    Args:
+        settings: of the process.
+        bus: its end of the bus; a router has none.
+        presence: its claim, which is settled.
+        stopped: says when to end.
+    """
+
+    settings: WorkerSettings
+    bus: ZenohBus
+    presence: Presence
+    stopped: Callable[[], bool]
+
+
+def always(description: RobotDescription) -> bool:  # noqa: ARG001 - as the others are called
+    """Say that every robot needs it."""
+    return True
+
+
+@dataclass(frozen=True)
+class Role:
+    """A role. Exactly one of ``nodes``, ``play`` and ``route`` says how it is played."""
+
+    name: str
+    starts: int
+    """Roles are started, and stepped in lockstep, in the order of these numbers."""
+    kind: Kind
+    rights: Rights = field(default_factory=Rights)
+    """What it may do on the bus; roles of one kind share a certificate, which allows what any of them may."""
+    needed: Callable[[RobotDescription], bool] = always
+    """Whether a robot of this description has use for it."""
+    nodes: Callable[[Surroundings], Sequence[Node]] | None = None
+    """Skills: makes the nodes of one boot, in the order in which they are stepped."""
+    play: Callable[[Stage], None] | None = None
+    """Plays the role until it is told to end."""
+    route: Callable[[WorkerSettings, Callable[[], bool]], None] | None = None
+    """The router's: it plays before there is a bus."""
+    on_request: bool = False
+    """Whether it is started only when somebody asks for it."""
+    ahead: Callable[[], None] | None = None
+    """Loads what playing the role will need, in a process that waits to take the place of a dead one."""
+
+
+_EVERY_PROCESS: Final = Rights(announces=("alive/**", "claim/**"), sees=("alive/**", "claim/**"))
+_EVERY_SKILL: Final = Rights(
+    tells=("skill/**", "sim/follow", "beat", "refused"),
+    hears=("hw/**", "world/**", "skill/**", "beat", "refused"),
+    asks=("hw/description", "hw/lease", "hw/stop"),  # no skill calls another
+    serves=("skill/**",),
+).also(_EVERY_PROCESS)
+
+
+def process_rights(rights: Rights) -> Rights:
+    """Return what a process may do besides announcing itself."""
+    return rights.also(_EVERY_PROCESS)
+
+
+def skill_rights(*, tells: tuple[str, ...] = (), asks: tuple[str, ...] = ()) -> Rights:
+    """Return what a process of skills may do besides what all of them may."""
+    believes = tuple(key for key in tells if key.startswith("world/"))
+    return _EVERY_SKILL.also(Rights(tells=tells, asks=asks, serves=believes))

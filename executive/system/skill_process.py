@@ -1,0 +1,89 @@
+"""A process of skills: its nodes live for one boot of the hardware, and its goals are journalled."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Final
+
+from tandem.executive.config.process_settings import RefusalError, WorkerSettings
+from tandem.executive.system.leased_loop import run_leased
+from tandem.executive.system.roles.role import Role, Stage, Surroundings
+from tandem.skills.goal_journal import GoalJournal
+from tandem.skills.one_boot import OneBoot
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.keys import DESCRIPTION, Nothing
+from tandem.skills.ports.node import Node
+from tandem.skills.server import ActionServer
+from tandem.skills.site import load
+from tandem.skills.wire.workers import ProcessCompute
+from tandem.skills.wire.zenoh_bus import ZenohBus, wait_until
+
+DESCRIPTION_WITHIN: Final = 30.0
+"""Host seconds in which the hardware must have told who it is."""
+
+
+def nodes_of(role: Role, at: Surroundings) -> Sequence[Node]:
+    """Return the nodes of a skills role for one boot, in the order in which they are stepped."""
+    assert role.nodes is not None, f"{role.name} is no role of skills"
+    at.bus.ear.know(at.description)
+    return role.nodes(at)
+
+
+def play_skills(stage: Stage, role: Role) -> None:
+    """Play a role of skills until the process is told to end.
+
+    Raises:
+        RefusalError: the hardware does not tell who it is.
+        RivalError: another process has the lease.
+    """
+    settings, site = stage.settings, load(stage.settings.site)
+    if settings.data is not None:
+        Path(settings.data).mkdir(parents=True, exist_ok=True)
+    compute = ProcessCompute(stage.bus.waker.wake)
+    try:
+        description = _ask_description(stage.bus, stage.stopped)
+
+        def skills(bus: Bus, clocks: Clocks) -> Node:
+            def build(bus: Bus, description: RobotDescription) -> Sequence[Node]:
+                at = Surroundings(
+                    bus=bus,
+                    clocks=clocks,
+                    description=description,
+                    site=site,
+                    compute=compute,
+                    seed=settings.seed,
+                    journal=None if settings.journal is None else Path(settings.journal),
+                )
+                nodes = nodes_of(role, at) if role.needed(description) else ()
+                _keep_goals(settings, nodes)
+                return nodes
+
+            return OneBoot(settings.role, bus, clocks, build, description)
+
+        run_leased(stage, skills)
+    finally:
+        compute.close()
+
+
+def _keep_goals(settings: WorkerSettings, nodes: Sequence[Node]) -> None:
+    """Have the action servers of a process journal the goals that they accept."""
+    if settings.data is None:
+        return
+    journal = GoalJournal(Path(settings.data) / f"{settings.role}.goals")
+    for node in nodes:
+        if isinstance(node, ActionServer):
+            node.keep(journal)
+
+
+def _ask_description(bus: ZenohBus, stopped: Callable[[], bool]) -> RobotDescription:
+    deadline = time.monotonic() + DESCRIPTION_WITHIN
+    while not stopped() and time.monotonic() < deadline:
+        answer = wait_until(bus, DESCRIPTION.query(bus, Nothing()), 2.0)
+        if answer is not None:
+            return DESCRIPTION.decode_answer(answer)
+        bus.waker.wait(0.05)
+    raise RefusalError(f"no robot told its description on hw/description within {DESCRIPTION_WITHIN:.0f} s")
