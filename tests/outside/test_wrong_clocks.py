@@ -3,7 +3,7 @@
 A user saw: one start with the clock a year ahead forgot all history, and the same client id ran a second
 time; a jump of an hour that lasted one second expired a task that had half an hour left; a clock that was set
 back repeated a task id. That a task which has begun does not expire needs a moment that can't be hit from
-outside (``tests/executive/test_queue.py`` has it).
+outside (``tests/executive/service/tasks/test_task_queue.py`` has it).
 """
 
 from __future__ import annotations

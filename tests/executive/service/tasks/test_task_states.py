@@ -17,7 +17,7 @@ from tandem.skills.ports.tasks import TaskState
 from tandem.skills.wire.clocks import SteppedClocks
 from tests.executive.surroundings import WAIT, WaitRequest
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[4]
 
 
 def book() -> TaskBook:

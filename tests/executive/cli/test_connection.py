@@ -16,7 +16,7 @@ from typer.main import get_command
 
 from tandem.executive.cli.main import build, main
 
-CLI: Final = Path(__file__).parents[2] / "executive" / "cli"
+CLI: Final = Path(__file__).parents[3] / "executive" / "cli"
 SHARED: Final = {
     "--connect": "TANDEM_CONNECT",
     "--site-key": "TANDEM_SITE",

@@ -16,7 +16,7 @@ import pytest
 from tandem.executive.cli.main import main
 
 pytestmark = pytest.mark.processes
-HERE = Path(__file__).parent
+HERE = Path(__file__).parents[1]
 ROOT = HERE.parents[1]
 Start = Callable[[str, str], list[str]]
 

@@ -42,7 +42,7 @@ def test_it_is_written_as_it_must_be_to_survive_a_power_cut(tmp_path: Path) -> N
 def test_what_was_not_committed_is_gone_with_the_process(tmp_path: Path) -> None:
     code = f"""
 import os, sys
-sys.path.insert(0, {str(Path(__file__).parent)!r})
+sys.path.insert(0, {str(Path(__file__).parents[1])!r})
 from pathlib import Path
 from test_ledger_file import SqliteLedger, entry
 ledger = SqliteLedger(Path({str(tmp_path)!r}))
@@ -51,7 +51,7 @@ ledger.commit()
 ledger.enter(entry(2))
 os.kill(os.getpid(), 9)
 """
-    done = subprocess.run([sys.executable, "-c", code], cwd=Path(__file__).parents[2], check=False)
+    done = subprocess.run([sys.executable, "-c", code], cwd=Path(__file__).parents[3], check=False)
     assert done.returncode == -9
     assert there(tmp_path) == ["wait-1"]
 

@@ -17,7 +17,7 @@ from tandem.skills.wire.zenoh_bus import ZenohBus, wait_until
 from tests.fakes.ports import free_endpoint
 
 pytestmark = pytest.mark.processes
-HERE = Path(__file__).parent
+HERE = Path(__file__).parents[2]
 ROOT = HERE.parents[1]
 FETCH = json.dumps({"task": "fetch", "item": 29}).encode()
 

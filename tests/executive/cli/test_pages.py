@@ -12,7 +12,7 @@ from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.keys import Service, Topic
 from tandem.trees.registry import discover
 
-PAGE = Path(__file__).parents[2] / "docs" / "interface.md"
+PAGE = Path(__file__).parents[3] / "docs" / "interface.md"
 
 
 def test_the_page_is_up_to_date() -> None:

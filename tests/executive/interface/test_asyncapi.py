@@ -18,7 +18,7 @@ from tandem.skills.ports.keys import Service, Topic
 from tandem.skills.ports.message import Message
 from tandem.trees.registry import discover
 
-PAGE = Path(__file__).parents[2] / "docs" / "asyncapi.json"
+PAGE = Path(__file__).parents[3] / "docs" / "asyncapi.json"
 DOCUMENT = json.loads(PAGE.read_text(encoding="utf-8"))
 
 

@@ -20,7 +20,7 @@ from tandem.skills.site import load
 from tandem.skills.testing.faulty_bus import BusFaults
 from tests.fakes.ports import free_endpoint
 
-EXAMPLES = sorted((Path(__file__).parents[2] / "examples" / "faults").glob("*.yaml"))
+EXAMPLES = sorted((Path(__file__).parents[3] / "examples" / "faults").glob("*.yaml"))
 GOOD = "faults: [{kind: camera_dark, at: 1}]\nbus: {drop: 0.1}\n"
 
 
