@@ -13,4 +13,4 @@ config.insert_json5("connect/endpoints", json.dumps([router]))
 with zenoh.open(config) as session:
     replies = list(session.get(f"{keys}/task/cancel", payload=json.dumps({"task": task})))
 answers = [json.loads(reply.ok.payload.to_bytes()) for reply in replies if reply.ok is not None]
-print(answers[0] if answers else "nobody is there; start the system with `tandem up`")
+print(answers[0] if answers else "no executive answered; start the system with `tandem up`")

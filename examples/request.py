@@ -14,4 +14,4 @@ with zenoh.open(config) as session:
     request = json.dumps({"task": "fetch", "item": int(item)})
     replies = list(session.get(f"{keys}/task/request", payload=request))
 answers = [json.loads(reply.ok.payload.to_bytes()) for reply in replies if reply.ok is not None]
-print(answers[0] if answers else "nobody is there; start the system with `tandem up`")
+print(answers[0] if answers else "no executive answered; start the system with `tandem up`")

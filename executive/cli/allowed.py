@@ -40,7 +40,7 @@ def refuse_unless_allowed(identity: Identity, key: str) -> None:
     name, role = identity.name, identity.role()
     plain = key.replace(by_client(name, "task/"), "task/", 1)
     can = [each for each in CLIENTS if _can(each, name, plain)]
-    needed = f"the key of {' or '.join(can)} does" if can else "no client's key does"
+    needed = f"the key of {' or '.join(can)} does" if can else "no client key does"
     raise CommandError(f"the key of {name} ({role}) does not allow {plain}; {needed}", ExitCode.REFUSED)
 
 

@@ -22,17 +22,19 @@ Connect = Annotated[
         "--connect",
         metavar="ENDPOINT",
         envvar="TANDEM_CONNECT",
-        help="The router, such as tcp/127.0.0.1:7447.",
+        help="Endpoint of the router, e.g. tcp/127.0.0.1:7447.",
         rich_help_panel=PANEL,
     ),
 ]
 SiteKey = Annotated[
     str,
-    typer.Option("--site-key", envvar="TANDEM_SITE", help="First part of every key.", rich_help_panel=PANEL),
+    typer.Option(
+        "--site-key", envvar="TANDEM_SITE", help="First part of every topic.", rich_help_panel=PANEL
+    ),
 ]
 Robot = Annotated[
     str,
-    typer.Option("--robot", envvar="TANDEM_ROBOT", help="Second part of every key.", rich_help_panel=PANEL),
+    typer.Option("--robot", envvar="TANDEM_ROBOT", help="Second part of every topic.", rich_help_panel=PANEL),
 ]
 Keys = Annotated[
     Path | None,
@@ -40,7 +42,7 @@ Keys = Annotated[
         "--keys",
         metavar="DIR",
         envvar="TANDEM_KEYS",
-        help="Folder of keys, for a router with TLS.",
+        help="Folder with TLS keys, for a router that uses TLS.",
         rich_help_panel=PANEL,
     ),
 ]
@@ -50,20 +52,22 @@ As = Annotated[
         "--as",
         metavar="NAME",
         envvar="TANDEM_AS",
-        help="Whose key of that folder to show; not needed where it has one only.",
+        help="Name of the key to use. Optional if the folder holds only one.",
         rich_help_panel=PANEL,
     ),
 ]
 OwnEndpoint = Annotated[
     str,
-    typer.Option("--connect", metavar="ENDPOINT", help="Where the router of this run listens."),
+    typer.Option("--connect", metavar="ENDPOINT", help="Endpoint that this run's router listens on."),
 ]
 """Of a command that runs a system of its own. No environment variable sets it: TANDEM_CONNECT names a robot
 at work."""
-OwnSite = Annotated[str, typer.Option("--site-key", help="First part of every key of this run.")]
-OwnRobot = Annotated[str, typer.Option("--robot", help="Second part of every key of this run.")]
-Output = Annotated[Path | None, typer.Option("--output", "-o", help="A file, instead of standard output.")]
-SiteFile = Annotated[str, typer.Option("--site", metavar="NAME|FILE", help="The site file.")]
+OwnSite = Annotated[str, typer.Option("--site-key", help="First part of every topic in this run.")]
+OwnRobot = Annotated[str, typer.Option("--robot", help="Second part of every topic in this run.")]
+Output = Annotated[
+    Path | None, typer.Option("--output", "-o", help="Write to this file instead of standard output.")
+]
+SiteFile = Annotated[str, typer.Option("--site", metavar="NAME|FILE", help="Site to use: a name or a file.")]
 
 
 TLS: Final = "tls/"
@@ -127,20 +131,18 @@ def bus_options(
         CommandError: for an endpoint that is none, for what is no part of a key, and for keys that don't fit.
     """
     if ENDPOINT.fullmatch(connect) is None:
-        raise CommandError(
-            f"--connect: an endpoint such as {DEFAULT_ENDPOINT} was expected; found {connect!r}"
-        )
+        raise CommandError(f"--connect: expected an endpoint such as {DEFAULT_ENDPOINT}; found {connect!r}")
     for option, value in (("--site-key", site_key), ("--robot", robot)):
         if _PART.fullmatch(value) is None:
             raise CommandError(
-                f"{option}: one part of a key was expected: letters, digits, - _ . only; found {value!r}"
+                f"{option}: expected one part of a topic: letters, digits, - _ . only; found {value!r}"
             )
     if holder and keys is None:
-        raise CommandError("--as names a key; --keys with its folder was expected too")
+        raise CommandError("--as needs --keys, the folder that holds the key")
     if keys is not None and not connect.startswith(TLS):
         if connect != DEFAULT_ENDPOINT:
-            raise CommandError(f"--keys: an endpoint {TLS}HOST:PORT was expected with it; found {connect!r}")
+            raise CommandError(f"--keys needs an endpoint {TLS}HOST:PORT; found {connect!r}")
         connect = connect.replace("tcp/", TLS)
     if keys is None and connect.startswith(TLS):
-        raise CommandError(f"--connect {connect}: TLS needs keys; name their folder with --keys")
+        raise CommandError(f"--connect {connect}: TLS needs keys; give their folder with --keys")
     return BusOptions(endpoint=connect, site=site_key, robot=robot, keys=keys, holder=holder)

@@ -82,7 +82,7 @@ class Connection:
             return model.model_validate_json(document)
         except ValidationError as error:
             raise CommandError(
-                f"{key} was answered by a program of another version: {error.error_count()} fields differ",
+                f"{key}: the answer is from another version of tandem: {error.error_count()} fields differ",
                 ExitCode.NOBODY_THERE,
             ) from error
 
@@ -135,9 +135,9 @@ class Connection:
     def _nobody(self, of: str) -> str:
         options = self.options
         there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))
-        seen = f"there are only {there}" if there else "nobody is there"
+        seen = f"connected are only {there}" if there else "nothing else is connected"
         if there and self._identity is not None:
-            seen = f"{there} are there; perhaps the router no longer takes the key of {self._identity.name}"
+            seen = f"{there} are connected; perhaps the key of {self._identity.name} has been revoked"
         return (
             f"no {of} answers on {options.prefix} at {options.endpoint}: {seen}; "
             "start the system with `tandem up`, or name another robot with --site-key and --robot"

@@ -27,12 +27,12 @@ def require_display(environment: Mapping[str, str]) -> None:
     if sys.platform != "linux":
         return
     name = environment.get("DISPLAY", "")
-    advice = "leave out --gui, or run in a session with a screen (`ssh -X`, or `xvfb-run tandem ...`)"
+    advice = "leave out --gui, or run with a display (`ssh -X`, or `xvfb-run tandem ...`)"
     if not name:
-        raise CommandError(f"--gui: a display was expected, and DISPLAY is not set; {advice}")
+        raise CommandError(f"--gui needs a display, and DISPLAY is not set; {advice}")
     found = _DISPLAY.fullmatch(name)
     if found is None or not _answers(found["host"] or "", int(found["number"])):
-        raise CommandError(f"--gui: a display was expected, and nothing answers at DISPLAY={name}; {advice}")
+        raise CommandError(f"--gui needs a display, and nothing answers at DISPLAY={name}; {advice}")
 
 
 def _answers(host: str, number: int) -> bool:

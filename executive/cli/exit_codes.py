@@ -1,4 +1,4 @@
-"""What the ``tandem`` command ends with. docs/interface.md has the same table, which a test compares."""
+"""Exit codes of the ``tandem`` command. A test compares them with the table in docs/interface.md."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ class ExitCode(IntEnum):
 
 MEANINGS: Final = MappingProxyType(
     {
-        ExitCode.OK: "all went as asked",
-        ExitCode.TASK_FAILED: "a task failed or was cancelled, a process died, or a run missed its aim",
-        ExitCode.BAD_INPUT: "an argument, a file or a request is wrong; the message says where",
-        ExitCode.NOBODY_THERE: "no router, robot or executive answers within three seconds",
+        ExitCode.OK: "success",
+        ExitCode.TASK_FAILED: "a task failed or was cancelled, a process died, or a run missed its target",
+        ExitCode.BAD_INPUT: "an argument, a file or a request is invalid; the message says where",
+        ExitCode.NOBODY_THERE: "no router, robot or executive answered within three seconds",
         ExitCode.REFUSED: "refused: a second executive, sim or router for this robot, an endpoint or ledger "
-        "in use, or a key that does not allow what was asked",
-        ExitCode.UNKEPT: "the ledger can't be opened or written; nothing that was acknowledged is lost by it",
-        ExitCode.BUG: "a mistake in the program; its trace is in the log (`--log FILE`, or `-v`)",
-        ExitCode.INTERRUPTED: "interrupted with Ctrl-C; the processes that it had started have been stopped",
+        "in use, or a key that does not allow the command",
+        ExitCode.UNKEPT: "the ledger cannot be opened or written; accepted requests are not lost",
+        ExitCode.BUG: "a bug in tandem; the log (`--log FILE`, or `-v`) has the traceback",
+        ExitCode.INTERRUPTED: "interrupted with Ctrl-C; all processes it started are stopped",
     }
 )

@@ -32,9 +32,7 @@ class LogOptions:
                 self.file.parent.mkdir(parents=True, exist_ok=True)
                 handlers.append(logging.FileHandler(self.file, encoding="utf-8"))
             except OSError as error:
-                raise CommandError(
-                    f"--log {self.file}: a writable file was expected: {error.strerror}"
-                ) from error
+                raise CommandError(f"--log {self.file}: cannot write: {error.strerror}") from error
         if self.verbose:
             handlers.append(logging.StreamHandler(sys.stderr))
         for handler in handlers:

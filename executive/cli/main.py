@@ -100,8 +100,8 @@ def main(argv: Sequence[str], screen: Screen | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return int(ExitCode.OK)
     except Exception as error:  # noqa: BLE001 - the last one who can say it in words
-        _LOG.exception("the command ended by an error")
-        _say(f"error: {type(error).__name__}: {error}\nThis is a mistake in tandem; see the trace with "
+        _LOG.exception("the command failed with an unexpected error")
+        _say(f"error: {type(error).__name__}: {error}\nThis is a bug in tandem; for the traceback run "
              "`tandem -v ...` or `tandem --log FILE ...`.")  # fmt: skip
         return int(ExitCode.BUG)
     return int(ExitCode.OK)
@@ -124,16 +124,16 @@ def _print_version(wanted: bool) -> None:  # noqa: FBT001 - as typer calls it
 def _common(
     context: typer.Context,
     *,
-    log: Annotated[Path | None, typer.Option("--log", help="Write what happens to this file.")] = None,
+    log: Annotated[Path | None, typer.Option("--log", help="Write the log to this file.")] = None,
     verbose: Annotated[
-        bool, typer.Option("--verbose", "-v", help="Write what happens to standard error.")
+        bool, typer.Option("--verbose", "-v", help="Write the log to standard error.")
     ] = False,
     log_format: Annotated[
-        LogFormat, typer.Option("--log-format", help="Logs for people, or as lines of JSON.")
+        LogFormat, typer.Option("--log-format", help="Format of the log: plain text, or JSON lines.")
     ] = "text",
     version: Annotated[  # noqa: ARG001 - its callback does the work
         bool,
-        typer.Option("--version", help="Print the version.", is_eager=True, callback=_print_version),
+        typer.Option("--version", help="Print the version and exit.", is_eager=True, callback=_print_version),
     ] = False,
 ) -> None:
     logs, screen = LogOptions(log, verbose, log_format), context.find_object(Screen)

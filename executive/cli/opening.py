@@ -42,13 +42,13 @@ def checked_endpoints(bus: BusOptions, listen: Sequence[str], *, insecure: bool)
     """
     for endpoint in (bus.endpoint, *listen):
         if ENDPOINT.fullmatch(endpoint) is None:
-            raise CommandError(f"an endpoint tls/HOST:PORT was expected; found {endpoint!r}")
+            raise CommandError(f"expected an endpoint tls/HOST:PORT; found {endpoint!r}")
         if endpoint.startswith(TLS) and bus.keys is None:
-            raise CommandError(f"{endpoint}: TLS needs keys; name their folder with --keys")
+            raise CommandError(f"{endpoint}: TLS needs keys; give their folder with --keys")
         if not insecure and not endpoint.startswith(TLS) and not (is_loopback(endpoint) and bus.keys is None):
             raise CommandError(
-                f"{endpoint}: whoever gets there could move the robot; "
-                "listen at tls/HOST:PORT with --keys, or say --insecure"
+                f"{endpoint}: anyone who can connect could move the robot; "
+                "listen on tls/HOST:PORT with --keys, or pass --insecure"
             )
     try:
         if bus.keys is not None:
@@ -73,5 +73,5 @@ def checked_roles(only: str | None) -> tuple[str, ...]:
     named = [each.strip() for each in only.split(",")]
     unknown = [each for each in named if each not in known]
     if unknown:
-        raise CommandError(f"--only: of {', '.join(known)} some were expected; found {unknown[0]!r}")
+        raise CommandError(f"--only: expected some of {', '.join(known)}; found {unknown[0]!r}")
     return tuple(role for role in known if role in named)

@@ -65,7 +65,7 @@ def run_up(options: RunOptions) -> ExitCode:
         with _system(options, scenario, bus_faults, console, first=taken_up) as system:
             console.print(f"ready: {options.scenario} on {options.bus.prefix} at {options.bus.endpoint}")
             console.print(f"in another terminal: {hint(options, scenario, site)}", markup=False)
-            console.print("Ctrl-C ends all")
+            console.print("press Ctrl-C to stop")
             if options.report is None:
                 while True:  # nothing is recorded that nobody asked for: weeks of it fill the memory
                     system.advance()
@@ -116,7 +116,7 @@ def _ended(work: Callable[[Console], ExitCode]) -> ExitCode:
         console.print(f"error: {error}", style="red", markup=False)
         return ExitCode.TASK_FAILED
     except KeyboardInterrupt:
-        console.print("interrupted; all that was started has been stopped")
+        console.print("interrupted; all processes are stopped")
         return ExitCode.INTERRUPTED
 
 
@@ -172,7 +172,7 @@ def _fetch(options: RunOptions, system: System, site: Site, console: Console) ->
     _show_end(options, caller, console)
     ended = status.state.value.lower() if status.failure is None else f"failed: {status.failure.message}"
     console.print(f"task {answer.task} {ended}", markup=False)
-    console.print(f"in truth, item {item} {'lies' if there else 'does not lie'} in {depot}", markup=False)
+    console.print(f"ground truth: item {item} {'is' if there else 'is not'} in {depot}", markup=False)
     notes: dict[str, JsonValue] = {"item": item, "in_depot": there}
     _write_report(options, recorder, system, notes=notes, start=_items(before), end=_items(after))
     return ExitCode.OK if there and succeeded(status) else ExitCode.TASK_FAILED
@@ -181,12 +181,12 @@ def _fetch(options: RunOptions, system: System, site: Site, console: Console) ->
 def _show_end(options: RunOptions, caller: Caller, console: Console) -> None:
     picture = caller.photograph()
     if picture is None:
-        console.print("no picture could be taken")
+        console.print("no picture: the camera did not answer")
         return
     path = options.picture or PICTURE
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(picture)
-    console.print(f"picture of the last scene: {path.resolve()}", markup=False)
+    console.print(f"picture of the final scene: {path.resolve()}", markup=False)
 
 
 def _items(truth: Truth) -> dict[int, Pose]:

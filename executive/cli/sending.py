@@ -47,8 +47,8 @@ def _say_when_no_robot(connection: Connection, task: str) -> None:
     """Say that an accepted task waits for a robot: it is no error, and it runs as soon as there is one."""
     if connection.robot_name() is None:
         typer.echo(
-            f"no robot answers on {connection.options.prefix}: {task} is queued, and runs once one does; "
-            f"take it back with `tandem cancel {task}`",
+            f"no robot answers on {connection.options.prefix}: {task} is queued and runs when one does; "
+            f"cancel it with `tandem cancel {task}`",
             err=True,
         )
 
@@ -70,7 +70,7 @@ def describe_failure(failure: Failure, indent: str = "") -> str:
     if failure.evidence:
         evidence = ", ".join(f"{name} {value}" for name, value in failure.evidence.items())
         lines.append(f"{indent}  evidence: {evidence}")
-    again = "may be tried again" if facts.retryable else "is no use to try again"
+    again = "retryable" if facts.retryable else "not retryable"
     lines.append(f"{indent}  {facts.meaning}; {again}; who can help: {facts.helper}")
     lines += [describe_failure(cause, f"{indent}  ") for cause in failure.causes]
     return "\n".join(lines)

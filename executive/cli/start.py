@@ -21,8 +21,8 @@ def unsupported(version: tuple[int, int]) -> str:
         return ""
     oldest, newest, this = (f"{major}.{minor}" for major, minor in (OLDEST, NEWEST, version))
     return (
-        f"tandem runs on Python {oldest} to {newest}, and this is {this}; "
-        f"set it up with one of those, for example: make PYTHON=python{newest} setup"
+        f"tandem needs Python {oldest} to {newest}, and this is {this}; "
+        f"install it with one of those, for example: make PYTHON=python{newest} setup"
     )
 
 

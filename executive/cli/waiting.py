@@ -39,7 +39,7 @@ class Silence:
     @property
     def words(self) -> str:
         """It in words; empty when it is too short to matter."""
-        return f"heard nothing since {self.at}" if self.seconds > SAY_AFTER else ""
+        return f"no news since {self.at}" if self.seconds > SAY_AFTER else ""
 
 
 class Waiting:
@@ -83,14 +83,16 @@ class Waiting:
                         bar, description=": ".join(filter(None, (self._shown, self._silence.words)))
                     )
         except KeyboardInterrupt:
-            typer.echo(f"{self._task} goes on; stop it with `tandem cancel {self._task}`", err=True)
+            typer.echo(
+                f"{self._task} is still running; cancel it with `tandem cancel {self._task}`", err=True
+            )
             raise
 
     def _news(self) -> list[TaskStatus]:
         news = [each for each in self._statuses.take() if each.task == self._task] or self._answered()
         if news:
             if self._silence.said:
-                typer.echo("the executive answers again", err=True)
+                typer.echo("the executive is back", err=True)
             self._silence = Silence()
         return news
 
@@ -119,9 +121,9 @@ class Waiting:
     def _say_silence(self) -> None:
         if self._quiet and self._silence.words and not self._silence.said:
             self._silence.said = True
-            typer.echo(f"{self._silence.words}; waiting on for {self._task}", err=True)
+            typer.echo(f"{self._silence.words}; still waiting for {self._task}", err=True)
 
 
 def _words(status: TaskStatus) -> str:
-    phase = f"waits for {status.waits_for}" if status.waits_for else status.progress.phase
+    phase = f"waiting for {status.waits_for}" if status.waits_for else status.progress.phase
     return f"{status.state} {phase}".rstrip()

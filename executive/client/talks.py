@@ -73,7 +73,7 @@ class Talks:
             return model.model_validate_json(document)
         except ValidationError as error:
             raise OtherVersionError(
-                f"{key} was answered by a program of another version: {error.error_count()} fields differ"
+                f"{key}: the answer is from another version of tandem: {error.error_count()} fields differ"
             ) from error
 
     def raw(self, key: str, payload: bytes) -> Talk[bytes | None]:

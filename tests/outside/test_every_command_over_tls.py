@@ -110,7 +110,7 @@ def secured(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Secured]:
     # robot from starting.
     env, cwd = made.env | {"TANDEM_AS": "the-operator"}, users_folder(tmp_path_factory.mktemp("user"))
     with running("up", "--speed", "0.2", env=env, cwd=cwd) as up:
-        said = up.await_word("Ctrl-C ends all")
+        said = up.await_word("press Ctrl-C to stop")
         assert f"--connect {made.env['TANDEM_CONNECT']}" in said
         assert f"--keys {made.keys} --as the-operator --wait" in said
         yield made

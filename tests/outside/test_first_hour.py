@@ -60,7 +60,7 @@ def here(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Here]:
     data = tmp_path_factory.mktemp("data")
     env = {"TANDEM_CONNECT": f"tcp/127.0.0.1:{free_port()}", "TANDEM_SITE": "first-hour"}
     with running("up", "--only", "router,executive", "--data", str(data), env=env, cwd=folder) as up:
-        up.await_word("Ctrl-C ends all")
+        up.await_word("press Ctrl-C to stop")
         yield Here(up, folder, data, env)
 
 
@@ -93,10 +93,10 @@ def test_a_wait_outlives_silence_and_a_restart_of_the_executive(here: Here) -> N
         here.up.process.send_signal(signal.SIGSTOP)  # nobody starts the executive again for a while
         try:
             os.kill(here.executive(), signal.SIGKILL)
-            waiting.await_word("heard nothing since")
+            waiting.await_word("no news since")
         finally:
             here.up.process.send_signal(signal.SIGCONT)
-        waiting.await_word("the executive answers again")
+        waiting.await_word("the executive is back")
         cancelled = here.tandem("cancel", task)
         assert cancelled.code == 0, cancelled.said
         assert waiting.process.wait(30.0) == 1
@@ -135,7 +135,7 @@ def test_another_programs_port_is_refused(here: Here, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "env", "said"),
     [
-        (("--lockstep",), {}, "no client could reach it"),
+        (("--lockstep",), {}, "no client can reach"),
         (("--gui",), {"DISPLAY": ""}, "DISPLAY is not set"),
         (("--gui",), {"DISPLAY": ":987"}, "nothing answers at DISPLAY=:987"),
         (("--gui",), {"DISPLAY": "nonsense"}, "nothing answers at DISPLAY=nonsense"),
@@ -162,7 +162,7 @@ def test_a_start_says_what_it_takes_up_and_an_end_leaves_it_readable(here: Here)
     assert why.code == 0, why.said
     words = ("up", "--only", "router,executive", "--data", str(here.data))
     with running(*words, env=here.env, cwd=here.folder) as again:
-        said = again.await_word("Ctrl-C ends all")
+        said = again.await_word("press Ctrl-C to stop")
         first, moves, *_ = said.splitlines()
         assert first.startswith(f'{task} {{"item": 29')
         assert first.endswith(("waits in the queue", "resumes"))

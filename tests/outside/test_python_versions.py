@@ -45,7 +45,7 @@ def test_make_refuses_it_before_it_makes_anything(major: int, minor: int, tmp_pa
         check=False,
     )
     assert run.returncode != 0
-    assert f"tandem runs on Python 3.11 to 3.13, and this is {major}.{minor}" in run.stderr
+    assert f"tandem needs Python 3.11 to 3.13, and this is {major}.{minor}" in run.stderr
     assert "Traceback" not in run.stderr
     assert not venv.exists()
 
@@ -59,7 +59,7 @@ def test_the_command_refuses_it(minor: int) -> None:
         [sys.executable, "-c", program, "doctor"], capture_output=True, text=True, timeout=60, check=False
     )
     assert run.returncode == 2
-    assert run.stderr.startswith(f"error: tandem runs on Python 3.11 to 3.13, and this is 3.{minor}; ")
+    assert run.stderr.startswith(f"error: tandem needs Python 3.11 to 3.13, and this is 3.{minor}; ")
     assert "Traceback" not in run.stderr
 
 

@@ -14,15 +14,17 @@ from tandem.executive.cli.errors import CommandError
 from tandem.executive.system import isolation
 
 Names = Annotated[
-    list[str] | None, typer.Argument(metavar="[NAME]...", help="Which benchmarks; all unless given.")
+    list[str] | None, typer.Argument(metavar="[NAME]...", help="Benchmarks to run. Default: all.")
 ]
-ListThem = Annotated[bool, typer.Option("--list", help="Print the benchmarks' names and end.")]
-Quick = Annotated[bool, typer.Option("--quick", help="Short forms: that they run, not what they say.")]
+ListThem = Annotated[bool, typer.Option("--list", help="List the benchmarks and exit.")]
+Quick = Annotated[
+    bool, typer.Option("--quick", help="Run short versions that only check that the benchmarks work.")
+]
 ReportFile = Annotated[
-    Path | None, typer.Option("--report", metavar="FILE", help="Write the figures here (JSON).")
+    Path | None, typer.Option("--report", metavar="FILE", help="Write the results to this JSON file.")
 ]
 Page = Annotated[
-    Path | None, typer.Option("--markdown", metavar="FILE", help="Write the figures here as a page.")
+    Path | None, typer.Option("--markdown", metavar="FILE", help="Write the results to this Markdown file.")
 ]
 
 
@@ -39,7 +41,7 @@ def bench(
     report: ReportFile = None,
     markdown: Page = None,
 ) -> None:
-    """Measure, and print one table of figures with their aims. In a checkout only."""
+    """Run the benchmarks and print the results with their targets. Needs a checkout."""
     files = {"--report": report, "--markdown": markdown}
     options = [part for option, path in files.items() if path for part in (option, str(path.resolve()))]
     flags = [flag for flag, on in (("--list", list_them), ("--quick", quick)) if on]
@@ -61,7 +63,6 @@ def checkout() -> Path:
     folder = Path(__file__).resolve().parents[3]
     if not (folder / "benchmarks" / "run.py").is_file() or not (folder / "pyproject.toml").is_file():
         raise CommandError(
-            "the benchmarks are not part of the installed program: clone the repository and run `make bench`"
-            " there"
+            "the benchmarks are not part of the installed package; clone the repository and run `make bench`"
         )
     return folder

@@ -24,16 +24,18 @@ if TYPE_CHECKING:
     from tandem.executive.trials.campaigns.fuzz_all import AllCounts
     from tandem.executive.trials.campaigns.recovery import RecoveryRun
 
-Runs = Annotated[int, typer.Option("--runs", min=1, max=10_000, help="How many.")]
-Seed = Annotated[int, typer.Option("--seed", min=0, help="Of all draws and all noise.")]
+Runs = Annotated[int, typer.Option("--runs", min=1, max=10_000, help="Number of runs.")]
+Seed = Annotated[int, typer.Option("--seed", min=0, help="Seed for all random draws and noise.")]
 Scenario = Annotated[
-    str, typer.Option("--scenario", metavar="NAME|FILE", help="Its surfaces are drawn from.")
+    str, typer.Option("--scenario", metavar="NAME|FILE", help="Scenario whose surfaces items are placed on.")
 ]
 ReportFile = Annotated[
-    Path | None, typer.Option("--report", metavar="FILE", help="Write the runs here (JSON).")
+    Path | None, typer.Option("--report", metavar="FILE", help="Write all runs to this JSON file.")
 ]
-Jobs = Annotated[int, typer.Option("--jobs", min=1, max=64, help="Processes beside each other.")]
-First = Annotated[int, typer.Option("--first", min=0, help="Number of the first run: repeats a run alone.")]
+Jobs = Annotated[int, typer.Option("--jobs", min=1, max=64, help="Number of parallel processes.")]
+First = Annotated[
+    int, typer.Option("--first", min=0, help="Number of the first run; use it to repeat a single run.")
+]
 
 RECOVERED_SHARE = 58 / 60
 """Of the runs that can be mended, as the aim has it."""
@@ -41,7 +43,7 @@ RECOVERED_SHARE = 58 / 60
 
 def add_to(app: typer.Typer) -> None:
     """Add the command."""
-    campaigns = typer.Typer(help="Series of seeded runs, each with its aim.", no_args_is_help=True)
+    campaigns = typer.Typer(help="Run series of seeded trials against a target.", no_args_is_help=True)
     campaigns.command("fetch")(fetch)
     campaigns.command("recovery")(recovery)
     campaigns.command("crash")(crash)
@@ -60,7 +62,7 @@ def fetch(
     jobs: Jobs = 2,
     first: First = 0,
 ) -> None:
-    """Fetch drawn items from drawn starts. Ends with 0 only when every fetch is right, in truth."""
+    """Fetch random items from random start poses. Exits 0 only if every fetch succeeds in ground truth."""
     from tandem.executive.cli.commands.scenario_commands import checked  # noqa: PLC0415
     from tandem.executive.trials.campaigns.fetch import FetchCampaign, run_fetch  # noqa: PLC0415
     from tandem.executive.trials.campaigns.series import run_number, series  # noqa: PLC0415
@@ -76,8 +78,8 @@ def fetch(
     right = sum(run.right for run in done)
     far = sum(run.unreachable for run in done)
     summary = [
-        f"{right} of {runs} right (seed {seed})",
-        f"{far} of {runs + far} free places that were drawn are out of reach, and were drawn again",
+        f"{right} of {runs} succeeded (seed {seed})",
+        f"{far} of {runs + far} random free places were out of reach and were drawn again",
     ]
     campaign = FetchCampaign(scenario=scenario, seed=seed, right=right, unreachable=far, runs=tuple(done))
     told(console, report, summary, campaign)
@@ -86,19 +88,23 @@ def fetch(
 
 def recovery(
     *,
-    runs: Annotated[int, typer.Option("--runs", min=0, max=10_000, help="How many that can be mended.")] = 60,
-    hopeless: Annotated[int, typer.Option("--hopeless", min=0, max=10_000, help="How many that can't.")] = 20,
+    runs: Annotated[
+        int, typer.Option("--runs", min=0, max=10_000, help="Number of runs that are recoverable.")
+    ] = 60,
+    hopeless: Annotated[
+        int, typer.Option("--hopeless", min=0, max=10_000, help="Number of runs that are not.")
+    ] = 20,
     seed: Seed = 1,
     scenario: Scenario = "Demo",
     report: ReportFile = None,
     jobs: Jobs = 2,
     first: First = 0,
 ) -> None:
-    """Fetch while things go wrong.
+    """Fetch items while random faults strike.
 
-    Exits 0 only if at least 58 of 60 fetches that can be mended end as they would without a fault, in truth,
-    and all that can't be end with the right kind of failure, at rest. A run whose fault never struck counts
-    as not right.
+    Exits 0 only if at least 58 of 60 recoverable runs end as they would without a fault, in ground truth,
+    and every unrecoverable run ends at rest with the expected kind of failure. A run whose fault never
+    struck counts as failed.
     """
     from tandem.executive.cli.commands.scenario_commands import checked  # noqa: PLC0415
     from tandem.executive.trials.campaigns.recovery import RecoveryCampaign, run_hopeless, run_recovery  # noqa: PLC0415
@@ -117,9 +123,11 @@ def recovery(
     recovered = sum(run.right for run in done if not run.hopeless)
     right_kind = sum(run.right for run in done if run.hopeless)
     unstruck = sum(bool(run.unstruck) for run in done)
-    summary = [f"{recovered} of {runs} recovered, {right_kind} of {hopeless} hopeless ones ended rightly"]
+    summary = [
+        f"{recovered} of {runs} recovered, {right_kind} of {hopeless} unrecoverable runs ended as expected"
+    ]
     if unstruck:
-        summary.append(f"{unstruck} of these count as not right because a fault never struck")
+        summary.append(f"{unstruck} of these count as failed because a fault never struck")
     campaign = RecoveryCampaign(
         scenario=scenario,
         seed=seed,
@@ -137,21 +145,22 @@ def recovery(
 
 def fuzz(
     *,
-    inputs: Annotated[int, typer.Option("--inputs", min=1, max=100_000_000, help="How many.")] = 100_000,
+    inputs: Annotated[
+        int, typer.Option("--inputs", min=1, max=100_000_000, help="Number of inputs.")
+    ] = 100_000,
     seed: Seed = 1,
     report: ReportFile = None,
 ) -> None:
-    """Send drawn documents to every served key. Exits 0 only if all are answered or refused.
+    """Send random documents to every topic that is served. Exits 0 only if each is answered or refused.
 
-    One half goes to the request interface of an executive, the other to all keys of a system in lockstep.
+    Half of them go to the request interface of an executive, half to all topics of a system in lockstep.
     """
     try:
         from tandem.executive.trials.campaigns.fuzz import fuzz as run_fuzz  # noqa: PLC0415
         from tandem.executive.trials.campaigns.fuzz_all import fuzz_all  # noqa: PLC0415
     except ModuleNotFoundError as error:
         raise CommandError(
-            f"the fuzzing needs {error.name}, which comes with the development tools: "
-            "pip install 'tandem-executive[dev]'"
+            f"fuzzing needs {error.name} from the development tools: pip install 'tandem-executive[dev]'"
         ) from error
     console = Console(highlight=False, soft_wrap=True)
     half = (inputs + 1) // 2
@@ -163,15 +172,15 @@ def fuzz(
         counts = counts.model_copy(update={"everywhere": every, "broken": every.broken})
     summary = [
         f"{counts.inputs} inputs (seed {seed})",
-        f"requests: {counts.accepted} taken, {counts.refused} refused",
-        f"verbs: {counts.verbs_taken} taken, {counts.verbs_refused} refused",
+        f"requests: {counts.accepted} accepted, {counts.refused} refused",
+        f"verbs: {counts.verbs_taken} accepted, {counts.verbs_refused} refused",
         f"questions: {counts.answered} answered, {counts.questions_refused} refused",
         *_everywhere(counts.everywhere),
         *(f"  {times:7d}  expected {reason}" for reason, times in counts.reasons.items()),
     ]
     told(console, report, summary, counts)
     if counts.broken:
-        console.print(f"neither taken nor refused: {counts.broken}", style="red", markup=False)
+        console.print(f"neither accepted nor refused: {counts.broken}", style="red", markup=False)
     raise typer.Exit(ExitCode.TASK_FAILED if counts.broken else ExitCode.OK)
 
 
@@ -179,7 +188,7 @@ def _everywhere(counts: AllCounts | None) -> list[str]:
     if counts is None:
         return []
     how = f"{counts.answered} answered, {counts.refused} refused with an error, {counts.silent} unanswered"
-    return [f"at {len(counts.keys)} keys of all processes: {counts.inputs} inputs, {how}"]
+    return [f"on {len(counts.keys)} topics of all processes: {counts.inputs} inputs, {how}"]
 
 
 def _tell_recovery(run: RecoveryRun, console: Console) -> None:
@@ -193,11 +202,11 @@ def _tell_recovery(run: RecoveryRun, console: Console) -> None:
     for unstruck in run.unstruck:
         console.print(f"         never struck: {unstruck}", markup=False)
     for wrong in run.wrong:
-        console.print(f"         wrong in truth: {wrong}", markup=False)
+        console.print(f"         wrong in ground truth: {wrong}", markup=False)
     for struck in run.struck:
         console.print(f"         {struck}", markup=False)
     for each in run.tried:
-        took = f"{each.recovery}, time {each.times}" if each.recovery else "given up"
+        took = f"{each.recovery}, attempt {each.times}" if each.recovery else "given up"
         at = "" if each.at is None else f"{each.at.seconds:.1f} s"
         console.print(f"         {at}  {each.failure.where}: {each.failure.kind}: {took}", markup=False)
 
@@ -222,26 +231,26 @@ def crash(
     *,
     runs: Annotated[
         int | None,
-        typer.Option("--runs", min=0, max=10_000, help="How many; unless given, 200, or 20 in the physics."),
+        typer.Option("--runs", min=0, max=10_000, help="Number of runs. Default: 200, or 20 with --physics."),
     ] = None,
     seed: Seed = 1,
     first: First = 0,
     points: Annotated[
-        bool, typer.Option("--points/--no-points", help="Also kill at each point where it keeps or talks.")
+        bool, typer.Option("--points/--no-points", help="Also kill at each point where it writes or sends.")
     ] = True,
     verbs: Annotated[
-        bool, typer.Option("--verbs/--no-verbs", help="Also kill between each verb and its effect.")
+        bool, typer.Option("--verbs/--no-verbs", help="Also kill between each command and its effect.")
     ] = True,
     physics: Annotated[
         bool,
         typer.Option(
-            "--physics", help="Real skills and physics; one kill in each phase of two tasks in turn."
+            "--physics", help="Use real skills and physics, with one kill in each phase of two tasks in turn."
         ),
     ] = False,
     report: ReportFile = None,
     connect: OwnEndpoint = "tcp/127.0.0.1:7449",
 ) -> None:
-    """Kill processes, start them again. Ends with 0 only when nothing was lost, doubled or stuck."""
+    """Kill and restart processes. Exits 0 only if nothing is lost, duplicated or stuck."""
     import tempfile  # noqa: PLC0415
 
     console = Console(highlight=False, soft_wrap=True)
@@ -255,7 +264,7 @@ def crash(
             made = _mocked(
                 Path(folder), connect, many, console, seed=seed, first=first, points=points, verbs=verbs
             )
-    told(console, report, [f"{made.right} of {len(made.runs)} right (seed {seed})"], made)
+    told(console, report, [f"{made.right} of {len(made.runs)} succeeded (seed {seed})"], made)
     raise typer.Exit(ExitCode.OK if made.right == len(made.runs) else ExitCode.TASK_FAILED)
 
 
@@ -310,7 +319,7 @@ def _physics_line(run: PhysicsRun) -> str:
     end = "ok" if not run.wrong else "WRONG: " + "; ".join(run.wrong)
     why = "" if run.failure is None else f" ({run.failure.kind}: {run.failure.message})"
     return (
-        f"{run.run:4d}  {run.seconds:6.2f} s  begun {run.begun}  {run.kind}, {run.phase}: "
+        f"{run.run:4d}  {run.seconds:6.2f} s  starts {run.begun}  {run.kind}, {run.phase}: "
         f"{run.victim} killed {at}, in '{run.leaf}': {end}{why}"
     )
 
@@ -319,19 +328,19 @@ def _crash_line(run: CrashRun) -> str:
     kills = ", ".join(f"{kill.victim} at {kill.after:.2f} s" for kill in run.kills)
     how = f"{run.point} ({'killed there' if kills else 'never reached'})" if run.point else kills
     end = "ok" if not run.wrong else "WRONG: " + "; ".join(run.wrong)
-    return f"{run.run:4d}  {run.seconds:6.2f} s  begun {run.begun}  {how}: {end}"
+    return f"{run.run:4d}  {run.seconds:6.2f} s  starts {run.begun}  {how}: {end}"
 
 
 def soak(
     *,
-    tasks: Annotated[int, typer.Option("--tasks", min=1, max=1_000_000, help="How many.")] = 2000,
+    tasks: Annotated[int, typer.Option("--tasks", min=1, max=1_000_000, help="Number of tasks.")] = 2000,
     warm_up: Annotated[
-        int, typer.Option("--warm-up", min=0, max=1_000_000, help="Tasks before growth counts.")
+        int, typer.Option("--warm-up", min=0, max=1_000_000, help="Warm-up tasks before growth is measured.")
     ] = 200,
     report: ReportFile = None,
     connect: OwnEndpoint = "tcp/127.0.0.1:7450",
     metrics: Annotated[
-        str, typer.Option("--metrics", metavar="HOST:PORT", help="Of the observer's page.")
+        str, typer.Option("--metrics", metavar="HOST:PORT", help="Address that the metrics are served on.")
     ] = "127.0.0.1:9465",
 ) -> None:
     """Run many mocked tasks. Exits 0 only if no process grows and no handle or thread is left open."""
@@ -357,7 +366,7 @@ def soak(
             f"handles {each.handles[0]} to {each.handles[1]}, threads {each.threads[0]} to {each.threads[1]}"
             for each in made.processes
         ),
-        f"ledger: {made.ledger_bytes_a_task / 1000:.1f} kB a task",
+        f"ledger: {made.ledger_bytes_a_task / 1000:.1f} kB per task",
         f"{made.tasks} tasks: {states}",
         *(f"WRONG: {wrong}" for wrong in made.wrong),
     ]

@@ -62,7 +62,7 @@ def doctor(
     *,
     bus: BusOptions,
 ) -> None:
-    """Say what is here and what is missing: versions, renderer, robot. Ends with 1 if something vital is."""
+    """Check versions, renderer and robot. Exits 1 if something essential is missing."""
     looks: tuple[Callable[[], list[Finding]], ...] = (
         _machine, _packages, _files, _renderer, lambda: _robot(bus),
     )  # fmt: skip
@@ -154,7 +154,8 @@ def _robot(options: BusOptions) -> list[Finding]:
             info = connection.ask(TASK_INFO, Nothing())
             doing = info.running or "nothing"
             told = (
-                f"version {info.version}, runs {doing}, {info.queued} waiting, takes {', '.join(info.tasks)}"
+                f"version {info.version}, running {doing}, {info.queued} queued, "
+                f"accepts {', '.join(info.tasks)}"
             )
             found.append(Finding("executive", True, told))
     except CommandError as error:

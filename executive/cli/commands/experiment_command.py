@@ -30,30 +30,37 @@ class Method(StrEnum):
 
 
 class Mode(StrEnum):
-    """When an arm that was stopped goes on."""
+    """When a stopped arm continues."""
 
     FAITHFUL = "faithful"
     EAGER = "eager"
 
 
 class Series(StrEnum):
-    """In which phase the things are moved."""
+    """Phase in which the objects are moved."""
 
     FIELD = "field"
     GRASP = "grasp"
 
 
-Runs = Annotated[int, typer.Option("--runs", min=1, max=10_000, help="How many.")]
-How = Annotated[Method, typer.Option("--method", help="The thesis's, or one of its baselines.")]
-When = Annotated[Mode, typer.Option("--mode", help="When an arm that was stopped goes on.")]
-Phase = Annotated[Series, typer.Option("--series", help="In which phase the things are moved.")]
-Dual = Annotated[bool, typer.Option("--dual/--sequential", help="Both arms at once, or one after the other.")]
-Figures = Annotated[Path | None, typer.Option("--figures", metavar="DIR", help="Draw the paths here (SVG).")]
+Runs = Annotated[int, typer.Option("--runs", min=1, max=10_000, help="Number of runs.")]
+How = Annotated[Method, typer.Option("--method", help="Method: the one of the thesis, or a baseline.")]
+When = Annotated[Mode, typer.Option("--mode", help="When a stopped arm continues.")]
+Phase = Annotated[Series, typer.Option("--series", help="Phase in which the objects are moved.")]
+Dual = Annotated[
+    bool, typer.Option("--dual/--sequential", help="Move both arms at once, or one after the other.")
+]
+Figures = Annotated[
+    Path | None,
+    typer.Option("--figures", metavar="DIR", help="Write a drawing of the paths to this SVG file."),
+]
 
 
 def add_to(app: typer.Typer) -> None:
     """Add the command."""
-    group = typer.Typer(help="Two arms, as in the thesis's chapter 5, in lockstep.", no_args_is_help=True)
+    group = typer.Typer(
+        help="Run the two-arm experiments of the thesis, chapter 5, in lockstep.", no_args_is_help=True
+    )
     for command in (uncoordinated, crossing, coordinated):
         group.command(command.__name__)(command)
     app.add_typer(group, name="experiment")
@@ -72,7 +79,7 @@ def uncoordinated(
     jobs: Jobs = 2,
     first: First = 0,
 ) -> None:
-    """Pick a cube with each hand, in three positions, while both are moved. Tables 5.1 to 5.3."""
+    """Pick a cube with each hand, in three positions, while both cubes move. Tables 5.1 to 5.3."""
     _run("uncoordinated", method, dual, mode, series, runs, seed, report, figures, jobs, first)
 
 
@@ -89,7 +96,7 @@ def crossing(
     jobs: Jobs = 2,
     first: First = 0,
 ) -> None:
-    """Pick a cube with each hand, each on the other's side, while both are moved. Tables 5.4 and 5.5."""
+    """Pick a cube with each hand across the other arm, while both cubes move. Tables 5.4 and 5.5."""
     _run("crossing", method, dual, mode, series, runs, seed, report, figures, jobs, first)
 
 
@@ -105,7 +112,7 @@ def coordinated(
     jobs: Jobs = 2,
     first: First = 0,
 ) -> None:
-    """Lift a carton with both hands while it is moved. Tables 5.6 and 5.7."""
+    """Lift a carton with both hands while it moves. Tables 5.6 and 5.7."""
     _run("coordinated", method, True, mode, series, runs, seed, report, figures, jobs, first)
 
 
@@ -147,7 +154,7 @@ def _run(  # noqa: PLR0917 - the command's options, in their order
         _draw(options, done, figures)
     untouched = not any(run.touches for run in done)
     reached = picked(done) == runs and untouched
-    summary = [*_tables(options, done), f"{picked(done)} of {runs} right in both arms (seed {seed})"]
+    summary = [*_tables(options, done), f"{picked(done)} of {runs} succeeded with both arms (seed {seed})"]
     told(console, report, summary, Experiment(options=options, runs=tuple(done)))
     raise typer.Exit(ExitCode.OK if reached else ExitCode.TASK_FAILED)
 

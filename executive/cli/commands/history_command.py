@@ -70,8 +70,8 @@ def moment(text: str) -> float:
         said = datetime.fromisoformat(text)
     except ValueError:
         raise CommandError(
-            f"--since: a date such as 2026-11-24, a time such as 2026-11-24T08:30, or 90m, 12h, 7d was "
-            f"expected; found {text!r}"
+            f"--since: expected a date such as 2026-11-24, a time such as 2026-11-24T08:30, or 90m, 12h, 7d; "
+            f"found {text!r}"
         ) from None
     return (said if said.tzinfo is not None else said.replace(tzinfo=UTC)).timestamp()
 
@@ -94,7 +94,7 @@ def _only_absence(error: CommandError) -> None:
 def _file(options: BusOptions, data: Path | None, nobody: CommandError) -> SqliteLedger:
     folder = data or default_data(options, os.environ)
     if not (folder / FILE).exists():
-        raise CommandError(f"{nobody}\nand there is no ledger in {folder}", ExitCode.NOBODY_THERE)
+        raise CommandError(f"{nobody}\nno ledger found in {folder}", ExitCode.NOBODY_THERE)
     try:
         return SqliteLedger(folder)
     except LedgerLockedError as error:

@@ -17,13 +17,13 @@ if TYPE_CHECKING:
     from tandem.executive.security.holders import Holder
 
 DEFAULT_FOLDER: Final = Path("keys")
-Folder = Annotated[Path, typer.Option("--folder", metavar="DIR", help="Where the keys are.")]
-Name = Annotated[str, typer.Argument(metavar="NAME", help="Of the person, the program or the robot.")]
+Folder = Annotated[Path, typer.Option("--folder", metavar="DIR", help="Folder with the keys.")]
+Name = Annotated[str, typer.Argument(metavar="NAME", help="Name of the person, program or robot.")]
 
 
 def add_to(app: typer.Typer) -> None:
     """Add the group."""
-    group = typer.Typer(help="Who may use the bus, and as what.", no_args_is_help=True)
+    group = typer.Typer(help="Manage who may use the bus, and in which role.", no_args_is_help=True)
     group.command("init")(init)
     group.command("new")(new)
     group.command("list")(list_keys)
@@ -32,25 +32,25 @@ def add_to(app: typer.Typer) -> None:
 
 
 def init(folder: Folder = DEFAULT_FOLDER) -> None:
-    """Make an authority of one's own, which certifies the keys."""
+    """Create the certificate authority that signs the keys."""
     from tandem.executive.security import authority  # noqa: PLC0415 - loads a library
 
     with _said():
         authority.begin(folder, _now())
-    typer.echo(f"{folder / 'ca.pem'}: everybody gets it; {folder / 'ca.key'}: nobody does")
+    typer.echo(f"{folder / 'ca.pem'}: copy it to every host; {folder / 'ca.key'}: keep it secret")
 
 
 def new(
     name: Name,
-    role: Annotated[Role, typer.Option("--role", help="What the holder may do.")],
-    days: Annotated[int, typer.Option("--days", min=1, max=3650, help="How long it holds.")] = 365,
+    role: Annotated[Role, typer.Option("--role", help="Role, which decides what the key allows.")],
+    days: Annotated[int, typer.Option("--days", min=1, max=3650, help="Days until the key expires.")] = 365,
     host: Annotated[
         list[str] | None,
-        typer.Option("--host", help="A robot's: where its router is reached; again for more."),
+        typer.Option("--host", help="Address of the robot's router. Repeat for more than one."),
     ] = None,
     folder: Folder = DEFAULT_FOLDER,
 ) -> None:
-    """Make a key and its certificate; for a robot one for each of its parts."""
+    """Create a key and its certificate. For a robot, create one for each of its processes."""
     from tandem.executive.security import authority  # noqa: PLC0415 - loads a library
 
     wanted = authority.Wanted(role, name, days, tuple(host or ()))
@@ -61,7 +61,7 @@ def new(
 
 
 def list_keys(folder: Folder = DEFAULT_FOLDER) -> None:
-    """List who has been given a key, and whether it holds."""
+    """List the keys and whether they are valid."""
     from tandem.executive.security.holders import read_holders  # noqa: PLC0415
 
     with _said():
@@ -69,11 +69,11 @@ def list_keys(folder: Folder = DEFAULT_FOLDER) -> None:
     for holder in known.holders:
         typer.echo(f"{holder.common_name:40} {_state(holder)}")
     if not known.holders:
-        typer.echo("no key yet; make one with `tandem keys new --role operator NAME`")
+        typer.echo("no keys yet; create one with `tandem keys new --role operator NAME`")
 
 
 def revoke(name: Name, folder: Folder = DEFAULT_FOLDER) -> None:
-    """Take back what a name's keys allow; the router hears of it within a second."""
+    """Revoke all keys of a name. Takes effect at the router within a second."""
     from tandem.executive.security import authority  # noqa: PLC0415 - loads a library
 
     with _said():

@@ -25,7 +25,7 @@ _ENVELOPE: Final = ("task", "id")
 
 def add_to(app: typer.Typer, *, with_kinds: bool) -> None:
     """Add the group; with the kinds of request only when they are needed, for they take time to load."""
-    group = typer.Typer(help="Ask the robot for something.", no_args_is_help=True)
+    group = typer.Typer(help="Send a request to the robot.", no_args_is_help=True)
     group.command("json")(connects(from_json))
     if with_kinds:
         from tandem.trees.registry import discover  # noqa: PLC0415
@@ -35,16 +35,16 @@ def add_to(app: typer.Typer, *, with_kinds: bool) -> None:
     app.add_typer(group, name="request")
 
 
-Wait = Annotated[bool, typer.Option("--wait", "-w", help="Wait for the task's end, and end as it did.")]
+Wait = Annotated[bool, typer.Option("--wait", "-w", help="Wait until the task ends. Exit 1 if it fails.")]
 
 
 def from_json(
-    document: Annotated[str, typer.Argument(help='Such as {"task": "fetch", "item": 29}.')],
+    document: Annotated[str, typer.Argument(help='The request, e.g. {"task": "fetch", "item": 29}.')],
     wait: Wait = False,  # noqa: FBT002
     *,
     bus: BusOptions,
 ) -> None:
-    """Send a request's document as it is."""
+    """Send a JSON request unchanged."""
     from tandem.executive.cli.sending import send  # noqa: PLC0415
 
     send(document.encode("utf-8", "surrogateescape"), bus, wait=wait)

@@ -19,19 +19,19 @@ if TYPE_CHECKING:
 
 def restart(
     *,
-    runs: Annotated[int, typer.Option("--runs", min=0, max=10_000, help="How many kills.")] = 10,
-    seed: Annotated[int, typer.Option("--seed", min=0, help="Of all noise.")] = 1,
+    runs: Annotated[int, typer.Option("--runs", min=0, max=10_000, help="Number of kills.")] = 10,
+    seed: Annotated[int, typer.Option("--seed", min=0, help="Seed for all noise.")] = 1,
     first: Annotated[
-        int, typer.Option("--first", min=0, help="Number of the first run: repeats a run alone.")
+        int, typer.Option("--first", min=0, help="Number of the first run; use it to repeat a single run.")
     ] = 0,
     report: Annotated[
-        Path | None, typer.Option("--report", metavar="FILE", help="Write the runs here (JSON).")
+        Path | None, typer.Option("--report", metavar="FILE", help="Write all runs to this JSON file.")
     ] = None,
     connect: OwnEndpoint = "tcp/127.0.0.1:7449",
 ) -> None:
-    """Kill the hardware under live skills, at rest and in each phase of a fetch.
+    """Kill the hardware process while skills run, at rest and in each phase of a fetch.
 
-    Ends with 0 only when the next fetch succeeds, in truth, after each.
+    Exits 0 only if the next fetch after each kill succeeds in ground truth.
     """
     import tempfile  # noqa: PLC0415
 
@@ -49,7 +49,7 @@ def restart(
             raise CommandError(str(error)) from error
     right = sum(not run.wrong for run in done)
     campaign = RestartCampaign(seed=seed, right=right, runs=tuple(done))
-    told(console, report, [f"{right} of {runs} right (seed {seed})"], campaign)
+    told(console, report, [f"{right} of {runs} succeeded (seed {seed})"], campaign)
     raise typer.Exit(ExitCode.OK if right == runs else ExitCode.TASK_FAILED)
 
 
@@ -61,5 +61,5 @@ def _restart_line(run: RestartRun) -> str:
     end = "ok" if not run.wrong else "WRONG: " + "; ".join(run.wrong)
     return (
         f"{run.run:4d}  killed {where} {at}, back after {run.back_after:.1f} s{cost}; "
-        f"the next one {run.state.lower() or 'never ended'}: {end}"
+        f"the next fetch {run.state.lower() or 'never ended'}: {end}"
     )

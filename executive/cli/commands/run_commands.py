@@ -24,36 +24,44 @@ from tandem.skills.wire.pulse import SILENT_AFTER
 
 Scenario = Annotated[
     str,
-    typer.Option("--scenario", metavar="NAME|FILE", help="One of `tandem scenario list`, or a YAML file."),
+    typer.Option(
+        "--scenario", metavar="NAME|FILE", help="A name from `tandem scenario list`, or a YAML file."
+    ),
 ]
 Faults = Annotated[
     Path | None,
-    typer.Option("--faults", metavar="FILE", help="What shall go wrong on purpose: a YAML file."),
+    typer.Option("--faults", metavar="FILE", help="YAML file of faults to inject."),
 ]
-Seed = Annotated[int, typer.Option("--seed", min=0, help="Of all that is random.")]
+Seed = Annotated[int, typer.Option("--seed", min=0, help="Seed for everything random.")]
 Speed = Annotated[
     str,
-    typer.Option("--speed", metavar="X|max", help="Simulated seconds in a second, or as fast as it goes."),
+    typer.Option("--speed", metavar="X|max", help="Simulated seconds per real second, or max."),
 ]
-Window = Annotated[bool, typer.Option("--gui/--headless", help="Show the simulation's window.")]
+Window = Annotated[bool, typer.Option("--gui/--headless", help="Show the simulation in a window.")]
 Lockstep = Annotated[
-    bool, typer.Option("--lockstep", help="All in one thread: the same seed gives the same run.")
+    bool, typer.Option("--lockstep", help="Run everything in one thread: the same seed gives the same run.")
 ]
 MetricsAt = Annotated[
     str,
     typer.Option(
-        "--metrics", metavar="HOST:PORT", help="Serve metrics for Prometheus there: 127.0.0.1:9464."
+        "--metrics",
+        metavar="HOST:PORT",
+        help="Serve Prometheus metrics at this address, e.g. 127.0.0.1:9464.",
     ),
 ]
 TracesTo = Annotated[
     str,
-    typer.Option("--traces", metavar="URL", help="Send OpenTelemetry traces there: http://127.0.0.1:4318."),
+    typer.Option(
+        "--traces", metavar="URL", help="Send OpenTelemetry traces to this URL, e.g. http://127.0.0.1:4318."
+    ),
 ]
-ReportFile = Annotated[Path | None, typer.Option("--report", metavar="FILE", help="Write the report here.")]
+ReportFile = Annotated[
+    Path | None, typer.Option("--report", metavar="FILE", help="Write a JSON report to this file.")
+]
 Data = Annotated[
     Path | None,
     typer.Option(
-        "--data", metavar="DIR", help="Of the ledger; $XDG_STATE_HOME/tandem/<site>-<robot> unless given."
+        "--data", metavar="DIR", help="Folder of the ledger. Default: $XDG_STATE_HOME/tandem/<site>-<robot>."
     ),
 ]
 OnRestart = Annotated[
@@ -61,33 +69,39 @@ OnRestart = Annotated[
     typer.Option(
         "--on-restart",
         metavar="resume|ask|interrupt",
-        help="What becomes of a task that was under way when the executive ended.",
+        help="What to do with a task that was running when the executive ended.",
     ),
 ]
 Picture = Annotated[
-    Path | None, typer.Option("--picture", metavar="FILE", help="Save the last scene's picture here.")
+    Path | None,
+    typer.Option("--picture", metavar="FILE", help="Save a picture of the final scene to this file."),
 ]
 Listen = Annotated[
     list[str] | None,
     typer.Option(
-        "--listen", metavar="ENDPOINT", help="Where the router listens too, as tls/HOST:PORT; again for more."
+        "--listen",
+        metavar="ENDPOINT",
+        help="Extra endpoint of the router, as tls/HOST:PORT. Repeat for more than one.",
     ),
 ]
 Insecure = Annotated[
     bool,
     typer.Option(
-        "--insecure", help="Listen beyond this host without TLS: whoever gets there moves the robot."
+        "--insecure", help="Listen beyond this host without TLS. Anyone who can connect can move the robot."
     ),
 ]
 SilentAfter = Annotated[
     float,
     typer.Option(
-        "--silent-after", min=0.2, max=10.0, help="Seconds unheard after which a process is said to hang."
+        "--silent-after",
+        min=0.2,
+        max=10.0,
+        help="Seconds of silence after which a process counts as hung and is killed.",
     ),
 ]
 Only = Annotated[
     str | None,
-    typer.Option("--only", metavar="ROLE,...", help="Start these processes alone; the others run elsewhere."),
+    typer.Option("--only", metavar="ROLE,...", help="Start only these processes; run the others elsewhere."),
 ]
 
 
@@ -112,7 +126,7 @@ def demo(
     site_key: OwnSite = DEFAULT_SITE,
     robot: OwnRobot = DEFAULT_ROBOT,
 ) -> None:
-    """Start all, fetch an item, stop all. Ends with 0 only when the item truly lies in the depot."""
+    """Start a simulated robot, fetch an item and stop. Exits 0 only if the item really is in the depot."""
     logs = _logs(context)
     _require_window(gui=gui, lockstep=lockstep)
     options = RunOptions(
@@ -154,14 +168,14 @@ def up(
     silent_after: SilentAfter = SILENT_AFTER,
     bus: BusOptions,
 ) -> None:
-    """Start router, simulated robot, skills and executive, and watch them until Ctrl-C."""
+    """Start the router, simulated robot, skills and executive, and keep them running until Ctrl-C."""
     from tandem.executive.cli.opening import checked_endpoints, checked_roles, owner_of  # noqa: PLC0415
 
     logs = _logs(context)
     if lockstep:
         raise CommandError(
-            "up --lockstep: lockstep runs in one thread with a bus of its own, so no client could reach it; "
-            "use `tandem demo --lockstep`, or leave it out"
+            "up --lockstep: lockstep has its own bus that no client can reach; "
+            "use `tandem demo --lockstep`, or leave out --lockstep"
         )
     _require_window(gui=gui, lockstep=False)
     bus, roles = owner_of(bus, by_environment=_by_environment(context)), checked_roles(only)
@@ -199,7 +213,7 @@ def _on_restart(text: str) -> Restart:
     for wish in get_args(Restart):
         if text == wish:
             return cast("Restart", text)
-    raise typer.BadParameter(f"resume, ask or interrupt was expected; found {text!r}",
+    raise typer.BadParameter(f"expected resume, ask or interrupt; found {text!r}",
                              param_hint="--on-restart")  # fmt: skip
 
 
@@ -211,7 +225,7 @@ def _speed(text: str) -> float | None:
     except ValueError:
         speed = 0.0
     if not 0.01 <= speed <= 100.0:  # noqa: PLR2004 - beyond, nothing useful happens
-        raise typer.BadParameter(f"a number from 0.01 to 100, or max, was expected; found {text!r}",
+        raise typer.BadParameter(f"expected a number from 0.01 to 100, or max; found {text!r}",
                                  param_hint="--speed")  # fmt: skip
     return speed
 
@@ -222,7 +236,7 @@ def _require_window(*, gui: bool, lockstep: bool) -> None:
     from tandem.executive.cli.display import require_display  # noqa: PLC0415
 
     if lockstep:
-        raise CommandError("--gui: lockstep shows no window; leave out --gui or --lockstep")
+        raise CommandError("--gui: lockstep has no window; leave out --gui or --lockstep")
     require_display(os.environ)
 
 
@@ -241,7 +255,7 @@ def _metrics(text: str) -> str:
 def _traces(text: str) -> str:
     if text and not text.startswith(("http://", "https://")):
         raise typer.BadParameter(
-            f"an address such as http://127.0.0.1:4318 was expected; found {text!r}", param_hint="--traces"
+            f"expected a URL such as http://127.0.0.1:4318; found {text!r}", param_hint="--traces"
         )
     return text
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 def add_to(app: typer.Typer) -> None:
     """Add the commands."""
-    group = typer.Typer(help="Scenarios of the simulation.", no_args_is_help=True)
+    group = typer.Typer(help="List and check scenarios of the simulation.", no_args_is_help=True)
     group.command("list")(list_all)
     group.command("check")(check)
     app.add_typer(group, name="scenario")
@@ -37,22 +37,22 @@ def list_all() -> None:
 
 
 def check(
-    file: Annotated[str, typer.Argument(metavar="FILE|NAME", help="A YAML file, or a name.")],
+    file: Annotated[str, typer.Argument(metavar="FILE|NAME", help="A YAML file or a name.")],
     *,
     faults: Annotated[
-        Path | None, typer.Option("--faults", metavar="FILE", help="Check this file of faults, too.")
+        Path | None, typer.Option("--faults", metavar="FILE", help="Also check this fault file.")
     ] = None,
 ) -> None:
-    """Check a scenario against its model and its site. Ends with 2 when there is a mistake."""
+    """Check a scenario against its schema and its site. Exits 2 if it is invalid."""
     scenario = checked(file)
     typer.echo(
-        f"{file}: a right scenario: {scenario.name}, {len(scenario.items)} items, "
+        f"{file}: valid scenario: {scenario.name}, {len(scenario.items)} items, "
         f"{len(scenario.obstacles)} obstacles, {len(scenario.faults)} faults, site {scenario.site}"
     )
     if faults is not None:
         more = checked_faults(faults, scenario)
-        bus = "a sound bus" if more.bus is None else "a faulty bus"
-        typer.echo(f"{faults}: right faults: {len(more.faults)} of robot and room, {bus}")
+        bus = "no bus faults" if more.bus is None else "a faulty bus"
+        typer.echo(f"{faults}: valid faults: {len(more.faults)} of robot and room, {bus}")
 
 
 def checked(name_or_path: str) -> Scenario:

@@ -19,7 +19,10 @@ def schema(
     output: Annotated[
         Path | None,
         typer.Option(
-            "--output", "-o", metavar="DIR|FILE", help="A file for each message here; AsyncAPI: this file."
+            "--output",
+            "-o",
+            metavar="DIR|FILE",
+            help="Folder for one file per message; with asyncapi, a file.",
         ),
     ] = None,
     form: Annotated[
@@ -27,7 +30,7 @@ def schema(
         typer.Option("--format", "-f", help="JSON Schemas, or one AsyncAPI 3.0 document."),
     ] = "jsonschema",
 ) -> None:
-    """Print the interface as JSON Schemas in one document or a file for each message, or as AsyncAPI."""
+    """Print the interface as JSON Schema or AsyncAPI."""
     import json  # noqa: PLC0415
 
     from tandem.executive.interface.schemas import interface_schema, separate_schemas  # noqa: PLC0415
@@ -49,7 +52,7 @@ def schema(
             path.write_text(f"{json.dumps(document, indent=2)}\n", encoding="utf-8")
             typer.echo(str(path))
     except OSError as error:
-        raise CommandError(f"--output {output}: a writable folder was expected: {error.strerror}") from error
+        raise CommandError(f"--output {output}: cannot write to this folder: {error.strerror}") from error
 
 
 def _put(text: str, output: Path | None) -> None:
@@ -60,5 +63,5 @@ def _put(text: str, output: Path | None) -> None:
     try:
         output.write_text(f"{text}\n", encoding="utf-8")
     except OSError as error:
-        raise CommandError(f"--output {output}: a writable file was expected: {error.strerror}") from error
+        raise CommandError(f"--output {output}: cannot write: {error.strerror}") from error
     typer.echo(str(output))

@@ -19,8 +19,11 @@ if TYPE_CHECKING:
     from tandem.skills.ports.message import Message
 
 M = TypeVar("M", bound="Message")
-By = Annotated[str, typer.Option("--by", metavar="NAME", help="Your name; user@host unless given.")]
-Reason = Annotated[str, typer.Option("--reason", metavar="TEXT", help="Why, for those who find it stopped.")]
+By = Annotated[str, typer.Option("--by", metavar="NAME", help="Your name. Default: user@host.")]
+Reason = Annotated[
+    str,
+    typer.Option("--reason", metavar="TEXT", help="Reason, shown to everyone who finds the robot stopped."),
+]
 
 
 def add_to(app: typer.Typer) -> None:
@@ -30,17 +33,17 @@ def add_to(app: typer.Typer) -> None:
 
 
 def stop(*, reason: Reason = "tandem stop", by: By = "", bus: BusOptions) -> None:
-    """Bring the robot to rest at once, and keep it there until `tandem release`. Needs no executive."""
+    """Stop the robot at once until `tandem release`. Works without an executive."""
     from tandem.skills.ports.keys import STOP  # noqa: PLC0415
 
     state = _ask(bus, STOP, by, reason)
     if not state.stopped:
         raise CommandError("the hardware answered, but the stop is NOT set", ExitCode.TASK_FAILED)
-    typer.echo(f"stopped: {_told(state)}; `tandem release` lets the robot move again")
+    typer.echo(f"stopped: {_told(state)}; run `tandem release` to let the robot move again")
 
 
 def release(*, reason: Reason = "tandem release", by: By = "", bus: BusOptions) -> None:
-    """Release the hardware's stop: the robot may move again, and a task that waits goes on."""
+    """Release the stop. The robot may move again, and a waiting task continues."""
     from tandem.skills.ports.keys import STOP_RELEASE  # noqa: PLC0415
 
     state = _ask(bus, STOP_RELEASE, by, reason)

@@ -17,14 +17,23 @@ if TYPE_CHECKING:
 
 Data = Annotated[
     Path | None,
-    typer.Option("--data", metavar="DIR", help="As `tandem up` was given it; read when no executive runs."),
+    typer.Option(
+        "--data", metavar="DIR", help="Ledger folder, as given to `tandem up`. Read when no executive runs."
+    ),
 ]
 Since = Annotated[
-    str, typer.Option("--since", metavar="WHEN", help="2026-11-24, 2026-11-24T08:30, or 90m, 12h, 7d ago.")
+    str,
+    typer.Option(
+        "--since",
+        metavar="WHEN",
+        help="Only tasks since then: 2026-11-24, 2026-11-24T08:30, or 90m, 12h, 7d ago.",
+    ),
 ]
 ENDLESS: Final = 100_000
 """Columns of a line that is not for a terminal."""
-States = Annotated[list[str] | None, typer.Option("--state", metavar="STATE", help="Only these.")]
+States = Annotated[
+    list[str] | None, typer.Option("--state", metavar="STATE", help="Only tasks in these states.")
+]
 
 
 def add_to(app: typer.Typer) -> None:
@@ -35,14 +44,14 @@ def add_to(app: typer.Typer) -> None:
 
 def tasks(
     *,
-    everything: Annotated[bool, typer.Option("--all", help="Also those of long ago.")] = False,
+    everything: Annotated[bool, typer.Option("--all", help="Include all tasks in the ledger.")] = False,
     state: States = None,
     since: Since = "",
-    as_json: Annotated[bool, typer.Option("--json", help="As the executive's answer.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON as the executive returns it.")] = False,
     data: Data = None,
     bus: BusOptions,
 ) -> None:
-    """List the tasks that the executive remembers, oldest first; with --all those of the ledger too."""
+    """List recent tasks, oldest first. Use --all to include all tasks in the ledger."""
     from tandem.executive.cli.commands.history_command import lately, of_ledger  # noqa: PLC0415
     from tandem.skills.ports.tasks import TaskList  # noqa: PLC0415
 
@@ -51,7 +60,7 @@ def tasks(
     if as_json:
         typer.echo(TaskList(tasks=found).model_dump_json(indent=2))
     elif not found:
-        typer.echo("no task yet; ask for one with `tandem request`")
+        typer.echo("no tasks yet; send one with `tandem request`")
     else:
         _print(found)
 
@@ -64,7 +73,7 @@ def export(
     data: Data = None,
     bus: BusOptions,
 ) -> None:
-    """Write the ledger's tasks as JSON lines, oldest first."""
+    """Export the tasks in the ledger as JSON lines, oldest first."""
     from tandem.executive.cli.commands.history_command import of_ledger  # noqa: PLC0415
 
     found = of_ledger(bus, data, _asked(state, since))
@@ -75,7 +84,7 @@ def export(
     try:
         output.write_text(lines, encoding="utf-8")
     except OSError as error:
-        raise CommandError(f"--output {output}: a writable file was expected: {error.strerror}") from error
+        raise CommandError(f"--output {output}: cannot write: {error.strerror}") from error
 
 
 def _asked(state: Iterable[str] | None, since: str) -> AskHistory:
@@ -93,7 +102,7 @@ def _state(text: str) -> TaskState:
         return TaskState(text.upper())
     except ValueError:
         known = ", ".join(TaskState)
-        raise CommandError(f"--state: one of {known} was expected; found {text!r}") from None
+        raise CommandError(f"--state: expected one of {known}; found {text!r}") from None
 
 
 def _print(found: tuple[TaskStatus, ...]) -> None:
@@ -130,4 +139,4 @@ def _remark(status: TaskStatus) -> str:
         return f"asks: {status.question.text} ({' or '.join(status.question.choices)})"
     if status.failure is not None:
         return f"{status.failure.kind}: {status.failure.message}"
-    return f"waits for {status.waits_for}" if status.waits_for else ""
+    return f"waiting for {status.waits_for}" if status.waits_for else ""

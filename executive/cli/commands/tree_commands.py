@@ -33,7 +33,7 @@ class Format(StrEnum):
 
 def add_to(app: typer.Typer) -> None:
     """Add the commands."""
-    group = typer.Typer(help="The trees of the tasks.", no_args_is_help=True)
+    group = typer.Typer(help="Draw and check the behaviour trees of the tasks.", no_args_is_help=True)
     group.command("list")(list_all)
     group.command("render")(connects(render))
     group.command("coverage")(coverage)
@@ -42,7 +42,7 @@ def add_to(app: typer.Typer) -> None:
 
 
 def list_all() -> None:
-    """List the kinds of task."""
+    """List the tasks and the fields of their requests."""
     from rich.console import Console  # noqa: PLC0415
     from rich.table import Table  # noqa: PLC0415
 
@@ -60,16 +60,18 @@ def list_all() -> None:
 
 
 def render(
-    task: Annotated[str, typer.Argument(metavar="[TASK]", help="As `tandem tree list` tells it.")] = "",
+    task: Annotated[str, typer.Argument(metavar="[TASK]", help="Task, as in `tandem tree list`.")] = "",
     *,
     form: Annotated[Format, typer.Option("--format", "-f")] = Format.UNICODE,
     output: Output = None,
-    live: Annotated[bool, typer.Option("--live", help="The tree that runs now.")] = False,
-    request: Annotated[str, typer.Option("--request", metavar="JSON", help="Draw it for this request.")] = "",
+    live: Annotated[bool, typer.Option("--live", help="Draw the tree that is running now.")] = False,
+    request: Annotated[
+        str, typer.Option("--request", metavar="JSON", help="Draw the tree for this request.")
+    ] = "",
     site: SiteFile = DEFAULT_SITE,
     bus: BusOptions,
 ) -> None:
-    """Draw a task's tree, or, with --live, the one that runs now with its statuses."""
+    """Draw the tree of a task, or with --live the running tree and its statuses."""
     from tandem.executive.render.formats import BINARY, FORMATS  # noqa: PLC0415
 
     if live:
@@ -77,30 +79,30 @@ def render(
     elif task:
         root = _built(task, request, site)
     else:
-        raise CommandError("a TASK or --live was expected; see `tandem tree list`")
+        raise CommandError("expected a TASK or --live; see `tandem tree list`")
     content = FORMATS[form.value](root)
     if output is not None:
         try:
             output.write_bytes(content)
         except OSError as error:
-            raise CommandError(
-                f"--output {output}: a writable file was expected: {error.strerror}"
-            ) from error
+            raise CommandError(f"--output {output}: cannot write: {error.strerror}") from error
         typer.echo(f"{output}: {len(content)} bytes")
     elif form.value in BINARY and sys.stdout.isatty():
-        raise CommandError(f"{form.value} is no text: name a file with --output")
+        raise CommandError(f"{form.value} is binary; give a file with --output")
     else:
         sys.stdout.buffer.write(content)
         sys.stdout.flush()
 
 
 def coverage(
-    task: Annotated[str, typer.Argument(metavar="TASK", help="As `tandem tree list` tells it.")],
+    task: Annotated[str, typer.Argument(metavar="TASK", help="Task, as in `tandem tree list`.")],
     *,
-    depth: Annotated[int, typer.Option("--depth", min=0, max=9, help="Failing leaves in one plan.")] = 3,
-    plans: Annotated[bool, typer.Option("--plans", help="Tell each plan before it is run.")] = False,
+    depth: Annotated[
+        int, typer.Option("--depth", min=0, max=9, help="Number of leaves that fail in one plan.")
+    ] = 3,
+    plans: Annotated[bool, typer.Option("--plans", help="Print each plan before it runs.")] = False,
 ) -> None:
-    """Have each leaf fail in each way, with mocked skills. Ends with 1 when a status or a rule was missed."""
+    """Make each leaf fail in each way, with mock skills. Exits 1 if a status is missed or a rule broken."""
     from tandem.executive.trials.exploration.exploring import explore  # noqa: PLC0415
 
     tell = typer.echo if plans else _tell_nobody
@@ -118,17 +120,19 @@ def coverage(
 
 
 def properties(
-    task: Annotated[str, typer.Argument(metavar="TASK", help="As `tandem tree list` tells it.")],
+    task: Annotated[str, typer.Argument(metavar="TASK", help="Task, as in `tandem tree list`.")],
     *,
-    ticks: Annotated[int, typer.Option("--ticks", min=1, max=10**9, help="Ticks of the tree.")] = 1_000_000,
-    seed: Annotated[int, typer.Option("--seed", min=0, help="Of all draws.")] = 1,
+    ticks: Annotated[
+        int, typer.Option("--ticks", min=1, max=10**9, help="Total number of ticks.")
+    ] = 1_000_000,
+    seed: Annotated[int, typer.Option("--seed", min=0, help="Seed for all random draws.")] = 1,
 ) -> None:
-    """Run drawn schedules of faults with mocked skills. Ends with 1 when one broke a rule, and tells it."""
+    """Run random fault schedules with mock skills. Exits 1 if one breaks a rule."""
     from tandem.executive.trials.exploration.properties import search  # noqa: PLC0415
 
     worlds, _ = _worlds(task)
     runs, bad = search(worlds, ticks=ticks, seed=seed, tell=typer.echo)
-    typer.echo(f"{runs} runs, {ticks} ticks or a few more: {bad} broke a rule")
+    typer.echo(f"{runs} runs, at least {ticks} ticks: {bad} broke a rule")
     raise typer.Exit(ExitCode.TASK_FAILED if bad else ExitCode.OK)
 
 
@@ -146,7 +150,7 @@ def _worlds(task: str) -> tuple[Mapping[str, Make], Mapping[str, Make]]:
     if task in HAND_WORLDS:
         return HAND_WORLDS[task]()
     known = ", ".join(("fetch", *HAND_WORLDS))
-    raise CommandError(f"no worlds to explore {task!r} in; there are some for {known}")
+    raise CommandError(f"no worlds to explore {task!r} in; expected one of {known}")
 
 
 def _tell_nobody(_: str) -> None:
@@ -171,7 +175,7 @@ def _built(task: str, request: str, site_name: str) -> TreeNode:
 
     kinds = discover()
     if task not in kinds:
-        raise CommandError(f"no task {task!r}; there are {', '.join(kinds)}")
+        raise CommandError(f"no task {task!r}; expected one of {', '.join(kinds)}")
     site = load(site_name)
     if not request:
         try:
@@ -185,5 +189,5 @@ def _built(task: str, request: str, site_name: str) -> TreeNode:
         lines = [
             f"  {each.path}: expected {each.expected}, found {each.found or 'nothing'}" for each in problems
         ]
-        raise CommandError("\n".join(("--request is wrong:", *lines)))
+        raise CommandError("\n".join(("--request is invalid:", *lines)))
     return tree_of(kinds[task], site, document)

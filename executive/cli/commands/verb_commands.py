@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 
 M = TypeVar("M", bound="Message")
 RunningTask = Annotated[
-    str, typer.Argument(metavar="[ID]", help="As `tandem tasks` tells it; the running one unless given.")
+    str, typer.Argument(metavar="[ID]", help="Task id, as in `tandem tasks`. Default: the running task.")
 ]
-Task = Annotated[str, typer.Argument(metavar="ID", help="As `tandem tasks` tells it.")]
-OfTask = Annotated[str, typer.Option("--task", metavar="ID", help="The running one unless given.")]
-Node = Annotated[str, typer.Argument(metavar="NODE", help="Its name in the tree, or its path.")]
+Task = Annotated[str, typer.Argument(metavar="ID", help="Task id, as in `tandem tasks`.")]
+OfTask = Annotated[str, typer.Option("--task", metavar="ID", help="Task id. Default: the running task.")]
+Node = Annotated[str, typer.Argument(metavar="NODE", help="Name of the node, or its path in the tree.")]
 
 
 def add_to(app: typer.Typer) -> None:
@@ -35,58 +35,60 @@ def add_to(app: typer.Typer) -> None:
 
 
 def cancel(task: Task, *, bus: BusOptions) -> None:
-    """Cancel a queued or a running task: the robot comes to rest, and the task winds down."""
+    """Cancel a queued or running task. The robot comes to rest first."""
     from tandem.skills.ports.tasks import TASK_CANCEL, CancelTask  # noqa: PLC0415
 
     _ask(TASK_CANCEL, lambda named: CancelTask(task=named), task, bus, "cancelled")
-    typer.echo(f"{task} is being cancelled")
+    typer.echo(f"cancelling {task}")
 
 
 def pause(task: RunningTask = "", *, bus: BusOptions) -> None:
-    """Have the running task's skills come to rest and its tree stay where it is."""
+    """Pause the running task."""
     from tandem.skills.ports.tasks import TASK_PAUSE, NameTask  # noqa: PLC0415
 
     named = _ask(TASK_PAUSE, lambda each: NameTask(task=each), task, bus, "paused")
-    typer.echo(f"{named} is being paused; `tandem resume` goes on, `tandem step` by one leaf")
+    typer.echo(f"pausing {named}; `tandem resume` continues it, `tandem step` runs one leaf")
 
 
 def resume(task: RunningTask = "", *, bus: BusOptions) -> None:
-    """Go on with a paused task."""
+    """Resume a paused task."""
     from tandem.skills.ports.tasks import TASK_RESUME, NameTask  # noqa: PLC0415
 
     named = _ask(TASK_RESUME, lambda each: NameTask(task=each), task, bus, "resumed")
-    typer.echo(f"{named} goes on")
+    typer.echo(f"resuming {named}")
 
 
 def step(
     task: RunningTask = "",
-    by: Annotated[str, typer.Option("--by", metavar="leaf|tick", help="How far.")] = "leaf",
+    by: Annotated[str, typer.Option("--by", metavar="leaf|tick", help="How far to go.")] = "leaf",
     *,
     bus: BusOptions,
 ) -> None:
-    """Go on with a paused task until one more leaf of its tree has ended, or by one tick."""
+    """Run a paused task for one more leaf, or for one tick."""
     from tandem.skills.ports.tasks import TASK_STEP, StepTask  # noqa: PLC0415
 
     far = cast('Literal["leaf", "tick"]', _one_of(by, ("leaf", "tick"), "--by"))
     named = _ask(TASK_STEP, lambda each: StepTask(task=each, by=far), task, bus, "stepped")
-    typer.echo(f"{named} goes on by one {far}")
+    typer.echo(f"stepping {named} by one {far}")
 
 
 def abandon(task: Task, *, bus: BusOptions) -> None:
-    """Give up a cancelled task whose hardware does not answer."""
+    """Give up on a cancelled task whose hardware does not answer."""
     from tandem.skills.ports.tasks import TASK_ABANDON, NameTask  # noqa: PLC0415
 
     _ask(TASK_ABANDON, lambda each: NameTask(task=each), task, bus, "abandoned")
-    typer.echo(f"{task} is given up; see that the robot is at rest")
+    typer.echo(f"abandoned {task}; make sure that the robot is at rest")
 
 
 def reprioritise(
     task: Task,
-    priority: Annotated[int, typer.Argument(min=-100, max=100, help="The higher one is taken first.")],
+    priority: Annotated[
+        int, typer.Argument(min=-100, max=100, help="Tasks with a higher priority run first.")
+    ],
     *,
     bus: BusOptions,
 ) -> None:
-    """Give a queued task another priority."""
+    """Change the priority of a queued task."""
     from tandem.skills.ports.tasks import TASK_REPRIORITISE, Reprioritise  # noqa: PLC0415
 
     _ask(
@@ -94,33 +96,35 @@ def reprioritise(
         lambda each: Reprioritise(task=each, priority=priority),
         task,
         bus,
-        "put elsewhere in the queue",
+        "reprioritised",
     )
     typer.echo(f"{task} has priority {priority}")
 
 
 def answer(
-    words: Annotated[str, typer.Argument(metavar="ANSWER", help="One of the question's choices.")],
+    words: Annotated[str, typer.Argument(metavar="ANSWER", help="One of the choices of the question.")],
     task: OfTask = "",
     *,
     bus: BusOptions,
 ) -> None:
-    """Answer what a task asks an operator; `tandem tasks` shows the question."""
+    """Answer a question from a task. `tandem tasks` shows the question."""
     from tandem.skills.ports.tasks import TASK_ANSWER, AnswerQuestion  # noqa: PLC0415
 
     named = _ask(TASK_ANSWER, lambda each: AnswerQuestion(task=each, answer=words), task, bus, "answered")
-    typer.echo(f"{named} has its answer: {words}")
+    typer.echo(f"answered {named}: {words}")
 
 
 def break_at(
     node: Node,
     *,
-    after: Annotated[bool, typer.Option("--after", help="Behind the node, not before it.")] = False,
-    off: Annotated[bool, typer.Option("--off", help="Take the breakpoint away.")] = False,
+    after: Annotated[
+        bool, typer.Option("--after", help="Pause after the node instead of before it.")
+    ] = False,
+    off: Annotated[bool, typer.Option("--off", help="Remove the breakpoint.")] = False,
     task: OfTask = "",
     bus: BusOptions,
 ) -> None:
-    """Have a task pause before or after a node of its tree."""
+    """Set a breakpoint before or after a node of the tree."""
     from tandem.skills.ports.tasks import TASK_BREAKPOINT, Breakpoint  # noqa: PLC0415
 
     when: Literal["before", "after"] = "after" if after else "before"
@@ -137,11 +141,11 @@ def break_at(
 def force(
     node: Node,
     *,
-    status: Annotated[str, typer.Argument(metavar="success|failure|off", help="What it ends with.")],
+    status: Annotated[str, typer.Argument(metavar="success|failure|off", help="Status to force.")],
     task: OfTask = "",
     bus: BusOptions,
 ) -> None:
-    """Have a node of a test run end with a status instead of doing its work."""
+    """Force the status of a node in a test run."""
     from tandem.skills.ports.tasks import TASK_FORCE, ForceNode  # noqa: PLC0415
 
     said = _one_of(status, ("success", "failure", "off"), "STATUS")
@@ -153,12 +157,12 @@ def force(
         bus,
         "forced",
     )
-    typer.echo(f"{named}: {node} {'works again' if wanted is None else f'ends with {wanted}'}")
+    typer.echo(f"{named}: {node} {'runs again' if wanted is None else f'is forced to {wanted}'}")
 
 
 def _one_of(text: str, choices: tuple[str, ...], option: str) -> str:
     if text not in choices:
-        raise CommandError(f"{option}: one of {', '.join(choices)} was expected; found {text!r}")
+        raise CommandError(f"{option}: expected one of {', '.join(choices)}; found {text!r}")
     return text
 
 
@@ -182,5 +186,5 @@ def _ask(
             raise CommandError("no task is running", ExitCode.BAD_INPUT)
         told = connection.ask(replace(service, key=key), document(named))
     if not told.accepted:
-        raise CommandError(f"{named} can't be {participle}: {told.reason}", ExitCode.BAD_INPUT)
+        raise CommandError(f"{named} cannot be {participle}: {told.reason}", ExitCode.BAD_INPUT)
     return named

@@ -39,11 +39,11 @@ def add_to(app: typer.Typer) -> None:
 
 
 def watch(
-    once: Annotated[bool, typer.Option("--once", help="Print what is there now, and end.")] = False,  # noqa: FBT002
+    once: Annotated[bool, typer.Option("--once", help="Print the current state and exit.")] = False,  # noqa: FBT002
     *,
     bus: BusOptions,
 ) -> None:
-    """Show the running task's tree as it runs, until Ctrl-C."""
+    """Show the tree of the running task live, until Ctrl-C."""
     from rich.console import Console  # noqa: PLC0415
 
     from tandem.executive.cli.connection import Connection  # noqa: PLC0415
@@ -79,10 +79,10 @@ def picture(view: View, *, height: int) -> Group:
 def head(view: View) -> str:
     """Return the line above the tree: task, state, phase, progress, robot seconds."""
     if view.gone:
-        return "the executive is gone; waiting for it"
+        return "the executive is gone; waiting for it to return"
     status = view.status
     if status is None:
-        return "no task yet; ask for one with `tandem request`"
+        return "no tasks yet; send one with `tandem request`"
     full = round(BAR * status.progress.fraction)
     bar = "█" * full + "░" * (BAR - full)
     phase = status.progress.phase or "-"

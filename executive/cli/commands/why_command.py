@@ -26,19 +26,27 @@ def why(
     *,
     task: Annotated[
         str,
-        typer.Argument(metavar="[ID]", help="As `tandem tasks` tells it; the last that failed unless given."),
+        typer.Argument(
+            metavar="[ID]", help="Task id, as in `tandem tasks`. Default: the last task that failed."
+        ),
     ] = "",
     picture: Annotated[
         Path | None,
-        typer.Option("--picture", metavar="FILE", help="Save the last attempt's picture (JPEG) here."),
+        typer.Option(
+            "--picture", metavar="FILE", help="Save the picture of the last attempt to this JPEG file."
+        ),
     ] = None,
     data: Annotated[
         Path | None,
-        typer.Option("--data", metavar="DIR", help="As `tandem up` had it; read when no executive runs."),
+        typer.Option(
+            "--data",
+            metavar="DIR",
+            help="Ledger folder, as given to `tandem up`. Read when no executive runs.",
+        ),
     ] = None,
     bus: BusOptions,
 ) -> None:
-    """Tell why a task failed, what was tried, where things are, and what to do next."""
+    """Explain why a task failed, what was tried, and what to do next."""
     from tandem.executive.cli.commands.history_command import lately, of_ledger  # noqa: PLC0415
     from tandem.executive.cli.connection import Connection  # noqa: PLC0415
     from tandem.executive.render.failure_words import chosen, explain, last_picture  # noqa: PLC0415
@@ -48,16 +56,16 @@ def why(
     status = chosen(known, task)
     if status is None:
         if task:
-            raise CommandError(f"no task {task!r} is known; see `tandem tasks --all`", ExitCode.BAD_INPUT)
+            raise CommandError(f"unknown task {task!r}; see `tandem tasks --all`", ExitCode.BAD_INPUT)
         typer.echo("no task has failed, and none is running")
         return
     typer.echo(explain(status))
     typer.echo("")
     if not last_picture(status):
-        typer.echo("no picture was taken when it went wrong")
+        typer.echo("no picture of the failure was taken")
         return
     if picture is None:
-        typer.echo(f"the picture of that moment: tandem why {status.task} --picture FILE")
+        typer.echo(f"to save the picture of the failure: tandem why {status.task} --picture FILE")
         return
     # It is kept by the skills, not in the ledger: only this part needs a robot.
     with Connection(bus) as connection:
@@ -73,9 +81,9 @@ def _picture(connection: Connection, status: TaskStatus, path: Path) -> str:
     asked = AskPicture(task=status.task, picture=number).model_dump_json().encode()
     picture = connection.raw(TASK_PICTURE, asked)
     if not picture:
-        return f"picture {number} is no longer kept"
+        return f"picture {number} is no longer available"
     try:
         path.write_bytes(picture)
     except OSError as error:
-        raise CommandError(f"--picture {path}: a writable file was expected: {error.strerror}") from error
-    return f"the picture of that moment: {path.resolve()}"
+        raise CommandError(f"--picture {path}: cannot write: {error.strerror}") from error
+    return f"picture of the failure: {path.resolve()}"

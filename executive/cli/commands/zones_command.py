@@ -27,16 +27,22 @@ def add_to(app: typer.Typer) -> None:
 
 def draw(
     *,
-    height: Annotated[float, typer.Option("--height", min=0.0, max=2.0, help="Of the table, in m.")] = 0.71,
+    height: Annotated[
+        float, typer.Option("--height", min=0.0, max=2.0, help="Height of the table, in m.")
+    ] = 0.71,
     torso: Annotated[
-        float | None, typer.Option("--torso", min=0.0, max=1.0, help="Where it stands, in m; at home.")
+        float | None,
+        typer.Option(
+            "--torso", min=0.0, max=1.0, help="Height of the torso, in m. Default: its home position."
+        ),
     ] = None,
     form: Annotated[ZonesFormat, typer.Option("--format", "-f")] = ZonesFormat.UNICODE,
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="FILE", help="Write to a file.")
+        Path | None,
+        typer.Option("--output", "-o", metavar="FILE", help="Write to this file instead of standard output."),
     ] = None,
 ) -> None:
-    """Draw where the left hand, the right hand, both or neither get a grasp. Takes some seconds."""
+    """Draw where the left hand, the right hand, both or neither can grasp. Takes a few seconds."""
     from tandem.executive.render.zones import png_zones, svg_zones, unicode_zones  # noqa: PLC0415
     from tandem.sim.robot import compose_robot  # noqa: PLC0415
     from tandem.skills.bimanual.zones import ZonesAsk, zones  # noqa: PLC0415
@@ -50,12 +56,10 @@ def draw(
         try:
             output.write_bytes(content)
         except OSError as error:
-            raise CommandError(
-                f"--output {output}: a writable file was expected: {error.strerror}"
-            ) from error
+            raise CommandError(f"--output {output}: cannot write: {error.strerror}") from error
         typer.echo(f"{output}: {len(content)} bytes")
     elif form is ZonesFormat.PNG and sys.stdout.isatty():
-        raise CommandError("png is no text: name a file with --output")
+        raise CommandError("png is binary; give a file with --output")
     else:
         sys.stdout.buffer.write(content)
         sys.stdout.flush()

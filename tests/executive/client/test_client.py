@@ -323,7 +323,7 @@ def test_an_answer_of_another_version_is_said_to_be_one(client: Client, link: St
     talk = client._ask.info()
     next(talk)
     desk.drain()[0].reply(json.dumps({"name": "executive", "new": 1}).encode())
-    with pytest.raises(OtherVersionError, match="task/info was answered by a program of another version"):
+    with pytest.raises(OtherVersionError, match="task/info: the answer is from another version of tandem"):
         next(talk)
 
 

@@ -75,12 +75,12 @@ def test_the_list_tells_who_holds_what(folder: Path, capfd: pytest.CaptureFixtur
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("--listen", "tcp/0.0.0.0:7447"), "say --insecure"),
+        (("--listen", "tcp/0.0.0.0:7447"), "pass --insecure"),
         (("--listen", "tls/0.0.0.0:7447"), "TLS needs keys"),
-        (("--connect", "tcp/0.0.0.0:7447"), "say --insecure"),
-        (("--listen", "nowhere"), "an endpoint tls/HOST:PORT was expected"),
+        (("--connect", "tcp/0.0.0.0:7447"), "pass --insecure"),
+        (("--listen", "nowhere"), "expected an endpoint tls/HOST:PORT"),
         (("--only", "router,moon"), "found 'moon'"),
-        (("--as", "tiago"), "--keys with its folder was expected"),
+        (("--as", "tiago"), "--as needs --keys"),
     ],
 )
 def test_up_does_not_open_what_it_can_not_close(

@@ -66,7 +66,7 @@ def test_cancel_from_the_command(start: Start, capfd: pytest.CaptureFixture[str]
     assert main(["request", "fetch", "--item", "29", *system]) == 0
     task = capfd.readouterr().out.strip()
     assert main(["cancel", task, *system]) == 0
-    assert "is being cancelled" in capfd.readouterr().out
+    assert "cancelling" in capfd.readouterr().out
     for _ in range(50):
         assert main(["tasks", "--json", *system]) == 0
         (status,) = json.loads(capfd.readouterr().out)["tasks"]
@@ -97,13 +97,13 @@ def test_pause_step_and_resume_from_the_command(start: Start, capfd: pytest.Capt
     assert main(["request", "fetch", "--item", "29", *system]) == 0
     task = capfd.readouterr().out.strip()
     assert main(["pause", *system]) == 0
-    assert f"{task} is being paused" in capfd.readouterr().out
+    assert f"pausing {task}" in capfd.readouterr().out
     assert state(system, capfd, "PAUSED")
     assert main(["step", *system]) == 0
     capfd.readouterr()
     assert state(system, capfd, "PAUSED")
     assert main(["resume", task, *system]) == 0
-    assert "goes on" in capfd.readouterr().out
+    assert "resuming" in capfd.readouterr().out
     assert main(["step", *system]) == 2
     assert "not paused" in capfd.readouterr().err
     assert main(["why", *system]) == 0
