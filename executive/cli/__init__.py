@@ -1,1 +1,9 @@
-"""The ``tandem`` command."""
+"""The ``tandem`` command.
+
+Entry: start, main; the commands themselves are in ``commands/``.
+Options: arguments, opening, allowed, display.
+Talking to the executive: connection, sending, waiting.
+What users see: telling, errors, exit_codes, logs.
+Whole systems: running_system.
+Documentation: pages.
+"""

@@ -1,1 +1,6 @@
-"""How processes are put together: what each role is made of, how they are started, watched and ended."""
+"""How processes are put together. ``roles/`` has one file for each role.
+
+One process: worker, playing, leased_loop, skill_process, router, isolation, quiet_screen.
+All of them: processes, hung_processes, systems, lockstep.
+The start: free_endpoint, startup_notice, first_request.
+"""

@@ -1,1 +1,6 @@
-"""Moving an arm."""
+"""Moving an arm. ``planning/`` finds ways, ``field/`` follows what moves.
+
+Skills: move, survey, process.
+From a goal to a motion: plan_move, problem, scene, far_path, curve, timing, trajectory, retreat.
+While it moves: motion, watch, followed, gate, silence, status.
+"""

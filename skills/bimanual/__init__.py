@@ -1,1 +1,7 @@
-"""Both arms at once: workspace zones, coordination, two hands on one thing."""
+"""Both arms at once: workspace zones, coordination, two hands.
+
+Zones: zones, zones_node.
+Coordination: coordinate, coordination, coordinator, observer, announced, way, alone.
+Two hands on one thing: two_hands, middle, ready, glide, hold, squeeze, landing, trial, lead.
+All of it: process.
+"""

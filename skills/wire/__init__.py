@@ -1,1 +1,7 @@
-"""Buses, clocks and process loops: the only home of zenoh."""
+"""Buses, clocks and process loops: the only home of zenoh.
+
+zenoh: zenoh_bus, configs, credentials, endpoints, linger, keyed_queue, kept.
+In memory: memory.
+A process: loop, clocks, workers, waking, pulse.
+One of each role: presence, lease_holder.
+"""

@@ -1,1 +1,8 @@
-"""The commands: one file each, or one for a family."""
+"""The commands: one file each, or one for a family.
+
+Run a robot: run_commands, stop_commands, doctor_command, keys_command.
+Ask for tasks: request_command, verb_commands, task_commands, history_command.
+Look on: watch_command, why_command, tree_commands, zones_command.
+Files and schemas: scenario_commands, schema_command.
+Try and measure: campaign_command, restart_command, experiment_command, bench_command.
+"""
