@@ -16,11 +16,12 @@ import numpy as np
 from tandem.sim.scenario import Scenario, SpawnSurface
 from tandem.sim.scene import SceneBody, as_box, build_scene, item_body
 from tandem.skills.arm.problem import Moment
+from tandem.skills.geometry.poses import about, add, from_axes, multiply, rotate
+from tandem.skills.grasping.tag_grasps import FINGER_ROOM, PITCHES, Grasp, grasp, proximity_poses
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
-from tandem.skills.ports.geometry import FloorPose, Pose, about, add, from_axes, multiply, rotate
-from tandem.skills.ports.grasping import FINGER_ROOM, PITCHES, Grasp, grasp, proximity_poses
 from tandem.skills.ports.hardware import JointStates, RobotDescription
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import Box, PlanningScene, SceneObject
 

@@ -22,13 +22,14 @@ from tandem.skills.arm.gate import Gate
 from tandem.skills.arm.plan_move import MovePlanner
 from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm
+from tandem.skills.grasping.item_frames import tag_of_item
+from tandem.skills.grasping.tag_grasps import tool_orientation
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.ports.actions.approach import ApproachGoal
-from tandem.skills.ports.geometry import FloorPose, Pose
-from tandem.skills.ports.grasping import tag_of_item, tool_orientation
 from tandem.skills.ports.hardware import JointStates, RobotDescription
 from tandem.skills.ports.keys import JOINT_STATES
 from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.world import (
     ROBOT_POSE,
     SCENE,

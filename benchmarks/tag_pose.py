@@ -22,10 +22,11 @@ from tandem.sim.scenario import Noise, load_scenario
 from tandem.sim.scene import SceneBody, build_scene, item_name
 from tandem.sim.tags import tags_in_item
 from tandem.sim.twin import Snapshot, View, looking_at
+from tandem.skills.geometry.poses import angle_between, compose, conjugate, distance, invert, rotate
 from tandem.skills.perception import tags
-from tandem.skills.ports.geometry import Pose, angle_between, compose, conjugate, distance, invert, rotate
 from tandem.skills.ports.image import RgbdImage, decode
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import Pose
 from tandem.skills.site import load
 
 ITEM = 29

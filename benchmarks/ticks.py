@@ -18,7 +18,8 @@ from benchmarks.rows import Row, quantile, spread
 from tandem.executive.render.example import tree_of
 from tandem.executive.service.executive import Executive
 from tandem.executive.trials.run_report import walk
-from tandem.skills.ports.geometry import Pose, from_axes
+from tandem.skills.geometry.poses import from_axes
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask
 from tandem.skills.site import load
 from tandem.skills.testing.mock_robot import MockRobot

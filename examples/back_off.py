@@ -7,13 +7,14 @@ from typing import Annotated, Final
 
 from pydantic import Field
 
+from tandem.skills.geometry.poses import floor_distance
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import FloorPose, floor_distance
 from tandem.skills.ports.hardware import BaseVelocity
 from tandem.skills.ports.keys import BASE_VELOCITY, ODOMETRY, Latest
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import ActionType, Command, Run, canceled, failed, succeeded
 
 SPEED: Final = 0.1

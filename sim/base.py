@@ -6,7 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from tandem.skills.ports.geometry import FloorPose, wrap
+from tandem.skills.geometry.poses import wrap
+from tandem.skills.ports.pose import FloorPose
 
 if TYPE_CHECKING:
     import numpy as np

@@ -15,9 +15,10 @@ import pybullet
 
 from tandem.sim.render import Job, Renderer, Scene
 from tandem.sim.twin import Snapshot, View, looking_at
-from tandem.skills.ports.geometry import Pose, from_axes
+from tandem.skills.geometry.poses import from_axes
 from tandem.skills.ports.hardware import CameraSensor, RgbdHeader
 from tandem.skills.ports.keys import RGBD
+from tandem.skills.ports.pose import Pose
 
 if TYPE_CHECKING:
     from tandem.sim.body import RobotBody

@@ -16,10 +16,10 @@ from tandem.sim.scene import item_body, obstacle_body
 from tandem.sim.things import Name, Obstacle, TrueItem
 from tandem.sim.truth import TRUTH, read_truth
 from tandem.skills.ports.endpoint import Call, answering, endpoint
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.hardware import Answer
 from tandem.skills.ports.keys import Service, Topic
 from tandem.skills.ports.message import MOST, Message, RobotTime, RobotTimer, Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.serving import Endpoints
 
 if TYPE_CHECKING:

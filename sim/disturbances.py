@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
 from tandem.sim.scene import item_name
-from tandem.skills.ports.geometry import rotate
+from tandem.skills.geometry.poses import rotate
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

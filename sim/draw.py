@@ -16,7 +16,7 @@ from tandem.sim.plan import Plan, gap, plan_of
 from tandem.sim.scenario import Scenario, ScenarioError, SpawnSurface
 from tandem.sim.scene import SceneBody, build_scene, furniture_bodies, item_body, item_name
 from tandem.sim.things import FLOOR, TrueItem
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from tandem.sim.scene import SceneBody
-    from tandem.skills.ports.geometry import FloorPose
+    from tandem.skills.ports.pose import FloorPose
 
 TOUCH: Final = 0.0005
 """Metres by which two things may overlap: things that are put side by side touch, to within a file's digits.

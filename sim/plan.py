@@ -8,7 +8,7 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from tandem.sim.things import CylinderShape
-from tandem.skills.ports.geometry import rotate
+from tandem.skills.geometry.poses import rotate
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

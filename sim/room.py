@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 from tandem.sim.faults import DepotTaken, ItemGone, ItemMoves, ObstacleAppears
 from tandem.sim.scene import GAP, SceneBody, item_body, item_name, obstacle_body, support_height
 from tandem.sim.things import FLOOR, BoxShape, Obstacle, TrueItem
-from tandem.skills.ports.geometry import Pose, about, yaw_of
+from tandem.skills.geometry.poses import about, yaw_of
+from tandem.skills.ports.pose import Pose
 
 if TYPE_CHECKING:
     from tandem.sim.body import RobotBody

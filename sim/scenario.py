@@ -15,8 +15,8 @@ from pydantic import Field, JsonValue, model_validator
 
 from tandem.sim.faults import Fault
 from tandem.sim.things import Angle, Coordinate, Name, Obstacle, TrueItem
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.sources import DocumentError, Source
 from tandem.skills.yaml_file import parse_document, read_document, validate
 

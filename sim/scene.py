@@ -15,7 +15,9 @@ from tandem.sim import placing
 from tandem.sim.faults import DepotTaken, Fault, ItemMoves, ObstacleAppears, Place
 from tandem.sim.scenario import Scenario, ScenarioError
 from tandem.sim.things import FLOOR, BoxShape, CylinderShape, Obstacle, TrueItem
-from tandem.skills.ports.geometry import Pose, about
+from tandem.skills.geometry.floor_plan import box_in_map
+from tandem.skills.geometry.poses import about
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site, SiteBox
 from tandem.skills.ports.sources import Source
 from tandem.skills.ports.world import Box
@@ -79,7 +81,7 @@ def furniture_bodies(site: Site) -> tuple[SceneBody, ...]:
         SceneBody(
             name=f"{piece.name}.{index}",
             shape=BoxShape(size=box.size),
-            pose=box.box().pose,
+            pose=box_in_map(box).pose,
             mass=0.0,
             friction=FURNITURE_FRICTION,
             colour=piece.colour,

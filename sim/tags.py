@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Final
 import cv2
 import numpy as np
 
-from tandem.skills.ports.geometry import Pose, from_axes
+from tandem.skills.geometry.poses import from_axes
+from tandem.skills.ports.pose import Pose
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from tandem.sim.scene import item_name, support_height
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.keys import Nothing, Service
 from tandem.skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 
 if TYPE_CHECKING:

@@ -20,8 +20,9 @@ from tandem.sim.chatter import unheard
 from tandem.sim.meshes import write_shape
 from tandem.sim.tags import write_item
 from tandem.sim.things import BoxShape
-from tandem.skills.ports.geometry import Pose, from_axes, rotate
+from tandem.skills.geometry.poses import from_axes, rotate
 from tandem.skills.ports.packages import resolve
+from tandem.skills.ports.pose import Pose
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -8,7 +8,7 @@ import pybullet
 
 from tandem.sim.scene import SceneBody, build_scene
 from tandem.sim.things import BoxShape
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

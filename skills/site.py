@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from importlib import resources
 from pathlib import Path
 
-from tandem.skills.ports.floor_plan import FloorPlan
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.geometry.floor_plan import FloorPlan
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.sources import DocumentError
 from tandem.skills.yaml_file import parse_document, read_document, validate

@@ -9,8 +9,9 @@ import math
 from dataclasses import dataclass, field
 from typing import Final
 
-from tandem.skills.ports.geometry import FloorPose, Pose
-from tandem.skills.ports.grasping import FINGER_ROOM, Grasp, Place, face_towards
+from tandem.skills.grasping.item_frames import face_towards
+from tandem.skills.grasping.tag_grasps import FINGER_ROOM, Grasp, Place
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.site import Depot, SiteItem, Slot
 from tandem.skills.ports.world import ItemFact, Side
 from tandem.trees.context import TreeContext

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from tandem.skills.ports.geometry import compose
+from tandem.skills.geometry.poses import compose
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.site import Slot
 from tandem.skills.ports.world import Side

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from tandem.skills.geometry.poses import compose, invert, to_pose, yaw_of
+from tandem.skills.grasping.hand_grasps import HandGrasp, cube_grasps, side_grasps
+from tandem.skills.grasping.item_frames import standing_in_map, turned_like
+from tandem.skills.grasping.tag_grasps import FINGER_ROOM
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import Pose, compose, invert, to_pose, yaw_of
-from tandem.skills.ports.grasping import FINGER_ROOM, standing_in_map, turned_like
-from tandem.skills.ports.hand_grasps import HandGrasp, cube_grasps, side_grasps
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import SiteItem
 from tandem.skills.ports.world import ItemFact, Side
 from tandem.trees.context import TreeContext

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from tandem.skills.grasping.item_frames import upright_in_map
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.grasping import upright_in_map
 from tandem.skills.ports.world import ItemFact, Side, Sighting
 from tandem.trees.context import TreeContext
 

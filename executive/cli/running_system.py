@@ -33,7 +33,7 @@ from tandem.executive.trials.run_report import Recorder, write_report
 from tandem.sim.scenario import Scenario, read_scenario
 from tandem.sim.scene import build_scene
 from tandem.sim.truth import Truth, lies_on
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.sources import DocumentError
 from tandem.skills.site import load

@@ -18,9 +18,9 @@ from tandem.executive.trials.provenance import installed_packages
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.tasks import (
     TASK_ANSWERS,
     TASK_STATUS,

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
+from tandem.skills.grasping.item_frames import standing_in_map
 from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.grasping import standing_in_map
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.world import WORLD, WorldState

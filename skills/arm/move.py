@@ -22,12 +22,12 @@ from tandem.skills.arm.problem import Arm, Moment, Plan
 from tandem.skills.arm.silence import SILENT_AFTER, joints_silent
 from tandem.skills.arm.status import ArmStatusBoard
 from tandem.skills.arm.watch import MotionWatch
+from tandem.skills.geometry.poses import distance
 from tandem.skills.ports.actions.arm import ArmState, MoveFeedback, MoveGoal, MovePhase, MoveResult, move
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.compute import Compute
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import distance
 from tandem.skills.ports.keys import JOINT_STATES, Latest
 from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
 from tandem.skills.ports.world import ROBOT_POSE, SCENE

@@ -24,7 +24,7 @@ from tandem.skills.kinematics.transforms import Array, to_se3
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.compute import Compute
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 
 Steps = Generator[int, None, Plan | Failure]
 """Yields units of work (a collision check each, about), 0 while a worker is waited for."""

@@ -20,8 +20,8 @@ from tandem.skills.kinematics.ik import SeedTable, Solver
 from tandem.skills.kinematics.model import Limits
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.arm import MoveGoal
-from tandem.skills.ports.geometry import FloorPose, Pose
 from tandem.skills.ports.hardware import EndEffector, JointStates, RobotDescription
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.world import PlanningScene
 
 LIMIT_MARGIN = 0.01

@@ -6,10 +6,11 @@ from collections.abc import Iterator, Sequence
 from typing import Final
 
 from tandem.skills.arm.planning.straight import Hand, Line
+from tandem.skills.geometry.poses import compose, distance
 from tandem.skills.kinematics.collision import MAX_RESTING_DEPTH
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.arm import MoveGoal
-from tandem.skills.ports.geometry import IDENTITY, Pose, compose, distance
+from tandem.skills.ports.pose import IDENTITY, Pose
 
 UP: Final = 0.10
 """Metres straight up in the map: what is tried after all ways of the goal."""

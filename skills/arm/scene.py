@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 
+from tandem.skills.geometry.poses import compose, invert, to_pose
 from tandem.skills.kinematics.bodies import BoxShape, Obstacle
-from tandem.skills.ports.geometry import FloorPose, Pose, compose, invert, to_pose
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.world import PlanningScene, SceneObject
 
 PADDING = {"furniture": (0.015, 0.003), "clutter": (0.01, 0.004), "item": (0.004, 0.002)}

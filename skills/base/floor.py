@@ -7,7 +7,8 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from tandem.skills.ports.geometry import FloorPose, wrap
+from tandem.skills.geometry.poses import wrap
+from tandem.skills.ports.pose import FloorPose
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]

@@ -15,8 +15,9 @@ import numpy as np
 from tandem.skills.base.path import Path
 from tandem.skills.base.planner import Clearances
 from tandem.skills.base.wheels import stopping_speed
-from tandem.skills.ports.geometry import FloorPose, wrap
+from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.hardware import Drive
+from tandem.skills.ports.pose import FloorPose
 
 LATENCY: Final = 0.05
 """Seconds between a command and what the base does about it."""

@@ -16,10 +16,11 @@ from tandem.skills.base.path import Path
 from tandem.skills.base.planner import Clearances, Planner
 from tandem.skills.base.ride import Motion, Ride
 from tandem.skills.base.watch import Block, Watch
+from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback, DriveGoal, DriveResult
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
 from tandem.skills.ports.hardware import Drive
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import Command, Outcome, Run, Slice, canceled, failed, succeeded
 
 MARGIN: Final = 0.03

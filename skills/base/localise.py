@@ -26,8 +26,8 @@ from tandem.skills.ports.actions.base import (
 )
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
 
 SCANS: Final = 4

@@ -17,12 +17,13 @@ from tandem.skills.base.map import SiteMap
 from tandem.skills.base.matcher import Match, carried, diagonal, match, share_near
 from tandem.skills.base.odometry import OdometryBuffer, ahead
 from tandem.skills.base.scan import ScanGeometry, ScanPoints
+from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
-from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
 from tandem.skills.ports.hardware import LaserScan, Odometry, RobotDescription
 from tandem.skills.ports.keys import LASER, ODOMETRY, Latest
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 
 PERIOD: Final = 0.05

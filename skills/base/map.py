@@ -15,9 +15,10 @@ import numpy as np
 
 from tandem.skills.base.field import DistanceField
 from tandem.skills.base.floor import BoolArray, FloatArray
-from tandem.skills.ports.chain import Chain
-from tandem.skills.ports.geometry import FloorPose, rotate, to_floor
+from tandem.skills.geometry.chain import Chain
+from tandem.skills.geometry.poses import rotate, to_floor
 from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import Site, SiteBox
 
 STEP: Final = 0.025

@@ -14,7 +14,8 @@ import numpy as np
 
 from tandem.skills.base.field import DistanceField
 from tandem.skills.base.floor import FloatArray, points_in
-from tandem.skills.ports.geometry import FloorPose, wrap
+from tandem.skills.geometry.poses import wrap
+from tandem.skills.ports.pose import FloorPose
 
 NEAR: Final = 0.1
 """Metres: a beam that ends as near to a mapped surface counts as explained."""

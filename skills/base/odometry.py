@@ -8,9 +8,9 @@ from collections import deque
 from typing import Final
 
 from tandem.skills.base.floor import between, compose
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.hardware import Odometry
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose
 
 SAME: Final = 1e-9
 """Seconds between two moments that are one: stamps are rounded to 1e-6."""

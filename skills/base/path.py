@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from tandem.skills.base.floor import FloatArray
-from tandem.skills.ports.geometry import wrap
+from tandem.skills.geometry.poses import wrap
 
 
 @dataclass(frozen=True)

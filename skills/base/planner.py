@@ -18,7 +18,7 @@ from tandem.skills.base.field import DistanceField
 from tandem.skills.base.floor import FloatArray
 from tandem.skills.base.obstacles import with_obstacles
 from tandem.skills.base.path import Path
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 
 EXPANSIONS: Final = 100
 """Nodes expanded in a slice."""

@@ -15,10 +15,11 @@ from tandem.skills.base.guard import Guard
 from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.odometry import ahead
 from tandem.skills.base.wheels import Wheels, stopping_speed
+from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import FloorPose, wrap
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import Command, Slice
 
 CYCLE: Final = 0.02

@@ -9,11 +9,11 @@ from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.ride import Ride
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.wheels import Wheels
+from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.actions.base import ROTATE, BaseState, RotateFeedback, RotateGoal, RotateResult
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import wrap
 from tandem.skills.ports.hardware import Drive
 from tandem.skills.ports.skill import ActionType, Outcome, Run, canceled, failed, succeeded
 

@@ -17,7 +17,8 @@ import numpy as np
 from tandem.skills.base.floor import FloatArray, points_in
 from tandem.skills.base.map import SiteMap
 from tandem.skills.base.matcher import diagonal, match
-from tandem.skills.ports.geometry import FloorPose, wrap
+from tandem.skills.geometry.poses import wrap
+from tandem.skills.ports.pose import FloorPose
 
 CELL: Final = 0.05
 """Metres: the score grid."""

@@ -13,12 +13,12 @@ from typing import Final
 
 from tandem.skills.bimanual.observer import ArmObserver
 from tandem.skills.bimanual.way import joined, straight, thinned
+from tandem.skills.geometry.poses import transform
 from tandem.skills.kinematics.described import by_name
 from tandem.skills.kinematics.follow import PoseFollower
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.approach import GOAL_RADIUS
-from tandem.skills.ports.geometry import transform
 from tandem.skills.ports.hardware import JointStates, RobotDescription
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.world import Side

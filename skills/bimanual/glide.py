@@ -9,16 +9,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from tandem.skills.ports.geometry import (
-    Pose,
-    add,
-    angle_between,
-    conjugate,
-    length,
-    multiply,
-    scale,
-    subtract,
-)
+from tandem.skills.geometry.poses import add, angle_between, conjugate, length, multiply, scale, subtract
+from tandem.skills.ports.pose import Pose
 
 
 @dataclass(frozen=True)

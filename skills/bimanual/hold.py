@@ -12,14 +12,15 @@ from typing import Final
 from tandem.skills.bimanual.lead import LedArm
 from tandem.skills.bimanual.middle import Span, span
 from tandem.skills.bimanual.squeeze import Grasp
+from tandem.skills.geometry.poses import rotate, subtract
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.actions.approach import ApproachStatus, approach_status
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.geometry import Pose, rotate, subtract
 from tandem.skills.ports.hardware import GroupStatus, JointStates, MotionState, RobotDescription, Wrench
 from tandem.skills.ports.keys import JOINT_STATES, STOP_STATE, Latest, group_setpoint, group_status, wrench
 from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import SIDES, Side
 
 LONGEST: Final = 0.05

@@ -10,9 +10,9 @@ import numpy as np
 from tandem.skills.kinematics.follow import Followed, PoseFollower
 from tandem.skills.kinematics.model import Limits, RobotKinematics
 from tandem.skills.kinematics.transforms import Array
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.hardware import RobotDescription, SetPoint
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Side
 
 LIMIT_MARGIN: Final = 0.01

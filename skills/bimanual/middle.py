@@ -9,8 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from tandem.skills.ports.geometry import (
-    Pose,
+from tandem.skills.geometry.poses import (
     add,
     compose,
     conjugate,
@@ -23,6 +22,7 @@ from tandem.skills.ports.geometry import (
     subtract,
 )
 from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.pose import Pose
 
 _UP: Vector3 = (0.0, 0.0, 1.0)
 

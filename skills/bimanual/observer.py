@@ -8,10 +8,10 @@ from typing import Final
 import numpy as np
 
 from tandem.skills.bimanual.coordination import ArmNow
+from tandem.skills.geometry.chain import Chain
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.chain import Chain
 from tandem.skills.ports.hardware import ArmsCrossing, JointStates, RobotDescription
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import RobotTimer

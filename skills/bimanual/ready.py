@@ -6,8 +6,7 @@ import math
 from typing import Final
 
 from tandem.skills.bimanual.middle import Span
-from tandem.skills.ports.geometry import (
-    Pose,
+from tandem.skills.geometry.poses import (
     about,
     add,
     compose,
@@ -19,6 +18,7 @@ from tandem.skills.ports.geometry import (
     transform,
 )
 from tandem.skills.ports.message import Quaternion, Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import SiteItem
 from tandem.skills.ports.world import SIDES
 

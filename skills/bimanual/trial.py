@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from tandem.skills.bimanual.lead import LedArm
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Side
 
 REACHED: Final = 0.004

@@ -18,6 +18,8 @@ from tandem.skills.bimanual.middle import HandsApartError, tilt
 from tandem.skills.bimanual.ready import STRAIGHT, between, ready_tools, swing, ways_back
 from tandem.skills.bimanual.squeeze import TOUCH, agree
 from tandem.skills.bimanual.trial import SLICE, OutOfReach, try_way
+from tandem.skills.geometry.poses import compose, invert, to_pose
+from tandem.skills.grasping.item_frames import standing_in_map
 from tandem.skills.ports.actions.bimanual import (
     TWO_HANDS,
     TwoHands,
@@ -28,10 +30,9 @@ from tandem.skills.ports.actions.bimanual import (
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import FloorPose, Pose, compose, invert, to_pose
-from tandem.skills.ports.grasping import standing_in_map
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import Quaternion
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
 from tandem.skills.ports.world import ROBOT_POSE, SIDES, WORLD

@@ -11,11 +11,12 @@ from typing import Final
 
 import numpy as np
 
+from tandem.skills.geometry.poses import add, length, scale, subtract
 from tandem.skills.kinematics.clearance import ArmsClearance
 from tandem.skills.kinematics.follow import PoseFollower
 from tandem.skills.kinematics.transforms import Array
-from tandem.skills.ports.geometry import Pose, add, length, scale, subtract
 from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.pose import Pose
 
 MARGIN: Final = 0.06
 """Metres between the arms that ways must leave: twice what the reflex stops at."""

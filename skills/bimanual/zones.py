@@ -16,6 +16,7 @@ from typing import Final, TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from tandem.skills.geometry.poses import from_rpy
 from tandem.skills.kinematics.batch import BatchChain
 from tandem.skills.kinematics.collision import CollisionChecker
 from tandem.skills.kinematics.described import home_positions, load_hulls
@@ -24,9 +25,9 @@ from tandem.skills.kinematics.ik import IkSettings, SeedTable, Solver
 from tandem.skills.kinematics.model import Limits
 from tandem.skills.kinematics.transforms import to_se3
 from tandem.skills.ports.actions.bimanual import ZoneRow
-from tandem.skills.ports.geometry import Pose, from_rpy
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Quaternion, Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import SIDES, Side
 
 T = TypeVar("T")

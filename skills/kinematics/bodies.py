@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import coal
 
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 
 
 @dataclass(frozen=True)

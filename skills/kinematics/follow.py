@@ -10,7 +10,7 @@ import numpy as np
 
 from tandem.skills.kinematics.model import Chain, Limits, RobotKinematics
 from tandem.skills.kinematics.transforms import Array, to_se3
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 
 DAMPING: Final = 1e-4
 """Of the least squares: (metre, radian)^2. Holds joints back near a singularity only."""

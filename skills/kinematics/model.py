@@ -14,8 +14,8 @@ import numpy as np
 import pinocchio as pin
 
 from tandem.skills.kinematics.transforms import Array, to_pose
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.packages import resolve
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.urdf_check import SEVERAL_NUMBERS, Mimic, UrdfError, mimics, parsed
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 
 Array = npt.NDArray[np.float64]
 """Floats of any shape; a function says which."""

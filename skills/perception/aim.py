@@ -10,10 +10,11 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from tandem.skills.ports.chain import Chain
-from tandem.skills.ports.geometry import Pose, invert, transform
+from tandem.skills.geometry.chain import Chain
+from tandem.skills.geometry.poses import invert, transform
 from tandem.skills.ports.hardware import JointGroup, RobotDescription
 from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.pose import Pose
 
 HEAD: Final = "head"
 APART: Final = 0.1

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import pairwise
 
-from tandem.skills.ports.chain import Chain
-from tandem.skills.ports.geometry import transform
+from tandem.skills.geometry.chain import Chain
+from tandem.skills.geometry.poses import transform
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Vector3
 

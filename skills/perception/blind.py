@@ -7,8 +7,9 @@ from typing import Final
 
 import numpy as np
 
-from tandem.skills.ports.geometry import Pose, angle_between, distance
+from tandem.skills.geometry.poses import angle_between, distance
 from tandem.skills.ports.image import RgbdImage
+from tandem.skills.ports.pose import Pose
 
 THIN: Final = 4
 """Every fourth pixel of every fourth row is looked at: a millisecond would be much otherwise."""

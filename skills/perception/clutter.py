@@ -13,11 +13,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tandem.skills.geometry.poses import about, compose, invert, transform
 from tandem.skills.perception.depth import back_project
 from tandem.skills.perception.rigid import Matrix, points_from, points_in
-from tandem.skills.ports.geometry import Pose, about, compose, invert, transform
 from tandem.skills.ports.image import RgbdImage
 from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Box
 
 COST: Final = 0.08

@@ -13,11 +13,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from tandem.skills.geometry.poses import compose, to_pose
 from tandem.skills.perception.aim import Aim
 from tandem.skills.perception.clutter import RANGE
 from tandem.skills.perception.rigid import Matrix, points_from, points_in
-from tandem.skills.ports.geometry import FloorPose, compose, to_pose
 from tandem.skills.ports.hardware import CameraSensor
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.world import Box
 
 COST: Final = 0.05

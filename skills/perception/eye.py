@@ -9,6 +9,8 @@ from collections.abc import Generator, Iterable
 from dataclasses import dataclass
 from typing import Final
 
+from tandem.skills.geometry.poses import compose, to_pose
+from tandem.skills.grasping.item_frames import standing_in_map
 from tandem.skills.perception import tags
 from tandem.skills.perception.blind import BlindCheck
 from tandem.skills.perception.camera import Camera
@@ -19,8 +21,6 @@ from tandem.skills.ports.actions.perception import LookFeedback
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.compute import Compute
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.geometry import compose, to_pose
-from tandem.skills.ports.grasping import standing_in_map
 from tandem.skills.ports.hardware import RgbdHeader, RobotDescription
 from tandem.skills.ports.image import decode
 from tandem.skills.ports.keys import Latest

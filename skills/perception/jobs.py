@@ -6,12 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tandem.skills.geometry.poses import compose, conjugate, rotate, to_pose
+from tandem.skills.grasping.item_frames import tag_of_item
 from tandem.skills.perception import clutter, tags
 from tandem.skills.perception.open_view import in_the_open
 from tandem.skills.perception.rigid import Matrix
-from tandem.skills.ports.geometry import FloorPose, Pose, compose, conjugate, rotate, to_pose
-from tandem.skills.ports.grasping import tag_of_item
 from tandem.skills.ports.image import decode
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.world import Box, Sighting
 
 

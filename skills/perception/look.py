@@ -7,6 +7,8 @@ from typing import Final
 
 import numpy as np
 
+from tandem.skills.geometry.floor_plan import box_in_map
+from tandem.skills.geometry.poses import invert, to_pose, transform
 from tandem.skills.perception import clutter, cover
 from tandem.skills.perception.aim import Aim
 from tandem.skills.perception.arms import Arms
@@ -24,7 +26,6 @@ from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.compute import Compute
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import invert, to_pose, transform
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import STOP_STATE, Latest
 from tandem.skills.ports.message import RobotTime
@@ -90,7 +91,7 @@ class Look:
         self._eye = Eye(bus, description, site, compute)
         self._body_radius = description.footprint_radius
         self._sizes = {each.item: each.size for each in site.items}
-        self._furniture = tuple(box.box() for each in site.furniture for box in each.boxes)
+        self._furniture = tuple(box_in_map(box) for each in site.furniture for box in each.boxes)
         self._stop, self._scene = Latest(bus, STOP_STATE), Latest(bus, SCENE, depth=4)
 
     @property

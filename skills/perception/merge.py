@@ -19,8 +19,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from tandem.skills.ports.geometry import Pose, angle_between, rotate, scale
+from tandem.skills.geometry.poses import angle_between, rotate, scale
 from tandem.skills.ports.message import Quaternion, Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Sighting
 
 SAME_FACE: Final = math.radians(40.0)

@@ -13,12 +13,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from tandem.skills.geometry.poses import compose, invert
 from tandem.skills.perception import depth
 from tandem.skills.perception.gaze import BORDER, CLOSEST
 from tandem.skills.perception.rigid import Matrix, points_in, rotation_of
-from tandem.skills.ports.geometry import Pose, compose, invert
 from tandem.skills.ports.hardware import RgbdHeader
 from tandem.skills.ports.image import RgbdImage
+from tandem.skills.ports.pose import Pose
 
 EDGE: Final = 8.0
 """Pixels that the tag must keep from the picture's edge: a robot's pose is some millimetres off."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tandem.skills.ports.geometry import Pose, from_axes
+from tandem.skills.geometry.poses import from_axes
 from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.pose import Pose
 
 Matrix = NDArray[np.float64]
 

@@ -23,8 +23,8 @@ import numpy as np
 
 from tandem.skills.perception import depth as depth_image
 from tandem.skills.perception.rigid import Matrix, pose_of, skew, turn
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.hardware import RgbdHeader
+from tandem.skills.ports.pose import Pose
 
 _CORNER_SIGMA: Final = 0.06
 """Pixels; what the edge fits leave in pictures with noise."""

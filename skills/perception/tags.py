@@ -11,13 +11,14 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tandem.skills.geometry.poses import length
 from tandem.skills.perception import corners as edges
 from tandem.skills.perception import depth as depth_image
 from tandem.skills.perception.rigid import Matrix
 from tandem.skills.perception.tag_pose import DepthPoints, Estimate, estimate
-from tandem.skills.ports.geometry import Pose, length
 from tandem.skills.ports.image import RgbdImage
 from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.pose import Pose
 
 COST: Final = 0.06
 """Robot seconds that one picture is charged in lockstep."""

@@ -16,6 +16,8 @@ from collections.abc import Generator
 from dataclasses import dataclass, field
 from typing import Final
 
+from tandem.skills.geometry.floor_plan import box_in_map
+from tandem.skills.geometry.poses import angle_between, compose, to_pose
 from tandem.skills.perception.aim import Aim
 from tandem.skills.perception.camera import Camera
 from tandem.skills.perception.eye import Eye, Steps, View
@@ -30,7 +32,6 @@ from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.compute import Compute
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import angle_between, compose, to_pose
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import STOP_STATE, Latest
 from tandem.skills.ports.message import Quaternion, RobotTime, RobotTimer, Vector3
@@ -89,7 +90,7 @@ class Track:
         self._faces: dict[int, Quaternion] = {}
         self._places: dict[int, Vector3] = {}
         self._aim, self._lens = Aim(description), description.camera
-        self._surfaces = tuple(box.box() for each in site.furniture for box in each.boxes)
+        self._surfaces = tuple(box_in_map(box) for each in site.furniture for box in each.boxes)
 
     @property
     def action(self) -> ActionType[TrackGoal, LookFeedback, TrackResult]:

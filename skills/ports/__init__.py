@@ -1,1 +1,1 @@
-"""The vocabulary that all rooms share: messages, failure kinds, protocols, keys, geometry."""
+"""The vocabulary that all rooms share: messages, failure kinds, protocols and keys."""

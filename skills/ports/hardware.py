@@ -9,9 +9,9 @@ from typing import Annotated, Final, Literal
 
 from pydantic import Field, model_validator
 
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.lease import Leased
 from tandem.skills.ports.message import Count, Message, RobotTime, Vector3
+from tandem.skills.ports.pose import FloorPose
 
 Positive = Annotated[float, Field(gt=0.0)]
 

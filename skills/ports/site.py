@@ -6,9 +6,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from tandem.skills.ports.geometry import FloorPose, Pose, about
 from tandem.skills.ports.message import Message, Vector3
-from tandem.skills.ports.world import Box
+from tandem.skills.ports.pose import FloorPose
 
 Edge = Annotated[float, Field(gt=0.0)]
 
@@ -19,10 +18,6 @@ class SiteBox(Message):
     size: tuple[Edge, Edge, Edge]
     centre: Vector3
     yaw: float = 0.0
-
-    def box(self) -> Box:
-        """Return it as a box with a pose."""
-        return Box(size=self.size, pose=Pose(position=self.centre, orientation=about((0, 0, 1), self.yaw)))
 
 
 class Furniture(Message):

@@ -6,9 +6,9 @@ from typing import Annotated, Final, Literal
 
 from pydantic import Field
 
-from tandem.skills.ports.geometry import FloorPose, Pose
 from tandem.skills.ports.keys import Topic
 from tandem.skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.pose import FloorPose, Pose
 
 Side = Literal["left", "right"]
 SIDES: Final[tuple[Side, Side]] = ("left", "right")

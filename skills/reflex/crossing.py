@@ -10,8 +10,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from tandem.skills.ports.geometry import Pose, rotate, wrap
+from tandem.skills.geometry.poses import rotate, wrap
 from tandem.skills.ports.hardware import ArmsCrossing
+from tandem.skills.ports.pose import Pose
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from typing import Final, TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from tandem.skills.geometry.poses import from_rpy
 from tandem.skills.kinematics.batch import BatchChain
 from tandem.skills.kinematics.clearance import ArmsClearance
 from tandem.skills.kinematics.collision import CollisionChecker
@@ -22,8 +23,8 @@ from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.ik import SeedTable, Solver
 from tandem.skills.kinematics.model import Limits
 from tandem.skills.kinematics.transforms import Array, to_se3
-from tandem.skills.ports.geometry import Pose, from_rpy
 from tandem.skills.ports.hardware import ArmsCrossing, RobotDescription
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import SIDES
 
 T = TypeVar("T")

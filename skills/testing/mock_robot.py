@@ -13,6 +13,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, Protocol, TypeVar
 
+from tandem.skills.geometry.poses import wrap
+from tandem.skills.grasping.item_frames import standing_in_map
 from tandem.skills.ports.actions.approach import (
     ApproachFeedback,
     ApproachGoal,
@@ -67,11 +69,10 @@ from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.endpoint import answering
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import IDENTITY, FloorPose, Pose, wrap
-from tandem.skills.ports.grasping import standing_in_map
 from tandem.skills.ports.keys import DESCRIPTION
 from tandem.skills.ports.message import Message, RobotTime, Vector3
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.pose import IDENTITY, FloorPose, Pose
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.skill import ActionType, Outcome, failed, succeeded

@@ -7,9 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from tandem.skills.ports.geometry import Pose, about, distance, rotate
-from tandem.skills.ports.grasping import standing_in_map, tag_of_item
+from tandem.skills.geometry.floor_plan import box_in_map
+from tandem.skills.geometry.poses import about, distance, rotate
+from tandem.skills.grasping.item_frames import standing_in_map, tag_of_item
 from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import (
     Box,
@@ -76,7 +78,7 @@ class Beliefs:
         self._clutter_named = 0
         self._boot = kept.boot
         self._furniture = tuple(
-            SceneObject(name=f"{each.name}_{i}", kind="furniture", box=box.box())
+            SceneObject(name=f"{each.name}_{i}", kind="furniture", box=box_in_map(box))
             for each in site.furniture
             for i, box in enumerate(each.boxes)
         )

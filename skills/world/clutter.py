@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from itertools import product
 from typing import Final
 
-from tandem.skills.ports.geometry import invert, transform
+from tandem.skills.geometry.poses import invert, transform
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.world import Box
 

@@ -7,7 +7,7 @@ import sys
 
 from tandem.executive.system.lockstep import Digest, Lockstep
 from tandem.sim.scenario import load_scenario
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.tasks import REQUEST
 
 BEFORE_THE_TABLE = FloorPose(x=-0.55, y=0.50, yaw=0.0)

@@ -30,8 +30,8 @@ from tandem.skills.ports.actions.arm import move
 from tandem.skills.ports.actions.base import DRIVE
 from tandem.skills.ports.actions.perception import LOOK
 from tandem.skills.ports.actions.world import EDIT
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.tasks import (
     TaskState,
     TaskStatus,

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 import pytest
 
 from tandem.sim.scenario import load_scenario
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.tasks import TaskState
 from tests.acceptance.course import STILL, Course, course
 

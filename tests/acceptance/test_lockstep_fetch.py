@@ -8,8 +8,9 @@ import pytest
 
 from tandem.sim.scenario import load_scenario
 from tandem.sim.things import TrueItem
+from tandem.skills.geometry.poses import wrap, yaw_of
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.geometry import FloorPose, wrap, yaw_of
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.tasks import TaskState
 from tandem.skills.site import load
 from tests.acceptance.course import Course, course

@@ -12,8 +12,8 @@ import pytest
 from tandem.sim.controls import FAULTS
 from tandem.sim.faults import HandOpens, ItemLifted
 from tandem.sim.scenario import load_scenario
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.tasks import TaskState
 from tests.acceptance.course import STILL, course
 

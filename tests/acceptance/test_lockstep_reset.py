@@ -10,7 +10,7 @@ import pytest
 
 from tandem.sim.controls import RESET, ResetRequest
 from tandem.sim.scenario import load_scenario
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.tasks import TaskState
 from tandem.skills.ports.world import WorldState
 from tests.acceptance.course import Course, course

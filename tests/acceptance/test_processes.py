@@ -14,8 +14,8 @@ from tandem.executive.system.systems import ProcessSystem
 from tandem.executive.trials.demo import Caller
 from tandem.sim.scenario import load_scenario
 from tandem.sim.truth import lies_on
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.tasks import (
     REQUEST,
     TASK_ANSWERS,

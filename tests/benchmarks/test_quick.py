@@ -9,10 +9,10 @@ import pytest
 from benchmarks import arm_planning, ledger, reaction, stillness, ticks
 from benchmarks.rows import Row
 from tandem.skills.ports.action import GoalState, GoalStatus
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.hardware import JointStates, Odometry
 from tandem.skills.ports.keys import JOINT_STATES, ODOMETRY
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus
 from tandem.skills.wire.memory import MemoryBus
 

@@ -6,10 +6,10 @@ import pytest
 
 from benchmarks.standing import STILL, Motion
 from tandem.sim.robot import compose_robot
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.hardware import BaseVelocity, JointStates, Odometry
 from tandem.skills.ports.keys import BASE_VELOCITY, JOINT_STATES, ODOMETRY
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.wire.memory import MemoryBus
 
 DESCRIPTION = compose_robot().description

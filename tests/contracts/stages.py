@@ -20,10 +20,10 @@ from tandem.skills.ports.actions.base import RotateGoal
 from tandem.skills.ports.actions.gripper import Grip, GripGoal
 from tandem.skills.ports.bus import Pending
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.hardware import Clock
 from tandem.skills.ports.keys import CLOCK
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import ActionType, Command, Skill, failed, succeeded
 from tandem.skills.server import ActionServer
 from tandem.skills.site import load

@@ -12,12 +12,13 @@ from py_trees.common import Status
 from pydantic import TypeAdapter
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
+from tandem.skills.geometry.poses import from_axes
 from tandem.skills.gripper.grip import Gripping
 from tandem.skills.ports.actions.gripper import Grip, GripGoal, grip
-from tandem.skills.ports.geometry import FloorPose, Pose, from_axes
 from tandem.skills.ports.hardware import BaseVelocity, Odometry
 from tandem.skills.ports.keys import BASE_VELOCITY, CLOCK, ODOMETRY, Latest
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.tasks import Problem
 from tandem.skills.server import ActionServer
 from tandem.skills.site import load

@@ -7,10 +7,11 @@ import time
 
 from tandem.executive.service.executive import Executive
 from tandem.executive.service.tasks.task_book import start_id
-from tandem.skills.ports.geometry import Pose, from_axes
+from tandem.skills.geometry.poses import from_axes
 from tandem.skills.ports.hardware import Clock
 from tandem.skills.ports.keys import CLOCK
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import Pose
 from tandem.skills.site import load
 from tandem.skills.testing.mock_robot import MockRobot
 from tandem.skills.wire.clocks import ProcessClocks

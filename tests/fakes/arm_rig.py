@@ -16,7 +16,6 @@ from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
 from tandem.skills.ports.actions.arm import ArmState, MoveGoal, MoveResult, arm_status, move
 from tandem.skills.ports.bus import Pending
-from tandem.skills.ports.geometry import FloorPose, Pose
 from tandem.skills.ports.hardware import (
     Answer,
     CameraSensor,
@@ -37,6 +36,7 @@ from tandem.skills.ports.hardware import (
 from tandem.skills.ports.keys import JOINT_STATES, Latest, group_cancel, group_goal, group_status
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.packages import resolve
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, Box, PlanningScene, RobotPose, SceneObject
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus

@@ -9,6 +9,8 @@ import numpy as np
 
 from tandem.sim.joints import GroupController
 from tandem.skills.arm.process import nodes
+from tandem.skills.geometry.poses import about, compose
+from tandem.skills.grasping.tag_grasps import tool_orientation
 from tandem.skills.kinematics.bodies import BoxShape, Obstacle
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.action import (
@@ -22,8 +24,6 @@ from tandem.skills.ports.action import (
 )
 from tandem.skills.ports.actions.approach import ApproachGoal, ApproachPhase, ApproachStatus, approach_status
 from tandem.skills.ports.actions.bimanual import RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
-from tandem.skills.ports.geometry import Pose, about, compose
-from tandem.skills.ports.grasping import tool_orientation
 from tandem.skills.ports.hardware import (
     CancelMotion,
     GroupStatus,
@@ -43,6 +43,7 @@ from tandem.skills.ports.keys import (
     group_status,
 )
 from tandem.skills.ports.message import Message, RobotTime, Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.skill import Command
 from tandem.skills.ports.world import (
     ROBOT_POSE,

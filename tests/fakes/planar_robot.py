@@ -12,9 +12,9 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
+from tandem.skills.geometry.chain import Chain
+from tandem.skills.geometry.poses import to_floor, wrap
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.chain import Chain
-from tandem.skills.ports.geometry import FloorPose, to_floor, wrap
 from tandem.skills.ports.hardware import (
     BaseVelocity,
     Bumpers,
@@ -33,6 +33,7 @@ from tandem.skills.ports.hardware import (
 )
 from tandem.skills.ports.keys import BASE_VELOCITY, BUMPERS, CLOCK, LASER, ODOMETRY, STOP_STATE, Latest
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import Site, SiteBox
 
 FloatArray = npt.NDArray[np.float64]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.world import RobotPose
 
 ORIGIN = FloorPose(x=0.0, y=0.0, yaw=0.0)

@@ -18,7 +18,7 @@ from tandem.sim.things import BoxShape
 from tandem.sim.trouble import Trouble
 from tandem.sim.world import World
 from tandem.skills.ports import keys
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 from tandem.skills.site import load
 
 SIZE = 0.06

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 from tests.sim.rooms import MakeRoom, Room
 from tests.sim.rooms import make_room as make
 

@@ -11,8 +11,8 @@ from tandem.sim.physics import Physics
 from tandem.sim.robot import compose_robot
 from tandem.sim.scenario import Scenario, load_scenario
 from tandem.sim.world import World, spawn
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import Site
 from tandem.skills.site import load
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pybullet
 
 from tandem.sim.disturbances import Disturbances
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 from tests.sim.rooms import MakeRoom, Room
 
 PERIOD = 0.01

@@ -9,7 +9,8 @@ import pytest
 from tandem.sim.placing import inside
 from tandem.sim.scene import SceneBody
 from tandem.sim.things import BoxShape, CylinderShape
-from tandem.skills.ports.geometry import Pose, about
+from tandem.skills.geometry.poses import about
+from tandem.skills.ports.pose import Pose
 
 CUBE = BoxShape(size=(0.1, 0.1, 0.1))
 MUG = CylinderShape(radius=0.05, height=0.1)

@@ -9,7 +9,7 @@ import pytest
 from tandem.sim.scenario import ScenarioError, load_scenario, scenario_names
 from tandem.sim.scene import build_scene
 from tandem.sim.things import TrueItem
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.sources import DocumentError, Source
 from tandem.skills.site import load
 

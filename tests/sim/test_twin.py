@@ -15,7 +15,8 @@ from tandem.sim.scene import Label, SceneBody
 from tandem.sim.tags import tags_in_item
 from tandem.sim.things import BoxShape
 from tandem.sim.twin import Twin, View, looking_at
-from tandem.skills.ports.geometry import Pose, about, compose, invert, transform
+from tandem.skills.geometry.poses import about, compose, invert, transform
+from tandem.skills.ports.pose import Pose
 
 SIZE = (0.06, 0.06, 0.06)
 EDGE = 0.048

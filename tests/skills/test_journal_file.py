@@ -8,7 +8,7 @@ import pytest
 
 from tandem.skills.goal_journal import COMPACT_AFTER, GoalJournal
 from tandem.skills.journal_file import JournalFile
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import HeldItem
 from tandem.skills.world.journal import Journal, Remembered
 from tests.fakes.full_disk import full_at

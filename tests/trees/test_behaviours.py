@@ -8,7 +8,7 @@ from py_trees.common import Status
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.site import load
 from tandem.skills.testing.mock_skill import Fault
 from tandem.trees.behaviours.again import Again

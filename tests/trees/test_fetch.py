@@ -8,9 +8,10 @@ import pytest
 from py_trees.common import Status
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
+from tandem.skills.geometry.poses import from_axes
 from tandem.skills.ports.actions.base import RotateGoal
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import IDENTITY, Pose, from_axes
+from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.world import HeldItem, ItemFact, Placed
 from tandem.skills.site import load
 from tandem.skills.testing.mock_skill import Fault

@@ -145,7 +145,8 @@ def test_a_name_that_is_not_clear_is_told() -> None:
 
 
 def in_a_fetch(prepare: Callable[[TreeBench], None]) -> tuple[TreeBench, Status]:
-    from tandem.skills.ports.geometry import Pose, from_axes  # noqa: PLC0415
+    from tandem.skills.geometry.poses import from_axes  # noqa: PLC0415
+    from tandem.skills.ports.pose import Pose  # noqa: PLC0415
 
     tag = Pose(position=(0.9, 0.1, 0.74), orientation=from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0)))
     bench = TreeBench(load("lab"), items={29: tag})

@@ -6,9 +6,9 @@ import pytest
 
 from tandem.executive.trials.exploration.hand_worlds import ITEMS, LEFT
 from tandem.executive.trials.exploration.tree_bench import TreeBench
+from tandem.skills.geometry.poses import angle_between
+from tandem.skills.grasping.item_frames import face, item_in_map
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.geometry import angle_between
-from tandem.skills.ports.grasping import face, item_in_map
 from tandem.skills.site import load
 from tandem.trees.hand_board import HandBoard
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.hardware import Clock
 from tandem.skills.ports.keys import CLOCK
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.site import load
 from tandem.skills.testing.mock_robot import MockRobot

@@ -13,7 +13,7 @@ from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.actions.bimanual import TwoHands, TwoHandsGoal
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import IDENTITY, Pose
+from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import HeldItem, Side
 from tandem.skills.site import load

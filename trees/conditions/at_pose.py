@@ -6,7 +6,8 @@ import math
 from collections.abc import Callable
 from typing import Final
 
-from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
+from tandem.skills.geometry.poses import floor_distance, wrap
+from tandem.skills.ports.pose import FloorPose
 from tandem.trees.behaviours.check import Check
 from tandem.trees.context import TreeContext
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback, DriveGoal, DriveResult
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 from tandem.trees.behaviours.act import Act
 from tandem.trees.context import TreeContext
 

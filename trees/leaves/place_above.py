@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Final
 
+from tandem.skills.grasping.tag_grasps import Place, place
 from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.grasping import Place, place
 from tandem.skills.ports.world import Side
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from tandem.skills.grasping.tag_grasps import PITCHES, Grasp, grasp
 from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import Pose
-from tandem.skills.ports.grasping import PITCHES, Grasp, grasp
+from tandem.skills.ports.pose import Pose
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard
 from tandem.trees.context import TreeContext

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from tandem.skills.geometry.poses import invert, transform
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import invert, transform
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.world import Box
 from tandem.trees.behaviours.decide import Decide

@@ -6,11 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
+from tandem.skills.geometry.floor_plan import FloorPlan
+from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.actions.arm import Candidate, SurveyFeedback, SurveyGoal, SurveyResult, survey
 from tandem.skills.ports.actions.base import ARM_MARGIN
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.floor_plan import FloorPlan
-from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.world import Side
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
+from tandem.skills.geometry.poses import add
 from tandem.skills.ports.actions.bimanual import (
     TWO_HANDS,
     TwoHands,
@@ -14,7 +15,7 @@ from tandem.skills.ports.actions.bimanual import (
     TwoHandsResult,
 )
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import Pose, add
+from tandem.skills.ports.pose import Pose
 from tandem.trees.behaviours.act import Act, accept
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard

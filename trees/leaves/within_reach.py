@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from tandem.skills.geometry.poses import compose, invert, to_pose, transform
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import compose, invert, to_pose, transform
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.world import Side
 from tandem.trees.behaviours.decide import Decide

@@ -13,8 +13,8 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess
 
+from tandem.skills.geometry.poses import floor_distance
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import floor_distance
 from tandem.trees.behaviours.interruptible import Interruptible
 from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.phase import Phase

@@ -7,7 +7,7 @@ from typing import Final
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 from tandem.trees.behaviours.recovery import Recovery
 from tandem.trees.conditions.at_pose import at_any
 from tandem.trees.context import TreeContext

@@ -7,9 +7,10 @@ import math
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 
+from tandem.skills.grasping.item_frames import face, outward
+from tandem.skills.grasping.tag_grasps import proximity_poses
 from tandem.skills.ports.actions.gripper import Grip, GripGoal, GripResult
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.grasping import face, outward, proximity_poses
 from tandem.skills.ports.world import Side
 from tandem.trees.board import FetchBoard
 from tandem.trees.context import TreeContext

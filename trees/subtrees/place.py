@@ -12,9 +12,9 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess
 
+from tandem.skills.grasping.tag_grasps import proximity_poses
 from tandem.skills.ports.actions.gripper import Grip, GripGoal
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.grasping import proximity_poses
 from tandem.skills.ports.world import Side
 from tandem.trees.behaviours.guarded import Guarded
 from tandem.trees.behaviours.note import Note

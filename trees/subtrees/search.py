@@ -10,7 +10,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 from tandem.trees.behaviours.again import Again
 from tandem.trees.behaviours.check import Check
 from tandem.trees.behaviours.decide import Decide

@@ -7,15 +7,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final, Literal
 
+from tandem.skills.geometry.poses import from_axes
 from tandem.skills.ports.actions.gripper import Grip, GripGoal
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.endpoint import answering
 from tandem.skills.ports.fencing import Grantor
-from tandem.skills.ports.geometry import FloorPose, Pose, from_axes
 from tandem.skills.ports.hardware import Clock
 from tandem.skills.ports.keys import CLOCK, Service
 from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import Side, WorldState

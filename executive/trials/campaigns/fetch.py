@@ -17,8 +17,8 @@ from tandem.sim.scenario import Scenario
 from tandem.skills.ports.actions.base import ARM_MARGIN
 from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import TaskState
 from tandem.skills.site import load

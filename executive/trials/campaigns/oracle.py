@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Final
 
 from tandem.sim.disturbances import Disturbances
 from tandem.sim.truth import Truth, lies_on
+from tandem.skills.geometry.poses import distance, floor_distance, to_floor, wrap
 from tandem.skills.ports.clocks import robot_seconds
-from tandem.skills.ports.geometry import Pose, distance, floor_distance, to_floor, wrap
 from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import SIDES, WORLD
 
 if TYPE_CHECKING:

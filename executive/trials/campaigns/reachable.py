@@ -18,22 +18,15 @@ from tandem.sim.scene import SceneBody, as_box, build_scene, furniture_bodies, i
 from tandem.skills.arm.plan_move import MovePlanner
 from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm, Moment
+from tandem.skills.geometry.floor_plan import FloorPlan
+from tandem.skills.grasping.item_frames import face, outward, tag_of_item
+from tandem.skills.grasping.tag_grasps import FINGER_ROOM, PITCHES, grasp, proximity_poses
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.actions.base import ARM_MARGIN
-from tandem.skills.ports.floor_plan import FloorPlan
-from tandem.skills.ports.geometry import FloorPose, Pose
-from tandem.skills.ports.grasping import (
-    FINGER_ROOM,
-    PITCHES,
-    face,
-    grasp,
-    outward,
-    proximity_poses,
-    tag_of_item,
-)
 from tandem.skills.ports.hardware import JointStates, RobotDescription
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import PlanningScene, SceneObject, Side
 

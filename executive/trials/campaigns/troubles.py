@@ -41,8 +41,8 @@ from tandem.sim.faults import (
 )
 from tandem.sim.scenario import Scenario, ScenarioError
 from tandem.sim.things import BoxShape
+from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.geometry import wrap
 from tandem.skills.ports.site import Site
 from tandem.skills.testing.faulty_bus import BusFaults
 

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
 from tandem.sim.scene import item_name
-from tandem.skills.ports.geometry import Pose, invert, rotate, transform
-from tandem.skills.ports.hand_grasps import TIP
+from tandem.skills.geometry.poses import invert, rotate, transform
+from tandem.skills.grasping.hand_grasps import TIP
 from tandem.skills.ports.message import Message, Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import SiteItem
 from tandem.skills.ports.world import SIDES, Side
 

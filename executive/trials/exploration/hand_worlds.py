@@ -10,11 +10,12 @@ from typing import Final
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.executive.trials.exploration.worlds import Make, stop
+from tandem.skills.geometry.poses import about
+from tandem.skills.grasping.item_frames import tag_of_item
 from tandem.skills.ports.actions.bimanual import COORDINATE
 from tandem.skills.ports.actions.perception import TRACK
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import IDENTITY, Pose, about
-from tandem.skills.ports.grasping import tag_of_item
+from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.world import SIDES, HeldItem, ItemFact, Side
 from tandem.skills.site import load
 from tandem.skills.testing.mock_robot import STRETCHED, MockRobot

@@ -14,7 +14,7 @@ from py_trees.common import Status
 from py_trees.composites import Sequence
 
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.testing.mock_robot import MockRobot
 from tandem.skills.wire.clocks import SteppedClocks

@@ -9,11 +9,12 @@ from types import MappingProxyType
 from typing import Final
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
+from tandem.skills.geometry.poses import from_axes
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import IDENTITY, Pose, from_axes
 from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.keys import STOP_STATE
 from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import SIDES, HeldItem, ItemFact, Placed
 from tandem.skills.site import load

@@ -14,8 +14,8 @@ from typing import Final
 import numpy as np
 
 from tandem.skills.kinematics.transforms import Array, to_se3
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.pose import Pose
 
 POST_AT_MOST: Final = 0.35
 """Metres of r up to which a thing is gone around; what is larger (a table, a wall) has no sides to pass."""

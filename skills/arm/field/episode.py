@@ -15,11 +15,11 @@ from tandem.skills.arm.field.ride import LEFT, Ride, Steps, Why
 from tandem.skills.arm.field.target import HIDDEN_FOR, Target
 from tandem.skills.arm.problem import Plan
 from tandem.skills.arm.timing import time_curve
+from tandem.skills.geometry.poses import distance
 from tandem.skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachPhase, ApproachResult
 from tandem.skills.ports.actions.bimanual import ArmOrder, Order
 from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import distance
 from tandem.skills.ports.skill import Command, Outcome, Run, Slice, canceled, failed, succeeded
 
 HEARD_WITHIN: Final = 2.0

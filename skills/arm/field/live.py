@@ -10,6 +10,7 @@ import numpy as np
 from tandem.skills.arm.field.around import Around, split
 from tandem.skills.arm.problem import Arm, Moment
 from tandem.skills.arm.silence import joints_silent
+from tandem.skills.geometry.poses import floor_distance
 from tandem.skills.kinematics.bodies import BoxShape, Obstacle
 from tandem.skills.kinematics.described import carried, home_positions
 from tandem.skills.kinematics.proximity import Proximity
@@ -18,10 +19,10 @@ from tandem.skills.ports.actions.approach import approach_status
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.geometry import FloorPose, floor_distance
 from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.keys import JOINT_STATES, STOP_STATE, Latest, group_status
 from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
 
 AHEAD: Final = 0.15

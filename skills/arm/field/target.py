@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from tandem.skills.geometry.poses import angle_between, compose, distance, invert, to_pose
+from tandem.skills.grasping.item_frames import standing_in_map, turned_like
 from tandem.skills.ports.actions.approach import ApproachGoal
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
-from tandem.skills.ports.geometry import Pose, angle_between, compose, distance, invert, to_pose
-from tandem.skills.ports.grasping import standing_in_map, turned_like
 from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import ROBOT_POSE, WORLD
 
 HIDDEN_FOR = 2.5

@@ -11,11 +11,12 @@ import numpy as np
 import numpy.typing as npt
 
 from tandem.skills.arm.planning.motions import halving
+from tandem.skills.geometry.poses import angle_between, distance
 from tandem.skills.kinematics.collision import CollisionChecker
 from tandem.skills.kinematics.ik import Solver
 from tandem.skills.kinematics.model import Chain
 from tandem.skills.kinematics.transforms import Array, interpolate, to_se3
-from tandem.skills.ports.geometry import Pose, angle_between, distance
+from tandem.skills.ports.pose import Pose
 
 STEP_METRES = 0.01
 STEP_RADIANS = 0.06

@@ -7,9 +7,9 @@ from typing import Annotated, Final
 
 from pydantic import Field
 
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.keys import Topic
 from tandem.skills.ports.message import MOST, Count, Message, RobotTime, Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.skill import ActionType
 from tandem.skills.ports.world import Side
 

@@ -7,9 +7,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from tandem.skills.ports.geometry import FloorPose, Pose
 from tandem.skills.ports.keys import Topic
 from tandem.skills.ports.message import MOST, Count, Message, RobotTime, Vector3
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.skill import ActionType
 
 

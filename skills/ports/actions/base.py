@@ -7,9 +7,9 @@ from typing import Annotated, Final
 
 from pydantic import Field
 
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.keys import Topic
 from tandem.skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import ActionType
 
 ARM_MARGIN: Final = 0.04

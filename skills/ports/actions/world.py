@@ -5,8 +5,8 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import Final, Literal
 
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.message import Count, Message
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.skill import ActionType
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from surroundings import Surroundings
 
 from tandem.executive.trials.run_report import Recorder, Report, write_report
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.tasks import TaskState
 
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 
 from tandem.skills.arm.followed import FollowedItem
+from tandem.skills.geometry.poses import compose, from_rpy
 from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.geometry import Pose, compose, from_rpy
 from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import WORLD, ItemFact, Side, WorldState
 from tandem.skills.wire.memory import MemoryBus
 from tests.fakes.field_rig import CUBE, TAG_ON_ITEM

@@ -25,7 +25,7 @@ from tandem.skills.kinematics.model import Chain
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 from tests.fakes.arm_rig import PANDA_HOME, ArmRig, box, drive, panda
 
 JOINTS = panda().group("arm").joints

@@ -5,12 +5,13 @@ from __future__ import annotations
 import pytest
 from pydantic import ValidationError
 
+from tandem.skills.geometry.poses import compose, distance, from_rpy, invert
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.action import GoalState, GoalStatus
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
-from tandem.skills.ports.geometry import Pose, compose, distance, from_rpy, invert
 from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Box, SceneObject
 from tests.fakes.arm_rig import ArmRig, box, panda
 

@@ -8,10 +8,11 @@ import pytest
 from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm
 from tandem.skills.arm.survey import Survey
+from tandem.skills.geometry.poses import from_rpy
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.actions.arm import Candidate, SurveyGoal, SurveyResult
-from tandem.skills.ports.geometry import FloorPose, Pose, from_rpy
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.skill import Command, Outcome, Slice
 from tests.fakes.arm_rig import ArmRig, box, panda
 

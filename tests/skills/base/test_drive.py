@@ -6,6 +6,7 @@ from collections.abc import Callable
 import pytest
 
 from tandem.skills.base.wheels import stopping_speed
+from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.actions.arm import ArmState
 from tandem.skills.ports.actions.base import (
     BASE_STATUS,
@@ -16,8 +17,8 @@ from tandem.skills.ports.actions.base import (
     RotateGoal,
 )
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
 from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import SiteBox
 from tandem.skills.ports.skill import Command, Outcome
 from tandem.skills.site import load

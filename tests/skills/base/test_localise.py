@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from tandem.skills.base.map import build_map
+from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.actions.base import LocaliseGoal
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.geometry import FloorPose, floor_distance, wrap
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import SiteBox
 from tandem.skills.ports.skill import Command
 from tandem.skills.site import load

@@ -9,7 +9,7 @@ from tandem.skills.base.floor import FloatArray
 from tandem.skills.base.map import build_map
 from tandem.skills.base.path import Path
 from tandem.skills.base.planner import CHECK_STEP, SLACK, Clearances, Planner
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.site import load
 from tests.fakes.planar_robot import describe
 

@@ -3,11 +3,12 @@
 import numpy as np
 
 from tandem.skills.base.process import build
+from tandem.skills.geometry.poses import floor_distance
 from tandem.skills.ports.action import GoalState, SendGoal, goal_service, status_topic
 from tandem.skills.ports.actions.arm import ArmState, ArmStatus, arm_status
 from tandem.skills.ports.actions.base import DRIVE, LOCALISE, DriveGoal
-from tandem.skills.ports.geometry import FloorPose, floor_distance
 from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.site import load
 from tandem.skills.wire.memory import MemoryBus
 from tests.fakes.planar_robot import PlanarClocks, PlanarRobot, describe

@@ -4,8 +4,9 @@ import math
 
 import pytest
 
+from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.actions.base import RotateGoal
-from tandem.skills.ports.geometry import FloorPose, wrap
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import Command
 from tandem.skills.site import load
 from tests.fakes.base_rig import make_rig

@@ -9,9 +9,9 @@ import pytest
 
 from tandem.skills.bimanual.announced import NEXT, OUT, Announced
 from tandem.skills.bimanual.observer import ArmObserver
+from tandem.skills.geometry.poses import transform
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.approach import GOAL_RADIUS, ApproachStatus, approach_status
-from tandem.skills.ports.geometry import transform
 from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.message import RobotTime, Vector3
 from tandem.skills.wire.memory import MemoryBus

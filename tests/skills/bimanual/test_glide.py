@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from tandem.skills.bimanual.glide import Bounds, glide
-from tandem.skills.ports.geometry import Pose, about, angle_between
+from tandem.skills.geometry.poses import about, angle_between
+from tandem.skills.ports.pose import Pose
 
 START = Pose(position=(0.5, 0.0, 0.9))
 BOUNDS = Bounds(speed=0.12, acceleration=0.4, jerk=3.0)

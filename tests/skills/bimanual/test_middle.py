@@ -8,16 +8,8 @@ import pytest
 
 from tandem.skills.bimanual.middle import HandsApartError, span, tilt
 from tandem.skills.bimanual.ready import between, pointing, ready_tools
-from tandem.skills.ports.geometry import (
-    Pose,
-    about,
-    angle_between,
-    compose,
-    distance,
-    from_rpy,
-    invert,
-    rotate,
-)
+from tandem.skills.geometry.poses import about, angle_between, compose, distance, from_rpy, invert, rotate
+from tandem.skills.ports.pose import Pose
 from tandem.skills.site import load
 
 LEFT = Pose(position=(0.6, 0.25, 0.9), orientation=from_rpy(0.4, 0.0, -math.pi / 2))

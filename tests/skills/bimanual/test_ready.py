@@ -8,7 +8,8 @@ import pytest
 
 from tandem.skills.bimanual.middle import span
 from tandem.skills.bimanual.ready import pointing, swing, ways_back
-from tandem.skills.ports.geometry import Pose, about, angle_between, multiply, rotate
+from tandem.skills.geometry.poses import about, angle_between, multiply, rotate
+from tandem.skills.ports.pose import Pose
 
 LEFT = Pose(position=(0.5, 0.2, 0.9), orientation=about((0.0, 0.0, 1.0), -math.pi / 2))
 RIGHT = Pose(position=(0.5, -0.2, 0.9), orientation=about((0.0, 0.0, 1.0), math.pi / 2))

@@ -9,12 +9,13 @@ import pytest
 
 from tandem.skills.bimanual.hold import TwoArms
 from tandem.skills.bimanual.two_hands import HoldWithTwo
+from tandem.skills.geometry.poses import conjugate, from_axes, rotate
 from tandem.skills.ports.actions.bimanual import TwoHands, TwoHandsFeedback, TwoHandsGoal, TwoHandsResult
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.geometry import IDENTITY, Pose, conjugate, from_axes, rotate
 from tandem.skills.ports.hardware import Wrench
 from tandem.skills.ports.keys import JOINT_STATES, Latest, group_setpoint, wrench
 from tandem.skills.ports.message import Quaternion, RobotTime, Vector3
+from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.skill import Command, Outcome
 from tandem.skills.ports.world import ROBOT_POSE, SIDES, WORLD, ItemFact, WorldState
 from tandem.skills.site import load

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from tandem.skills.bimanual.way import APART, AT_ONCE, MARGIN, STRIDE, clear, joined, straight, thinned
+from tandem.skills.geometry.poses import add
 from tandem.skills.kinematics.clearance import ArmsClearance
 from tandem.skills.kinematics.follow import PoseFollower
 from tandem.skills.kinematics.transforms import Array
-from tandem.skills.ports.geometry import add
 from tests.skills.reflex.two_arms import ASIDE, IN_FRONT, positions, robot
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from tandem.skills.bimanual.glide import Bounds, glide
 from tandem.skills.bimanual.lead import LedArm
 from tandem.skills.bimanual.ready import pointing
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 from tests.skills.reflex.two_arms import positions, robot
 
 LEANING = (0.663, 0.515, 0.985, 1.383, 0.737, -1.192, 0.422)

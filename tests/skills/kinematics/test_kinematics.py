@@ -11,6 +11,7 @@ import pinocchio as pin
 import pybullet
 import pytest
 
+from tandem.skills.geometry.poses import angle_between, distance, from_rpy
 from tandem.skills.kinematics.batch import BatchChain
 from tandem.skills.kinematics.bodies import BoxShape, Carried, CylinderShape, Obstacle
 from tandem.skills.kinematics.collision import CollisionChecker
@@ -18,7 +19,7 @@ from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.ik import SeedTable, Solver
 from tandem.skills.kinematics.model import RobotKinematics, UnknownNameError
 from tandem.skills.kinematics.transforms import to_se3
-from tandem.skills.ports.geometry import Pose, angle_between, distance, from_rpy
+from tandem.skills.ports.pose import Pose
 from tests.fakes.arm_rig import PANDA_HOME, drive, panda
 
 JOINTS = panda().group("arm").joints

@@ -10,7 +10,7 @@ from tandem.skills.kinematics.collision import CollisionChecker
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.proximity import Proximity
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 from tests.fakes.arm_rig import PANDA_HOME, panda
 
 JOINTS = panda().group("arm").joints

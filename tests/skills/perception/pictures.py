@@ -9,10 +9,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tandem.skills.ports.geometry import Pose, compose, from_rpy
+from tandem.skills.geometry.poses import compose, from_rpy
 from tandem.skills.ports.hardware import RgbdHeader
 from tandem.skills.ports.image import RgbdImage
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import Pose
 
 WIDTH, HEIGHT = 1280, 720
 FOCAL = WIDTH / 2 / math.tan(math.radians(30.0))

@@ -7,9 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from tandem.skills.ports.geometry import Pose, compose, invert
+from tandem.skills.geometry.poses import compose, invert
 from tandem.skills.ports.hardware import RgbdHeader
 from tandem.skills.ports.image import RgbdImage
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Box
 from tests.skills.perception.pictures import rotation
 

@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from tandem.skills.ports.chain import Chain
-from tandem.skills.ports.geometry import FloorPose, Pose, compose, to_pose
+from tandem.skills.geometry.chain import Chain
+from tandem.skills.geometry.poses import compose, to_pose
 from tandem.skills.ports.hardware import (
     Answer,
     CameraSensor,
@@ -29,6 +29,7 @@ from tandem.skills.ports.hardware import (
 from tandem.skills.ports.image import RgbdImage, encode
 from tandem.skills.ports.keys import JOINT_STATES, RGBD, STOP_STATE, group_cancel, group_goal, group_status
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus

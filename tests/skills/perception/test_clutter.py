@@ -5,9 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from tandem.skills.geometry.poses import about, compose, invert, to_pose, transform
 from tandem.skills.perception import clutter
 from tandem.skills.perception.clutter import Known
-from tandem.skills.ports.geometry import FloorPose, Pose, about, compose, invert, to_pose, transform
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.world import Box
 from tests.skills.perception.pictures import header
 from tests.skills.perception.solids import scene

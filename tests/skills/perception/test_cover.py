@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from tandem.skills import site
+from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.perception import cover
 from tandem.skills.perception.aim import Aim
 from tandem.skills.perception.cover import ViewsJob, further_views, surface_points
-from tandem.skills.ports.geometry import FloorPose
+from tandem.skills.ports.pose import FloorPose
 from tests.skills.perception.stage import DESCRIPTION
 
 LAB = site.load("lab")
-FURNITURE = tuple(box.box() for each in LAB.furniture for box in each.boxes)
+FURNITURE = tuple(box_in_map(box) for each in LAB.furniture for box in each.boxes)
 WEST = FloorPose(x=0.0, y=0.2, yaw=0.3)
 JOINTS = {"torso_lift_joint": 0.3}
 AIM = Aim(DESCRIPTION)

@@ -7,13 +7,14 @@ import math
 import pytest
 
 from tandem.skills import site
+from tandem.skills.geometry.chain import Chain
+from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.perception.gaze import AGAIN, GAIN, HIDDEN, LITTLE, Gaze, View
-from tandem.skills.ports.chain import Chain
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 from tests.skills.perception.stage import DESCRIPTION, URDF
 from tests.skills.world.facts import tag
 
-TABLE = [box.box() for each in site.load("bimanual").furniture for box in each.boxes]
+TABLE = [box_in_map(box) for each in site.load("bimanual").furniture for box in each.boxes]
 CHAIN = Chain.from_urdf(URDF, "base", "optical")
 SIZE = 0.056
 

@@ -7,13 +7,15 @@ import numpy as np
 import pytest
 
 from tandem.skills import site
+from tandem.skills.geometry.floor_plan import box_in_map
+from tandem.skills.geometry.poses import angle_between, compose, distance, invert
 from tandem.skills.perception.look import Look
 from tandem.skills.ports.actions.perception import LookGoal, LookResult
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.geometry import FloorPose, Pose, angle_between, compose, distance, invert
 from tandem.skills.ports.image import RgbdImage
 from tandem.skills.ports.keys import RGBD, Latest
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.skill import Command, Outcome
 from tandem.skills.ports.world import CLUTTER, SIGHTINGS, WORLD, Box, ItemFact, WorldState
 from tandem.skills.wire.workers import InlineCompute
@@ -116,7 +118,7 @@ def test_looking_at_a_point_brings_it_to_the_middle() -> None:
 
 
 def test_clutter_is_measured_beside_a_known_item() -> None:
-    table = LAB.furniture[1].boxes[0].box()
+    table = box_in_map(LAB.furniture[1].boxes[0])
     can = Box(size=(0.08, 0.08, 0.15), pose=Pose(position=(0.7, 0.4, 0.785)))
     rng = np.random.default_rng(1)
 
@@ -135,7 +137,7 @@ def test_clutter_is_measured_beside_a_known_item() -> None:
 @pytest.mark.parametrize(("around", "there"), [(1.15, 1), (0.0, 0)])
 def test_a_look_around_measures_what_stands_beside_the_picture(around: float, there: int) -> None:
     """The item is at one end of the table, a can at the other: an arm once swept the like aside."""
-    table = LAB.furniture[1].boxes[0].box()
+    table = box_in_map(LAB.furniture[1].boxes[0])
     can = Box(size=(0.08, 0.08, 0.15), pose=Pose(position=(0.5, 0.9, 0.785)))
     rng = np.random.default_rng(1)
 
@@ -154,7 +156,7 @@ def test_a_look_around_measures_what_stands_beside_the_picture(around: float, th
 
 
 def test_an_item_that_is_gone_is_told_as_absent_and_a_hidden_one_is_not() -> None:
-    table = LAB.furniture[1].boxes[0].box()
+    table = box_in_map(LAB.furniture[1].boxes[0])
     can = Box(size=(0.1, 0.2, 0.2), pose=Pose(position=(0.6, 0.3, 0.81)))
     rng = np.random.default_rng(1)
 

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from tandem.skills.perception.merge import SYSTEMATIC, merge
-from tandem.skills.ports.geometry import IDENTITY, Pose
+from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.world import Sighting
 from tests.skills.world.facts import at, tag
 

@@ -8,10 +8,11 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
+from tandem.skills.geometry.poses import about, compose, from_rpy
+from tandem.skills.grasping.item_frames import tag_of_item
 from tandem.skills.perception.open_view import in_the_open
-from tandem.skills.ports.geometry import Pose, about, compose, from_rpy
-from tandem.skills.ports.grasping import tag_of_item
 from tandem.skills.ports.image import RgbdImage
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Box
 from tests.skills.perception.pictures import header
 from tests.skills.perception.solids import scene

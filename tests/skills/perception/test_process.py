@@ -11,8 +11,8 @@ from tandem.skills.perception.clutter import Known
 from tandem.skills.perception.jobs import ClutterJob, Shot, TagJob, find_clutter, find_tags
 from tandem.skills.perception.process import nodes
 from tandem.skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service
-from tandem.skills.ports.geometry import FloorPose, Pose
 from tandem.skills.ports.image import encode
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.wire.workers import InlineCompute
 from tests.skills.perception.pictures import Face, picture, tag_at
 from tests.skills.perception.stage import DESCRIPTION, Stage

@@ -7,11 +7,11 @@ import numpy as np
 
 from tandem.skills.perception.snapshot import Snapshots
 from tandem.skills.ports.actions.perception import PICTURE
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.hearing import Reason
 from tandem.skills.ports.image import RgbdImage
 from tandem.skills.ports.keys import RGBD
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import Pose
 from tandem.skills.wire.workers import InlineCompute
 from tests.skills.perception.pictures import picture
 from tests.skills.perception.stage import Stage

@@ -6,9 +6,9 @@ from itertools import product
 import numpy as np
 import pytest
 
+from tandem.skills.geometry.poses import angle_between, distance, rotate
 from tandem.skills.perception import corners, tag_pose, tags
 from tandem.skills.perception.rigid import rotation_of
-from tandem.skills.ports.geometry import angle_between, distance, rotate
 from tests.skills.perception.pictures import FOCAL, HEIGHT, WIDTH, Face, picture, rotation, tag_at
 
 SIZES = {29: 0.048, 7: 0.048}

@@ -7,13 +7,15 @@ import numpy as np
 import pytest
 
 from tandem.skills import site
+from tandem.skills.geometry.floor_plan import box_in_map
+from tandem.skills.geometry.poses import angle_between, compose, distance, invert
 from tandem.skills.perception.track import GONE_AFTER, Track
 from tandem.skills.ports.actions.perception import LookFeedback, TrackGoal, TrackResult
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.geometry import FloorPose, Pose, angle_between, compose, distance, invert
 from tandem.skills.ports.image import RgbdImage
 from tandem.skills.ports.keys import RGBD, Latest
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.skill import Command, Outcome
 from tandem.skills.ports.world import SIGHTINGS, WORLD, Box, ItemFact, Sightings, WorldState
 from tandem.skills.wire.workers import InlineCompute
@@ -146,7 +148,7 @@ def test_a_camera_that_falls_silent_is_told() -> None:
 
 @pytest.mark.parametrize(("hidden", "absent"), [(True, ()), (False, (29,))])
 def test_what_an_arm_hides_is_not_gone_and_what_left_is(*, hidden: bool, absent: tuple[int, ...]) -> None:
-    table = TABLE.furniture[1].boxes[0].box()
+    table = box_in_map(TABLE.furniture[1].boxes[0])
     arm = Box(size=(0.1, 0.3, 0.2), pose=Pose(position=(0.45, 0.06, 0.91)))
     rng = np.random.default_rng(1)
 
@@ -163,7 +165,7 @@ def test_what_stands_where_the_tag_should_be_in_plain_view_is_not_the_item(
     *, hidden: bool, absent: tuple[int, ...]
 ) -> None:
     """A thing as near as the item was: nothing is seen through its place."""
-    table = TABLE.furniture[1].boxes[0].box()
+    table = box_in_map(TABLE.furniture[1].boxes[0])
     plain = Box(size=(0.07, 0.2, 0.07), pose=Pose(position=(0.785, 0.1, 0.745)))
     arm = Box(size=(0.1, 0.3, 0.2), pose=Pose(position=(0.45, 0.06, 0.91)))
     rng = np.random.default_rng(1)

@@ -14,11 +14,12 @@ import numpy as np
 import pytest
 
 from tandem.skills import site
+from tandem.skills.geometry.poses import compose, distance, invert
 from tandem.skills.perception.look import Look
 from tandem.skills.ports.actions.perception import LookGoal, LookResult
-from tandem.skills.ports.geometry import FloorPose, Pose, compose, distance, invert
 from tandem.skills.ports.image import RgbdImage
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.skill import Command, Outcome
 from tandem.skills.ports.world import WORLD
 from tandem.skills.wire.workers import InlineCompute

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Box, PlanningScene, SceneObject
 from tandem.skills.reflex.watch import ArmsWatch, Seen
 from tandem.skills.site import load

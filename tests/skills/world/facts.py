@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 
-from tandem.skills.ports.geometry import Pose, about, multiply
-from tandem.skills.ports.grasping import TAG_TURN
+from tandem.skills.geometry.poses import about, multiply
+from tandem.skills.grasping.item_frames import TAG_TURN
 from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Box, Sighting
 
 

@@ -5,8 +5,9 @@ import math
 import pytest
 
 from tandem.skills import site
-from tandem.skills.ports.geometry import Pose, rotate
-from tandem.skills.ports.grasping import tag_of_item
+from tandem.skills.geometry.poses import rotate
+from tandem.skills.grasping.item_frames import tag_of_item
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Clutter, Placed
 from tandem.skills.world.beliefs import Beliefs, item_box
 from tests.skills.world.facts import at, cube, sighting, tag

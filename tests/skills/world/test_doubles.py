@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tandem.skills import site
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Clutter, ItemFact
 from tandem.skills.world.beliefs import Beliefs, item_box
 from tandem.skills.world.doubles import A_LOOK, MOST, matched

@@ -15,9 +15,9 @@ from tandem.skills.ports.action import (
 )
 from tandem.skills.ports.actions.world import EditGoal, SceneEdit
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import SCENE, SIGHTINGS, WORLD, Sightings
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus

@@ -8,8 +8,8 @@ import pytest
 
 from tandem.skills.ports.actions.gripper import HandState, HandStatus, hand_status
 from tandem.skills.ports.actions.world import SceneEdit
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Side
 from tests.skills.world.test_edit import Desk
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import HeldItem, Placed
 from tandem.skills.site import load
 from tandem.skills.world import journal

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from tandem.skills.grasping.hand_grasps import item_in_tool
 from tandem.skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
-from tandem.skills.ports.hand_grasps import item_in_tool
 from tandem.trees.behaviours.act import Act
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard

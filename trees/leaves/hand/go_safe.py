@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Final
 
+from tandem.skills.grasping.hand_grasps import upright_at
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.hand_grasps import upright_at
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
 from tandem.trees.leaves.hand.hand_move import Move, hand_move

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Final
 
+from tandem.skills.geometry.poses import compose
+from tandem.skills.grasping.hand_grasps import lifted
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import compose
-from tandem.skills.ports.hand_grasps import lifted
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
 from tandem.trees.leaves.hand.hand_move import Move, hand_move

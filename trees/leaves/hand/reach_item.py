@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Final
 
+from tandem.skills.geometry.poses import compose
+from tandem.skills.grasping.hand_grasps import before, lifted
 from tandem.skills.ports.actions.approach import GOAL_RADIUS
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.geometry import compose
-from tandem.skills.ports.hand_grasps import before, lifted
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
 from tandem.trees.leaves.hand.hand_move import Move, hand_move

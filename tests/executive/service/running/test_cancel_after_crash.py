@@ -12,9 +12,10 @@ import pytest
 from surroundings import Surroundings
 
 from tandem.executive.ledger.sqlite import SqliteLedger
-from tandem.skills.ports.geometry import Pose, from_axes
+from tandem.skills.geometry.poses import from_axes
 from tandem.skills.ports.hardware import Clock
 from tandem.skills.ports.keys import CLOCK
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.tasks import (
     REQUEST,
     TASK_BREAKPOINT,

@@ -15,10 +15,10 @@ from surroundings import Surroundings
 from tandem.executive.ledger.sqlite import SqliteLedger
 from tandem.executive.service.tasks.queue_holds import FIRST_TRY, LAST_TRY
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.geometry import FloorPose
 from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.keys import STOP_STATE
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.tasks import TASK_INFO, TaskState, TaskStatus
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 from tandem.trees.conditions.robot_heard import unheard

@@ -14,8 +14,8 @@ from tandem.executive.trials.campaigns.crash_physics import (
 )
 from tandem.sim.scenario import load_scenario
 from tandem.sim.truth import TrueBody, TrueContact, Truth
-from tandem.skills.ports.geometry import IDENTITY, Pose
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.tasks import TreeNode
 from tandem.skills.site import load
 from tandem.trees.registry import discover

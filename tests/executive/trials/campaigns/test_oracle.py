@@ -12,10 +12,10 @@ from tandem.sim.faults import BaseMoving, CameraDark, DepotTaken, Fault, FaultEv
 from tandem.sim.scenario import load_scenario
 from tandem.sim.truth import TrueBody, TrueContact, Truth
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.geometry import IDENTITY, FloorPose, Pose
 from tandem.skills.ports.hardware import BaseVelocity
 from tandem.skills.ports.keys import BASE_VELOCITY
 from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.pose import IDENTITY, FloorPose, Pose
 from tandem.skills.ports.world import WORLD, Placed, WorldState
 from tandem.skills.site import load
 

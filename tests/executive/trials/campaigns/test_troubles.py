@@ -9,7 +9,7 @@ from tandem.executive.trials.campaigns.troubles import DRIVES, HOPELESS, LOOKS, 
 from tandem.sim.draw import draw_fetch, why_not
 from tandem.sim.faults import Fault, HardwareSilent, ItemMoves, ObstacleAppears
 from tandem.sim.scenario import load_scenario
-from tandem.skills.ports.geometry import wrap
+from tandem.skills.geometry.poses import wrap
 from tandem.skills.site import load
 
 SURE = {

@@ -11,7 +11,8 @@ import pytest
 
 from tandem.executive.trials.experiments.witness import Witness, lean, tilt
 from tandem.sim.physics import Contact
-from tandem.skills.ports.geometry import Pose, about
+from tandem.skills.geometry.poses import about
+from tandem.skills.ports.pose import Pose
 from tandem.skills.site import load
 
 if TYPE_CHECKING:

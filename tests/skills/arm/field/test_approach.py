@@ -10,6 +10,7 @@ import pytest
 from tandem.sim.robot import compose_robot
 from tandem.skills.arm.field.episode import Episode
 from tandem.skills.arm.field.ride import Why
+from tandem.skills.geometry.poses import compose, distance
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.proximity import Proximity
@@ -17,8 +18,8 @@ from tandem.skills.ports.action import GoalState, GoalStatus
 from tandem.skills.ports.actions.approach import ApproachPhase, ApproachResult
 from tandem.skills.ports.actions.bimanual import Order
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.geometry import Pose, compose, distance
 from tandem.skills.ports.hardware import RobotDescription, SetPoint
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.skill import Command
 from tests.fakes.field_rig import FieldRig, block, goal
 

@@ -13,9 +13,9 @@ from tandem.skills.arm.field.live import Live
 from tandem.skills.arm.field.target import Target
 from tandem.skills.arm.problem import Arm
 from tandem.skills.kinematics.transforms import Array
-from tandem.skills.ports.geometry import Pose
 from tandem.skills.ports.keys import JOINT_STATES
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus

@@ -7,7 +7,7 @@ import pytest
 
 from tandem.skills.arm.field.around import Around, Block, Post, split
 from tandem.skills.arm.field.escape import SAFE, Pole, choose, cost, escape_points
-from tandem.skills.ports.geometry import Pose
+from tandem.skills.ports.pose import Pose
 
 HAND, GOAL = np.array([0.2, 0.0, 0.8]), np.array([0.8, 0.0, 0.8])
 TALL = Post((0.5, 0.0, 0.9), 0.05, 0.3)

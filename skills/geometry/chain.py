@@ -11,8 +11,9 @@ import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from tandem.skills.ports.geometry import IDENTITY, Pose, about, compose, from_rpy, scale
+from tandem.skills.geometry.poses import about, compose, from_rpy, scale
 from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.pose import IDENTITY, Pose
 
 _FIXED = "fixed"
 _TURNING = frozenset({"revolute", "continuous"})

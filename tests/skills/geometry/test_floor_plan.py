@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tandem.skills.ports.floor_plan import FloorPlan
+from tandem.skills.geometry.floor_plan import FloorPlan
 from tandem.skills.ports.site import Furniture, Site, SiteBox
 from tandem.skills.site import load
 

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from tandem.skills.ports.chain import Chain
-from tandem.skills.ports.geometry import distance
+from tandem.skills.geometry.chain import Chain
+from tandem.skills.geometry.poses import distance
 from tandem.skills.ports.packages import resolve
 
 TIAGO = "package://example-robot-data/robots/tiago_description/robots/tiago_dual.urdf"

@@ -7,8 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from tandem.skills.ports.geometry import (
-    Pose,
+from tandem.skills.geometry.poses import (
     about,
     angle_between,
     compose,
@@ -18,18 +17,17 @@ from tandem.skills.ports.geometry import (
     transform,
     yaw_of,
 )
-from tandem.skills.ports.grasping import (
+from tandem.skills.grasping.item_frames import (
     face,
     face_towards,
-    grasp,
     item_in_map,
     outward,
-    place,
-    proximity_poses,
     standing_in_map,
     turned_like,
     upright_in_map,
 )
+from tandem.skills.grasping.tag_grasps import grasp, place, proximity_poses
+from tandem.skills.ports.pose import Pose
 
 FACES_SOUTH = from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0))
 TAG = Pose(position=(1.0, 2.0, 0.74), orientation=FACES_SOUTH)

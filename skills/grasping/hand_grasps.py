@@ -1,7 +1,7 @@
 """Grasps told in an item's own frame, so that they move with the item: what a field and a planner go for.
 
 The item's frame has its origin in the centre, z up at rest, x out of the tagged face. A tool pose is
-as in ``skills/ports/grasping.py``: x out of the hand, y along the closing.
+as in ``skills/grasping/tag_grasps.py``: x out of the hand, y along the closing.
 """
 
 from __future__ import annotations
@@ -9,9 +9,11 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from tandem.skills.ports.geometry import Pose, about, add, compose, invert, multiply, rotate, scale
-from tandem.skills.ports.grasping import AWAY, PITCHES, UP, face, grasp, tag_of_item
+from tandem.skills.geometry.poses import about, add, compose, invert, multiply, rotate, scale
+from tandem.skills.grasping.item_frames import face, tag_of_item
+from tandem.skills.grasping.tag_grasps import AWAY, PITCHES, UP, grasp
 from tandem.skills.ports.message import Count, Message, Vector3
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import GraspPoint
 
 FACES: Final = 4

@@ -9,9 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tandem.skills.ports.geometry import (
-    FloorPose,
-    Pose,
+from tandem.skills.geometry.poses import (
     about,
     angle_between,
     compose,
@@ -24,6 +22,7 @@ from tandem.skills.ports.geometry import (
     wrap,
     yaw_of,
 )
+from tandem.skills.ports.pose import FloorPose, Pose
 
 angles = st.floats(-math.pi, math.pi)
 metres = st.floats(-5.0, 5.0)

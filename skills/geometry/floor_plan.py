@@ -1,11 +1,19 @@
-"""The site from above: how much room there is to stand."""
+"""The furniture of a site: its boxes in the map, and how much room they leave to stand."""
 
 from __future__ import annotations
 
 import math
 from typing import NamedTuple
 
+from tandem.skills.geometry.poses import about
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site, SiteBox
+from tandem.skills.ports.world import Box
+
+
+def box_in_map(box: SiteBox) -> Box:
+    """Return a box of furniture with its pose in the map."""
+    return Box(size=box.size, pose=Pose(position=box.centre, orientation=about((0, 0, 1), box.yaw)))
 
 
 class _Rectangle(NamedTuple):

@@ -1,45 +1,14 @@
-"""Poses and their arithmetic in plain Python: the trees and the executive load no numpy.
+"""The arithmetic of poses in plain Python: the trees and the executive load no numpy.
 
-Frames are right-handed, x forward (REP-103); quaternions are x, y, z, w. A pose's name says which frame
-in which: ``tag_in_map`` maps points of the tag's frame into the map.
+The messages and what their names say are in ``skills/ports/pose.py``.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Annotated
 
-from pydantic import AfterValidator
-
-from tandem.skills.ports.message import Message, Quaternion, Vector3
-
-
-def _unit(quaternion: Quaternion) -> Quaternion:
-    x, y, z, w = quaternion
-    norm = math.sqrt(x * x + y * y + z * z + w * w)
-    if abs(norm - 1.0) > 1e-3:  # noqa: PLR2004
-        raise ValueError(f"a unit quaternion (x, y, z, w) was expected, this one has length {norm:.4f}")
-    if abs(norm - 1.0) < 1e-12:  # noqa: PLR2004 - as good as it gets; so that a message read again is the same
-        return quaternion
-    return (x / norm, y / norm, z / norm, w / norm)
-
-
-class Pose(Message):
-    """A rigid transform: position in metres and orientation as unit quaternion (x, y, z, w)."""
-
-    position: Vector3 = (0.0, 0.0, 0.0)
-    orientation: Annotated[Quaternion, AfterValidator(_unit)] = (0.0, 0.0, 0.0, 1.0)
-
-
-class FloorPose(Message):
-    """A pose on the floor: x and y in metres, yaw in radians about z, in (-pi, pi] where computed here."""
-
-    x: float
-    y: float
-    yaw: float
-
-
-IDENTITY = Pose()
+from tandem.skills.ports.message import Quaternion, Vector3
+from tandem.skills.ports.pose import FloorPose, Pose
 
 
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:

@@ -1,0 +1,1 @@
+"""How an item is taken and put down: frames of items and the poses of a hand around them."""
