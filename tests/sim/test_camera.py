@@ -90,7 +90,7 @@ def test_a_worker_draws_the_same_and_its_death_is_told(room: Room, renderer: Cou
         inbox = bus.subscribe(RGBD)
         camera = HeadCamera(bus, studio, room.robot, room.model.description.camera, rate=5.0)
         camera.step(at(0.0))
-        worker._pipe.poll(20.0)
+        assert worker._pipe.poll(120.0), "the worker drew nothing"
         camera.step(at(0.1))
         image = decode(inbox.drain()[0].payload)
         assert np.array_equal(image.colour, inline.colour)
