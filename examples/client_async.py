@@ -4,8 +4,7 @@
 import asyncio
 import sys
 
-from tandem.executive.client.aio import AsyncClient
-from tandem.executive.client.errors import TaskFailedError
+from tandem.client import AsyncClient, TaskFailedError
 
 router = (*sys.argv[1:], "tcp/127.0.0.1:7447")[0]
 

@@ -3,8 +3,7 @@
 
 import sys
 
-from tandem.executive.client.errors import RejectedError
-from tandem.executive.client.sync import Client
+from tandem.client import Client, RejectedError
 
 item, router = (*sys.argv[1:], *("29", "tcp/127.0.0.1:7447")[len(sys.argv) - 1 :])
 

@@ -19,8 +19,7 @@ from typing import Final, Self, TypeVar
 
 import zenoh
 
-from tandem.executive.client.errors import ClientError
-from tandem.executive.client.sync import Client
+from tandem.client import Client, ClientError
 from tests.fakes.ports import free_endpoint
 
 T = TypeVar("T")

@@ -22,7 +22,7 @@ READY_WITHIN: Final = 120.0
 @contextmanager
 def up(endpoint: str, site: str, folder: Path, *, only: str = "") -> Iterator[Path]:
     """Run a system's processes, or some; entered with their log when they are ready, ended with Ctrl-C."""
-    command = [sys.executable, "-c", "from tandem.executive.cli.main import run; run()", "up"]
+    command = [sys.executable, "-m", "tandem", "up"]
     command += ["--only", only] if only else []
     command += ["--connect", endpoint, "--site-key", site, "--data", str(folder / "data")]
     path = folder / "log"

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from tandem.executive.client.sync import Client
+from tandem.client import Client
 from tests.outside._command import free_port, running
 
 SITE = "full-disk"

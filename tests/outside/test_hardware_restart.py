@@ -32,7 +32,7 @@ WITHIN: Final = 400.0
 @contextmanager
 def tandem_up(endpoint: str, folder: Path) -> Iterator[subprocess.Popen[bytes]]:
     """Run the whole system; entered when it is ready."""
-    command = [sys.executable, "-c", "from tandem.executive.cli.main import run; run()", "up"]
+    command = [sys.executable, "-m", "tandem", "up"]
     command += ["--connect", endpoint, "--site-key", SITE, "--data", str(folder), "--speed", "max"]
     with (folder / "log").open("w+") as log:
         process = subprocess.Popen(command, stdout=log, stderr=log, start_new_session=True)
