@@ -29,7 +29,7 @@ from tandem.skills.ports.failure import KINDS
 from tandem.skills.ports.hardware import RgbdHeader
 from tandem.skills.ports.keys import Topic
 from tandem.skills.ports.message import Message
-from tandem.trees.recoveries import RECOVERIES
+from tandem.trees.recovery_kinds import RECOVERIES
 from tandem.trees.registry import discover
 
 _REQUEST_ROW: Final = (

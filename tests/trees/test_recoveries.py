@@ -12,7 +12,7 @@ from tandem.executive.trials.exploration.worlds import fetch_worlds
 from tandem.skills.ports.actions.gripper import Grip, GripGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.testing.mock_skill import Fault
-from tandem.trees.recoveries import RECOVERIES
+from tandem.trees.recovery_kinds import RECOVERIES
 
 K = FailureKind
 STEPS = 20_000

@@ -20,7 +20,7 @@ class Rung:
 
     Args:
         name: unique in the tree; what people read: "go home and search again".
-        helps: a condition over the failure (``trees/conditions/kinds``).
+        helps: a condition over the failure (``trees/recovery_kinds.py``).
         times: how often, before the recovery begins anew from outside.
         repair: what is done; when it fails, the next rung is asked.
     """

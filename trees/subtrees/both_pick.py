@@ -19,8 +19,6 @@ from tandem.trees.behaviours.recovery import Recovery, Rung
 from tandem.trees.behaviours.remember import afterwards
 from tandem.trees.behaviours.side_by_side import SideBySide
 from tandem.trees.branch import Branch, branch
-from tandem.trees.conditions.kinds.another_grasp_helps import another_grasp_helps
-from tandem.trees.conditions.kinds.looking_again_helps import looking_again_helps
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
 from tandem.trees.leaves.hand.approach import approach_item
@@ -33,6 +31,7 @@ from tandem.trees.leaves.two_hands import (
     put_down_together,
     squeeze,
 )
+from tandem.trees.recovery_kinds import another_grasp_helps, looking_again_helps
 from tandem.trees.subtrees.bring_safe import bring_safe
 from tandem.trees.subtrees.hand_pick import FOLLOWS, GRASPS, WITHIN, Method, seen_again
 from tandem.trees.subtrees.rungs import wait_back

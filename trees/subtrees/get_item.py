@@ -21,12 +21,14 @@ from tandem.trees.behaviours.phase import Phase
 from tandem.trees.behaviours.recovery import Recovery, Rung
 from tandem.trees.board import FetchBoard
 from tandem.trees.conditions.item_held import item_held
-from tandem.trees.conditions.kinds.another_grasp_helps import another_grasp_helps
-from tandem.trees.conditions.kinds.another_view_helps import another_view_helps
-from tandem.trees.conditions.kinds.looking_again_helps import looking_again_helps
-from tandem.trees.conditions.kinds.searching_again_helps import searching_again_helps
 from tandem.trees.context import TreeContext
 from tandem.trees.leaves.edit_scene import forget
+from tandem.trees.recovery_kinds import (
+    another_grasp_helps,
+    another_view_helps,
+    looking_again_helps,
+    searching_again_helps,
+)
 from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.home import home
 from tandem.trees.subtrees.pick import pick

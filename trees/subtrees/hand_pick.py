@@ -18,8 +18,6 @@ from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.recovery import Recovery, Rung
 from tandem.trees.behaviours.remember import afterwards
 from tandem.trees.behaviours.wait_for import WaitFor
-from tandem.trees.conditions.kinds.another_grasp_helps import another_grasp_helps
-from tandem.trees.conditions.kinds.looking_again_helps import looking_again_helps
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
 from tandem.trees.leaves.hand.approach import approach_item
@@ -29,6 +27,7 @@ from tandem.trees.leaves.hand.grip_item import close_on_item, hand_is_full, open
 from tandem.trees.leaves.hand.lift_item import lift_item
 from tandem.trees.leaves.hand.reach_item import plan_before_item, reach_item
 from tandem.trees.leaves.hand.still_held import still_held
+from tandem.trees.recovery_kinds import another_grasp_helps, looking_again_helps
 from tandem.trees.subtrees.bring_safe import bring_safe
 from tandem.trees.subtrees.rise import rise
 from tandem.trees.subtrees.rungs import wait_back

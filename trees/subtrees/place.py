@@ -21,9 +21,6 @@ from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.recovery import Recovery, Rung
 from tandem.trees.board import FetchBoard
 from tandem.trees.conditions.item_left import item_left
-from tandem.trees.conditions.kinds.another_slot_helps import another_slot_helps
-from tandem.trees.conditions.kinds.another_stand_helps import another_stand_helps
-from tandem.trees.conditions.kinds.trying_again_helps import trying_again_helps
 from tandem.trees.context import TreeContext
 from tandem.trees.item_failures import no_longer_held
 from tandem.trees.leaves.bind_slot import bind_slot
@@ -35,6 +32,7 @@ from tandem.trees.leaves.put_down import put_down
 from tandem.trees.leaves.slot_is_free import slot_is_free
 from tandem.trees.leaves.survey import Reach
 from tandem.trees.leaves.withdraw import withdraw
+from tandem.trees.recovery_kinds import another_slot_helps, another_stand_helps, trying_again_helps
 from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.home import home
 from tandem.trees.subtrees.rungs import a_moment, another_way, localise_again, wait_back

@@ -13,11 +13,11 @@ from tandem.trees.behaviours.decide import Decide
 from tandem.trees.behaviours.recovery import Recovery, Rung
 from tandem.trees.behaviours.wait_for import WaitFor
 from tandem.trees.board import FetchBoard
-from tandem.trees.conditions.kinds.localising_helps import localising_helps
 from tandem.trees.conditions.localised import localised
 from tandem.trees.context import TreeContext
 from tandem.trees.leaves.bind_slot import bind_slot
 from tandem.trees.leaves.localise import localise
+from tandem.trees.recovery_kinds import localising_helps
 from tandem.trees.subtrees.rungs import a_moment, wait_back
 
 WITHIN: Final = 120.0

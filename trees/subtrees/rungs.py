@@ -13,11 +13,9 @@ from tandem.trees.behaviours.pause import Pause
 from tandem.trees.behaviours.recovery import Rung
 from tandem.trees.behaviours.wait_for import WaitFor
 from tandem.trees.board import FetchBoard
-from tandem.trees.conditions.kinds.another_way_helps import another_way_helps
-from tandem.trees.conditions.kinds.localising_helps import localising_helps
-from tandem.trees.conditions.kinds.waiting_helps import waiting_helps
 from tandem.trees.context import TreeContext
 from tandem.trees.leaves.localise import localise
+from tandem.trees.recovery_kinds import another_way_helps, localising_helps, waiting_helps
 
 WAITS: Final = 4
 BACK_WITHIN: Final = 30.0

@@ -18,13 +18,13 @@ from tandem.trees.behaviours.give_up import GiveUp
 from tandem.trees.behaviours.note import Note
 from tandem.trees.board import FetchBoard
 from tandem.trees.conditions.item_located import item_located
-from tandem.trees.conditions.kinds.unseen import unseen
 from tandem.trees.context import TreeContext
 from tandem.trees.item_failures import ambiguous
 from tandem.trees.leaves.drive import drive
 from tandem.trees.leaves.edit_scene import select
 from tandem.trees.leaves.look import look
 from tandem.trees.leaves.turn import turn
+from tandem.trees.recovery_kinds import unseen
 from tandem.trees.subtrees.arms_in import free_and_tuck
 
 TURNS = 12

@@ -15,7 +15,6 @@ from tandem.trees.behaviours.pause import Pause
 from tandem.trees.behaviours.recovery import Recovery, Rung
 from tandem.trees.behaviours.wait_for import WaitFor
 from tandem.trees.branch import branch
-from tandem.trees.conditions.kinds.unseen import unseen
 from tandem.trees.conditions.localised import localised
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
@@ -23,6 +22,7 @@ from tandem.trees.leaves.coordinate import Mode, coordinate
 from tandem.trees.leaves.localise import localise
 from tandem.trees.leaves.look_at_table import look_at_table
 from tandem.trees.leaves.track import track
+from tandem.trees.recovery_kinds import unseen
 from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.request import ready
 from tandem.trees.subtrees.rungs import wait_back

@@ -23,9 +23,9 @@ from tandem.trees.behaviours.remember import afterwards
 from tandem.trees.board import FetchBoard
 from tandem.trees.closing import where_all_is
 from tandem.trees.conditions.item_placed import item_placed
-from tandem.trees.conditions.kinds.fetching_again_helps import fetching_again_helps
 from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext
+from tandem.trees.recovery_kinds import fetching_again_helps
 from tandem.trees.subtrees.get_item import get_item
 from tandem.trees.subtrees.home import home_at_last
 from tandem.trees.subtrees.place import place

@@ -1,1 +1,0 @@
-"""Conditions over failures: what would help? One question each, by the failure's kind."""
