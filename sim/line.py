@@ -5,14 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from tandem.skills.ports.forwarding_bus import ForwardingBus
 from tandem.skills.ports.message import MAX_REQUEST_BYTES
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
-    from tandem.skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
-    from tandem.skills.ports.hearing import Ear
-    from tandem.skills.ports.lease import Lease
+    from tandem.skills.ports.bus import Bus, Desk, Inbox, Request, Sample
 
 
 @dataclass(eq=False)
@@ -43,15 +42,15 @@ class _Desk:
         self.inner.close()
 
 
-class Line:
-    """A ``Bus`` around the hardware's bus. While nothing is wrong it passes everything on.
+class Line(ForwardingBus):
+    """The hardware's bus. While nothing is wrong it passes everything on.
 
     Args:
         bus: what is passed on to.
     """
 
     def __init__(self, bus: Bus) -> None:
-        self._bus = bus
+        super().__init__(bus)
         self.cut: frozenset[str] = frozenset()
         """Beginnings of keys through which nothing comes, neither way."""
         self.spoils: Mapping[str, Callable[[bytes], bytes]] = {}
@@ -61,46 +60,21 @@ class Line:
         """Say whether nothing on the key gets through."""
         return any(key.startswith(start) for start in self.cut)
 
-    @property
-    def ear(self) -> Ear:
-        """The inner bus's."""
-        return self._bus.ear
-
     def publish(self, key: str, payload: bytes) -> None:
         """Send, unless the line is cut."""
         if self.is_cut(key):
             return
         spoil = self.spoils.get(key)
-        self._bus.publish(key, payload if spoil is None else spoil(payload))
+        super().publish(key, payload if spoil is None else spoil(payload))
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
         """Receive what is put on the key expression while the line is whole."""
-        return _Inbox(self, self._bus.subscribe(key, depth=depth))
-
-    def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
-        """Ask; the hardware itself asks nobody."""
-        return self._bus.query(key, payload, timeout=timeout)
+        return _Inbox(self, super().subscribe(key, depth=depth))
 
     def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
         """Answer queries while the line is whole."""
-        return _Desk(self, self._bus.serve(key, limit=limit))
+        return _Desk(self, super().serve(key, limit=limit))
 
     def listened(self, key: str) -> bool:
         """Say whether what is put on the key reaches anybody."""
-        return not self.is_cut(key) and self._bus.listened(key)
-
-    def announce(self, name: str) -> None:
-        """Show that this process is alive; that is not the hardware's own word."""
-        self._bus.announce(name)
-
-    def alive(self) -> frozenset[str]:
-        """Return the names that are announced now."""
-        return self._bus.alive()
-
-    def awake(self) -> frozenset[str]:
-        """Return those of them whose process goes on."""
-        return self._bus.awake()
-
-    def lease(self) -> Lease | None:
-        """Return the lease of this process's role."""
-        return self._bus.lease()
+        return not self.is_cut(key) and super().listened(key)

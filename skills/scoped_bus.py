@@ -6,9 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
-from tandem.skills.ports.bus import Bus, Desk, Inbox, Pending
-from tandem.skills.ports.hearing import Ear
-from tandem.skills.ports.lease import Lease
+from tandem.skills.ports.bus import Bus, Desk, Inbox
+from tandem.skills.ports.forwarding_bus import ForwardingBus
 from tandem.skills.ports.message import MAX_REQUEST_BYTES
 
 Taken = TypeVar("Taken")
@@ -33,7 +32,7 @@ class _End(Generic[Taken]):
         self.shut()
 
 
-class ScopedBus:
+class ScopedBus(ForwardingBus):
     """Another bus; ``close`` ends the subscriptions and desks that were opened through it.
 
     A node closes its own, but not those of the skills that it serves, nor those of what these are made of.
@@ -43,55 +42,22 @@ class ScopedBus:
     """
 
     def __init__(self, bus: Bus) -> None:
-        self._bus = bus
+        super().__init__(bus)
         self._open: dict[int, Callable[[], None]] = {}
-
-    @property
-    def ear(self) -> Ear:
-        """What this process checks what it hears by."""
-        return self._bus.ear
-
-    def lease(self) -> Lease | None:
-        """Return what this process's commands carry."""
-        return self._bus.lease()
-
-    def publish(self, key: str, payload: bytes) -> None:
-        """Send to all who subscribed."""
-        self._bus.publish(key, payload)
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
         """Receive what is put on the key expression from now on."""
-        inbox = self._bus.subscribe(key, depth=depth)
+        inbox = super().subscribe(key, depth=depth)
         end = _End(inbox.drain, inbox.close, self._open)
         self._open[id(end)] = end.close
         return end
 
-    def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
-        """Ask whoever serves the key."""
-        return self._bus.query(key, payload, timeout=timeout)
-
     def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
         """Answer queries on the key expression."""
-        desk = self._bus.serve(key, limit=limit)
+        desk = super().serve(key, limit=limit)
         end = _End(desk.drain, desk.close, self._open)
         self._open[id(end)] = end.close
         return end
-
-    def listened(self, key: str) -> bool:
-        """Say whether anybody subscribes to the key."""
-        return self._bus.listened(key)
-
-    def announce(self, name: str) -> None:
-        """Show that this process is alive as ``name``."""
-        self._bus.announce(name)
-
-    def alive(self) -> frozenset[str]:
-        """Return the names that are announced now."""
-        return self._bus.alive()
-
-    def awake(self) -> frozenset[str]:
-        """Return those of them whose process goes on."""
-        return self._bus.awake()
 
     def close(self) -> None:
         """End all that is open. Closing twice is allowed."""

@@ -15,8 +15,7 @@ from pydantic import Field
 
 from tandem.skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.hearing import Ear
-from tandem.skills.ports.lease import Lease
+from tandem.skills.ports.forwarding_bus import ForwardingBus
 from tandem.skills.ports.message import MAX_REQUEST_BYTES, Message
 
 T = TypeVar("T", Sample, Request)
@@ -169,8 +168,10 @@ class FaultyPending:
         return self.inner.done()
 
 
-class FaultyBus:
-    """A ``Bus`` around another one; with no faults it is the other one.
+class FaultyBus(ForwardingBus):
+    """Another bus through a bad network; with no faults it is the other bus.
+
+    What goes wrong with a message goes wrong where it arrives.
 
     Args:
         bus: what messages travel on.
@@ -180,7 +181,8 @@ class FaultyBus:
     """
 
     def __init__(self, bus: Bus, clocks: Clocks, seed: str, faults: BusFaults | None) -> None:
-        self._bus, self._clocks, self._faults = bus, clocks, faults
+        super().__init__(bus)
+        self._clocks, self._faults = clocks, faults
         self._rng = random.Random(seed)  # noqa: S311 - no secret hangs on it
         self._ends: list[FaultyEnd[Sample] | FaultyEnd[Request]] = []
         self._heard_at = float("-inf")
@@ -197,18 +199,9 @@ class FaultyBus:
         """Take an end out that is closed."""
         self._ends = [each for each in self._ends if each is not end]
 
-    @property
-    def ear(self) -> Ear:
-        """The inner bus's."""
-        return self._bus.ear
-
-    def publish(self, key: str, payload: bytes) -> None:
-        """Send; what goes wrong with it goes wrong where it arrives."""
-        self._bus.publish(key, payload)
-
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
         """Receive what gets through."""
-        inner = self._bus.subscribe(key, depth=depth)
+        inner = super().subscribe(key, depth=depth)
         if self._faults is None:
             return inner
         queue = _Queue[Sample](self._faults, self._rng, self._clocks)
@@ -220,39 +213,19 @@ class FaultyBus:
         """Ask; the question or the answer may get lost, and the answer may be late."""
         faults = self._faults
         if faults is None or not faults.concerns(key):
-            return self._bus.query(key, payload, timeout=timeout)
+            return super().query(key, payload, timeout=timeout)
         fate, late = self._rng.random(), self._rng.random() * faults.delay
         lost = fate < faults.drop / 2
-        inner = None if lost else self._bus.query(key, payload, timeout=timeout)
+        inner = None if lost else super().query(key, payload, timeout=timeout)
         until = self._clocks.monotonic() + timeout
         return FaultyPending(self._clocks, inner, mute=fate < faults.drop, late=late, until=until)
 
     def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
         """Answer queries that get through."""
-        inner = self._bus.serve(key, limit=limit)
+        inner = super().serve(key, limit=limit)
         if self._faults is None:
             return inner
         queue = _Queue[Request](self._faults, self._rng, self._clocks)
         desk = FaultyEnd(inner, queue, self, 0.0)
         self._ends.append(desk)
         return desk
-
-    def listened(self, key: str) -> bool:
-        """Say whether anybody subscribes to the key."""
-        return self._bus.listened(key)
-
-    def announce(self, name: str) -> None:
-        """Show that this process is alive."""
-        self._bus.announce(name)
-
-    def alive(self) -> frozenset[str]:
-        """Return the names that are announced now."""
-        return self._bus.alive()
-
-    def awake(self) -> frozenset[str]:
-        """Return those of them whose process goes on."""
-        return self._bus.awake()
-
-    def lease(self) -> Lease | None:
-        """Return the lease of this process's role."""
-        return self._bus.lease()

@@ -14,6 +14,7 @@ ROOMS: Final = ("executive", "skills", "sim", "trees")
 MAY_SUBSCRIBE: Final = {
     "skills/ports/keys.py": "Latest, which checks",
     "skills/ports/hearing.py": "Heard, which checks",
+    "skills/ports/forwarding_bus.py": "a bus around a bus",
     "skills/testing/faulty_bus.py": "a bus around a bus",
     "skills/scoped_bus.py": "a bus around a bus",
     "sim/line.py": "a bus around a bus",

@@ -45,7 +45,8 @@ def test_nothing_is_set_by_hand(path: Path) -> None:
 
 SERVES = {
     "skills/ports/serving.py",  # the one mechanism
-    "executive/trials/campaigns/crash_points.py",  # buses around a bus
+    "skills/ports/forwarding_bus.py",  # buses around a bus
+    "executive/trials/campaigns/crash_points.py",
     "sim/line.py",
     "skills/scoped_bus.py",
     "skills/testing/faulty_bus.py",

@@ -1,4 +1,4 @@
-"""What every bus keeps to: in memory, over zenoh, and around another bus without faults: one suite."""
+"""What every bus keeps to: in memory, over zenoh, and around another bus that changes nothing: one suite."""
 
 from __future__ import annotations
 
@@ -8,7 +8,11 @@ from dataclasses import dataclass
 
 import pytest
 
+from tandem.executive.trials.campaigns.crash_points import CrashBus, CrashPoints
+from tandem.sim.line import Line
 from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.forwarding_bus import ForwardingBus
+from tandem.skills.scoped_bus import ScopedBus
 from tandem.skills.testing.faulty_bus import BusFaults, FaultyBus
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.configs import router_config
@@ -34,12 +38,21 @@ def faulty_pair(faults: BusFaults | None) -> Pair:
     return Pair(a, b, lambda condition: condition(), inner[0].close)
 
 
-@pytest.fixture(params=["memory", "zenoh", "no faults", "shares of nothing"])
+WRAPPERS: dict[str, Callable[[Bus], Bus]] = {
+    "memory": lambda bus: bus,
+    "forwarded": ForwardingBus,
+    "scoped": ScopedBus,
+    "a whole line": Line,
+    "points that kill nobody": lambda bus: CrashBus(bus, CrashPoints()),
+}
+
+
+@pytest.fixture(params=[*WRAPPERS, "zenoh", "no faults", "shares of nothing"])
 def pair(request: pytest.FixtureRequest) -> Iterator[Pair]:
-    if request.param == "memory":
-        hub = MemoryHub()
+    if request.param in WRAPPERS:
+        hub, wrap = MemoryHub(), WRAPPERS[request.param]
         one = MemoryBus(hub)
-        yield Pair(one, MemoryBus(hub), lambda condition: condition(), one.close)
+        yield Pair(wrap(one), wrap(MemoryBus(hub)), lambda condition: condition(), one.close)
         return
     if request.param != "zenoh":
         yield faulty_pair(None if request.param == "no faults" else BusFaults())

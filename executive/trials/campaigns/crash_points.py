@@ -15,8 +15,7 @@ from pathlib import Path
 from tandem.executive.ledger.port import Entry, Ledger, Reading, SentGoal, Transition
 from tandem.executive.ledger.task_memory import TaskMemory
 from tandem.skills.ports.bus import Bus, Desk, Inbox, Pending, Request, Sample
-from tandem.skills.ports.hearing import Ear
-from tandem.skills.ports.lease import Lease
+from tandem.skills.ports.forwarding_bus import ForwardingBus
 from tandem.skills.ports.message import MAX_REQUEST_BYTES
 from tandem.skills.ports.tasks import AskHistory, History, TaskStatus
 
@@ -139,58 +138,38 @@ class _Inbox:
         self.inner.close()
 
 
-@dataclass(frozen=True)
-class CrashBus:
-    """A bus that passes a point at each message."""
+class CrashBus(ForwardingBus):
+    """A bus that passes a point at each message.
 
-    inner: Bus
-    points: CrashPoints
+    Args:
+        inner: the bus that messages travel on.
+        points: what is passed.
+    """
 
-    @property
-    def ear(self) -> Ear:
-        """The inner bus's."""
-        return self.inner.ear
+    def __init__(self, inner: Bus, points: CrashPoints) -> None:
+        super().__init__(inner)
+        self._points = points
 
     def publish(self, key: str, payload: bytes) -> None:
         """Send."""
-        self.points.passing(f"before put {key}")
-        self.inner.publish(key, payload)
-        self.points.passing(f"after put {key}")
+        self._points.passing(f"before put {key}")
+        super().publish(key, payload)
+        self._points.passing(f"after put {key}")
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
         """Receive."""
-        return _Inbox(self.inner.subscribe(key, depth=depth), self.points)
+        return _Inbox(super().subscribe(key, depth=depth), self._points)
 
     def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
         """Ask."""
-        self.points.passing(f"before query {key}")
-        pending = self.inner.query(key, payload, timeout=timeout)
-        self.points.passing(f"after query {key}")
+        self._points.passing(f"before query {key}")
+        pending = super().query(key, payload, timeout=timeout)
+        self._points.passing(f"after query {key}")
         return pending
 
     def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
         """Answer."""
-        return _Desk(self.inner.serve(key, limit=limit), self.points)
-
-    def listened(self, key: str) -> bool:
-        """As the bus."""
-        return self.inner.listened(key)
-
-    def announce(self, name: str) -> None:
-        """As the bus."""
-        self.inner.announce(name)
-
-    def alive(self) -> frozenset[str]:
-        """As the bus."""
-        return self.inner.alive()
-
-    def awake(self) -> frozenset[str]:
-        """As the bus."""
-        return self.inner.awake()
-
-    def lease(self) -> Lease | None:
-        """Return the lease of this process's role."""
-        return self.inner.lease()
+        return _Desk(super().serve(key, limit=limit), self._points)
 
 
 @dataclass(eq=False)
