@@ -102,7 +102,7 @@ def stalled_joints(fault: JointStall, group: str, robot: RobotDescription) -> tu
     named = [joint for index, joint in enumerate(joints) if fault.joint in {joint, index}]
     if not named:
         there = f"0 to {len(joints) - 1} or one of {', '.join(joints)}"
-        raise LookupError(f"joint: {there} was expected, found {fault.joint}")
+        raise LookupError(f"joint: expected {there}, found {fault.joint}")
     return tuple(named)
 
 
@@ -112,7 +112,7 @@ def misfit(fault: Fault, robot: RobotDescription) -> str:
         return ""
     groups = [group.name for group in robot.groups]
     if fault.group is not None and fault.group not in groups:
-        return f"group: one of {', '.join(groups)} was expected, found {fault.group}"
+        return f"group: expected one of {', '.join(groups)}, found {fault.group}"
     arms = [effector.group for effector in robot.end_effectors]
     try:
         for group in arms if fault.group is None else [fault.group]:

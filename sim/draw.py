@@ -96,7 +96,7 @@ def draw_fetch(
     """
     build_scene(site, scenario)
     if not scenario.items:
-        raise ScenarioError(f"{scenario.name}: items: at least one was expected to draw from")
+        raise ScenarioError(f"{scenario.name}: items: expected at least one to draw from")
     item = scenario.items[int(rng.integers(len(scenario.items)))]
     rejected: list[Rejected] = []
     surface, place = _draw_place(site, scenario, item, rng, rejected, out_of_reach=out_of_reach)
@@ -117,7 +117,7 @@ def _draw_place(
     others = build_scene(site, scenario.without_item(item.tag))
     areas = [_area(surface) for surface in scenario.surfaces]
     if not sum(areas) > 0.0:
-        raise ScenarioError(f"{scenario.name}: surfaces: one with an area was expected to put items on")
+        raise ScenarioError(f"{scenario.name}: surfaces: expected one with an area to put items on")
     shares = [area / sum(areas) for area in areas]
     for _ in range(MOST_DRAWS):
         surface = scenario.surfaces[int(rng.choice(len(shares), p=shares))]

@@ -91,7 +91,7 @@ class _Once(Message):
     @model_validator(mode="after")
     def _one_time(self) -> _Once:
         if self.at is not None and self.when is not None:
-            raise ValueError("either at or when was expected, not both")
+            raise ValueError("expected either at or when, not both")
         return self
 
 
@@ -148,7 +148,7 @@ class JointStall(_Lasting):
     @model_validator(mode="after")
     def _which(self) -> JointStall:
         if self.group is None and not isinstance(self.when, ArmMoving | GripperClosed | ItemLifted):
-            raise ValueError("group: a group's name was expected, or when: {event: arm_moving}")
+            raise ValueError("group: expected a group's name, or when: {event: arm_moving}")
         return self
 
 
@@ -219,7 +219,7 @@ class ItemMoves(_Once):
     def _which(self) -> ItemMoves:
         _needs_tag(self.tag, self.when)
         if self.to is not None and (self.dx or self.dy or self.dyaw):
-            raise ValueError("either to or dx, dy, dyaw was expected, not both")
+            raise ValueError("expected either to or dx, dy, dyaw, not both")
         return self
 
 
@@ -259,7 +259,7 @@ class ObstacleAppears(_Lasting):
     def _where(self) -> ObstacleAppears:
         placed = self.x is not None and self.y is not None
         if placed == (self.ahead is not None) or (self.x is None) != (self.y is None):
-            raise ValueError("either x and y, or ahead, was expected")
+            raise ValueError("expected either x and y, or ahead")
         return self
 
 
@@ -324,4 +324,4 @@ class FaultEvent(Message):
 
 def _needs_tag(tag: int | None, when: object) -> None:
     if tag is None and not isinstance(when, ItemLifted):
-        raise ValueError("tag: an item's tag was expected, or when: {event: item_lifted}")
+        raise ValueError("tag: expected an item's tag, or when: {event: item_lifted}")

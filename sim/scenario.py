@@ -90,7 +90,7 @@ class Scenario(Message):
         ):
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:
-                raise ValueError(f"each {what} may stand here once; twice: {', '.join(twice)}")
+                raise ValueError(f"duplicate {what}: {', '.join(twice)}")
         return self
 
     def item(self, tag: int) -> TrueItem:
@@ -102,7 +102,7 @@ class Scenario(Message):
         for item in self.items:
             if item.tag == tag:
                 return item
-        raise KeyError(f"no item {tag}; there are {', '.join(str(item.tag) for item in self.items)}")
+        raise KeyError(f"no item {tag}; expected one of {', '.join(str(item.tag) for item in self.items)}")
 
     def with_item(self, item: TrueItem) -> Scenario:
         """Return the same scenario with this item put, or moved, where it says."""
@@ -143,7 +143,7 @@ def read_scenario(name_or_path: str | Path) -> tuple[Scenario, Source]:
     """Return a scenario as ``load_scenario`` does, and where its parts stand in its file."""
     data, source = _document(name_or_path)
     if not isinstance(data, dict):
-        raise ScenarioError(f"{source.name}: a mapping with name, start, items, ... was expected")
+        raise ScenarioError(f"{source.name}: expected a mapping with name, start, items, ...")
     return validate(data, source, Scenario), source
 
 
@@ -153,6 +153,6 @@ def _document(name_or_path: str | Path) -> tuple[JsonValue, Source]:
         return read_document(Path(text))
     if text not in scenario_names():
         known = ", ".join(scenario_names())
-        raise ScenarioError(f"no scenario '{text}'; there are {known}, or give the path of a .yaml file")
+        raise ScenarioError(f"no scenario '{text}'; expected {known}, or the path of a .yaml file")
     packaged = resources.files("tandem.sim").joinpath("scenarios", f"{text}.yaml")
     return parse_document(packaged.read_text(encoding="utf-8"), f"{text}.yaml")

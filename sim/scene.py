@@ -164,7 +164,7 @@ def _problems(site: Site, scenario: Scenario, source: Source) -> list[str]:
         if site.item(item.tag) is None:
             known = ", ".join(str(each.item) for each in site.items)
             where = source.at(f"items.{index}.tag")
-            found.append(f"{where}: one of {known} was expected, found {item.tag}")
+            found.append(f"{where}: expected one of {known}, found {item.tag}")
         found += _support_problem(site, item, f"items.{index}", source)
     for index, obstacle in enumerate(scenario.obstacles):
         if obstacle.name in taken:
@@ -180,7 +180,7 @@ def _problems(site: Site, scenario: Scenario, source: Source) -> list[str]:
     found += fault_problems(site, scenario.faults, source)
     x_min, y_min, x_max, y_max = site.bounds
     if not (x_min < scenario.start.x < x_max and y_min < scenario.start.y < y_max):
-        expected = f"a place in the room was expected, {site.bounds} (x, y from; x, y to)"
+        expected = f"expected a place in the room, {site.bounds} (x, y from; x, y to)"
         found.append(f"{source.at('start')}: {expected}")
     return found
 
@@ -193,7 +193,7 @@ def fault_problems(site: Site, faults: Iterable[Fault], source: Source) -> list[
         tag = getattr(fault, "tag", None)
         if tag is not None and site.item(tag) is None:
             known = ", ".join(str(each.item) for each in site.items)
-            found.append(f"{source.at(f'{where}.tag')}: one of {known} was expected, found {tag}")
+            found.append(f"{source.at(f'{where}.tag')}: expected one of {known}, found {tag}")
         if isinstance(fault, DepotTaken):
             found += _slot_problem(site, fault, where, source)
         elif isinstance(fault, ObstacleAppears) and fault.x is not None and fault.y is not None:
@@ -227,9 +227,9 @@ def _slot_problem(site: Site, fault: DepotTaken, where: str, source: Source) -> 
     depot = site.depot(fault.depot)
     if depot is None:
         known = ", ".join(each.name for each in site.depots)
-        return [f"{source.at(f'{where}.depot')}: one of {known} was expected, found {fault.depot}"]
+        return [f"{source.at(f'{where}.depot')}: expected one of {known}, found {fault.depot}"]
     if fault.slot >= len(depot.slots):
-        expected = f"0 to {len(depot.slots) - 1} was expected, found {fault.slot}"
+        expected = f"expected 0 to {len(depot.slots) - 1}, found {fault.slot}"
         return [f"{source.at(f'{where}.slot')}: {expected}"]
     return []
 

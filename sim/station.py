@@ -148,7 +148,7 @@ class Station:
 
     def _check(self, scenario: Scenario) -> None:
         if scenario.site != self._site.name:
-            expected = f"{self._site.name} was expected, found {scenario.site}"
+            expected = f"expected {self._site.name}, found {scenario.site}"
             raise ScenarioError(f"{scenario.name}: site: {expected}; another site needs another start")
         build_scene(self._site, scenario)
         check_faults(scenario.faults, self.model.description, source=Source(scenario.name))

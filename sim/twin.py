@@ -228,7 +228,7 @@ def looking_at(eye: Vector3, target: Vector3) -> Pose:
     forward = np.subtract(target, eye)
     right = np.cross(forward, (0.0, 0.0, 1.0))
     if np.linalg.norm(right) < 1e-9:
-        raise ValueError("the eye and the target were expected to differ in x or y")
+        raise ValueError("expected the eye and the target to differ in x or y")
     forward, right = forward / np.linalg.norm(forward), right / np.linalg.norm(right)
     down = np.cross(forward, right)
     columns = np.column_stack((right, down, forward))

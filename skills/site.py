@@ -35,7 +35,7 @@ def load(name_or_path: str) -> Site:
         data, source = parse_document(packaged.read_text("utf-8"), f"{name_or_path}.yaml")
     else:
         raise DocumentError(
-            f"no site {name_or_path!r}; there are {', '.join(names())}, or give a path to a .yaml"
+            f"no site {name_or_path!r}; expected {', '.join(names())}, or the path of a .yaml file"
         )
     site = validate(data, source, Site)
     if misplaced := [f"{source.at(where)}: {reason}" for where, reason in _misplaced(site)]:
@@ -47,7 +47,7 @@ def _misplaced(site: Site) -> Iterator[tuple[str, str]]:
     """Give the paths of places where no robot can stand, with the reason."""
     x_min, y_min, x_max, y_max = site.bounds
     if not (x_min < x_max and y_min < y_max):
-        yield "bounds", "x_min, y_min, x_max, y_max with each minimum below its maximum were expected"
+        yield "bounds", "expected x_min, y_min, x_max, y_max with each minimum below its maximum"
         return
     plan = FloorPlan(site)
     stands: list[tuple[str, FloorPose]] = [("home", site.home)]

@@ -43,13 +43,13 @@ _FLOAT: Final = re.compile(
     r"[-+]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?|[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)"
 )
 _UNCLEAR: Final = (
-    (re.compile(r"[-+]?0[0-9][0-9_.eE+-]*"), "a leading zero makes it octal in some parsers"),
-    (re.compile(r"[-+]?0[xob][0-9a-fA-F_]+"), "only decimal numbers are read"),
+    (re.compile(r"[-+]?0[0-9][0-9_.eE+-]*"), "some parsers read a leading zero as octal"),
+    (re.compile(r"[-+]?0[xob][0-9a-fA-F_]+"), "only decimal numbers are allowed"),
     (re.compile(r"[-+]?[0-9][0-9_]*_[0-9_]*(\.[0-9_]*)?"), "some parsers drop the underscores"),
-    (re.compile(r"[-+]?[0-9]+(:[0-5]?[0-9])+(\.[0-9_]*)?"), "some parsers count it in sixties"),
+    (re.compile(r"[-+]?[0-9]+(:[0-5]?[0-9])+(\.[0-9_]*)?"), "some parsers read it in base 60"),
     (re.compile(r"yes|no|on|off", re.IGNORECASE), "some parsers read it as true or false"),
     (re.compile(r"[0-9]{4}-[0-9]{1,2}-[0-9]{1,2}([Tt ].*)?"), "some parsers read it as a date"),
-    (re.compile(r"<<|="), "it has a meaning of its own in YAML 1.1"),
+    (re.compile(r"<<|="), "it has a special meaning in YAML 1.1"),
 )
 """What YAML 1.1 (PyYAML's reading) and 1.2 take for different values, and why."""
 
@@ -64,13 +64,13 @@ def read_document(path: Path) -> tuple[JsonValue, Source]:
         with path.open("rb") as file:
             content = file.read(MOST_BYTES + 1)
     except OSError as error:
-        raise DocumentError(f"{path}: can't be read: {error.strerror}") from None
+        raise DocumentError(f"{path}: cannot read: {error.strerror}") from None
     if len(content) > MOST_BYTES:
-        raise DocumentError(f"{path}: at most {MOST_BYTES} bytes were expected")
+        raise DocumentError(f"{path}: expected at most {MOST_BYTES} bytes")
     try:
         text = content.decode("utf-8")
     except UnicodeDecodeError:
-        raise DocumentError(f"{path}: can't be read: not UTF-8 text") from None
+        raise DocumentError(f"{path}: cannot read: not UTF-8 text") from None
     return parse_document(text, str(path))
 
 
@@ -117,9 +117,9 @@ def mistakes(error: ValidationError, source: Source) -> list[str]:
 
 def _expectation(kind: str, message: str) -> str:
     if kind == "extra_forbidden":
-        return "no such field was expected"
+        return "no such field"
     if kind == "missing":
-        return "this field was expected and is missing"
+        return "missing field"
     return message[:1].lower() + message[1:]
 
 
@@ -146,21 +146,21 @@ class _Reader:
             if isinstance(event, yaml.DocumentStartEvent):
                 documents += 1
                 if documents > 1:
-                    raise self._refused("", event, "one document was expected, and here is another")
+                    raise self._refused("", event, "expected one document; here starts another")
                 found = self._value(next(self._events), "", 0)
         return found, Source(self._name, self._lines)
 
     def _value(self, event: yaml.Event, path: str, depth: int) -> JsonValue:
         self._lines[path] = _line(event)
         if depth > DEEPEST:
-            raise self._refused(path, event, f"at most {DEEPEST} levels of nesting were expected")
+            raise self._refused(path, event, f"expected at most {DEEPEST} levels of nesting")
         before = self._values
         self._count(1, path, event)
         if isinstance(event, yaml.AliasEvent):
             return self._of_alias(event, path)
         assert isinstance(event, yaml.CollectionStartEvent | yaml.ScalarEvent)
         if event.tag is not None:
-            raise self._refused(path, event, f"no tag was expected, found {event.tag}")
+            raise self._refused(path, event, f"tags are not allowed; found {event.tag}")
         value: JsonValue
         if isinstance(event, yaml.MappingStartEvent):
             value = self._mapping(path, depth)
@@ -175,7 +175,7 @@ class _Reader:
 
     def _of_alias(self, event: yaml.AliasEvent, path: str) -> JsonValue:
         if event.anchor not in self._anchors:
-            raise self._refused(path, event, f"no anchor &{event.anchor} ends above")
+            raise self._refused(path, event, f"unknown anchor &{event.anchor}")
         value, weight = self._anchors[event.anchor]
         self._count(weight, path, event)
         return value
@@ -190,7 +190,7 @@ class _Reader:
             deeper = f"{path}.{key}" if path else key
             line = _line(event)
             if key in firsts:
-                reason = f"a key may stand once; it stands in line {firsts[key]} already"
+                reason = f"duplicate key; first used in line {firsts[key]}"
                 raise self._refused(deeper, event, reason)
             firsts[key] = line
             found[key] = self._value(next(self._events), deeper, depth + 1)
@@ -208,10 +208,10 @@ class _Reader:
 
     def _key(self, event: yaml.Event, path: str) -> str:
         if not isinstance(event, yaml.ScalarEvent) or event.tag is not None:
-            raise self._refused(path, event, "a name was expected for a key")
+            raise self._refused(path, event, "expected a name as key")
         key = self._scalar(event, path)
         if not isinstance(key, str):
-            raise self._refused(path, event, f"a name was expected for a key, found {event.value}")
+            raise self._refused(path, event, f"expected a name as key, found {event.value}")
         return key
 
     def _scalar(self, event: yaml.ScalarEvent, path: str) -> JsonValue:
@@ -228,14 +228,14 @@ class _Reader:
             return float(text.lower().replace(".inf", "inf").replace(".nan", "nan"))
         for unclear, why in _UNCLEAR:
             if unclear.fullmatch(text):
-                advice = f"{text} has more than one meaning ({why}); write it plainly, or in quotes as text"
+                advice = f"{text} is ambiguous ({why}); quote it if it is text, or write it unambiguously"
                 raise self._refused(path, event, advice)
         return text
 
     def _count(self, more: int, path: str, event: yaml.Event) -> None:
         self._values += more
         if self._values > MOST_VALUES:
-            raise self._refused(path, event, f"at most {MOST_VALUES} values were expected")
+            raise self._refused(path, event, f"expected at most {MOST_VALUES} values")
 
     def _refused(self, path: str, event: yaml.Event, reason: str) -> DocumentError:
         line = f"line {_line(event)}"

@@ -23,7 +23,7 @@ def discover() -> dict[str, TaskType[Message]]:
     for module in sorted(pkgutil.iter_modules(tasks.__path__), key=lambda each: each.name):
         task = getattr(importlib.import_module(f"{tasks.__name__}.{module.name}"), "TASK", None)
         if not isinstance(task, TaskType):
-            raise TypeError(f"trees/tasks/{module.name}.py: a TaskType named TASK was expected")
+            raise TypeError(f"trees/tasks/{module.name}.py: expected a TaskType named TASK")
         if task.name in found:
             raise TypeError(f"trees/tasks/{module.name}.py: there is a task {task.name!r} already")
         found[task.name] = task

@@ -77,7 +77,7 @@ class UnknownTaskError(ClientError):
 
     def __init__(self, task: str) -> None:
         self.task = task
-        super().__init__(f"no task {task!r} is known; `tasks()` tells those that are")
+        super().__init__(f"unknown task {task!r}; `tasks()` returns the known ones")
 
 
 class TimedOutError(ClientError):

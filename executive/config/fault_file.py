@@ -33,7 +33,7 @@ def load_faults(path: str | Path) -> FaultFile:
 def _read(path: str | Path) -> tuple[FaultFile, Source]:
     data, source = read_document(Path(path))
     if not isinstance(data, dict):
-        raise DocumentError(f"{source.name}: a mapping with faults: [...], bus: {{...}} or both was expected")
+        raise DocumentError(f"{source.name}: expected a mapping with faults: [...], bus: {{...}} or both")
     return validate(data, source, FaultFile), source
 
 

@@ -134,7 +134,7 @@ class SqliteLedger:
         """Write the row anew, and the transition if it is one."""
         known = self._db.execute("SELECT state FROM tasks WHERE task = ?", (status.task,)).fetchone()
         if known is None:
-            raise LedgerError(f"{self.path}: {status.task} was expected in the ledger, and is not there")
+            raise LedgerError(f"{self.path}: {status.task} is missing from the ledger")
         ended = status.state.terminal
         self._write(
             "UPDATE tasks SET state = ?, open = ?, ended_at = ?, status = ? WHERE task = ?",
@@ -322,8 +322,7 @@ def _lock(folder: Path) -> int:
         lock = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
     except OSError as error:
         raise LedgerError(
-            f"{folder}: a folder that can be written was expected for the ledger: {error.strerror}; "
-            "name another one with --data"
+            f"{folder}: the ledger needs a writable folder: {error.strerror}; name another one with --data"
         ) from error
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -89,7 +89,7 @@ def issue(folder: Path, wanted: Wanted, now: dt.datetime) -> tuple[Holder, ...]:
     """
     if NAME.fullmatch(wanted.name) is None:
         raise KeysError(
-            f"a name was expected: up to 32 of a-z 0-9 _ -, a letter or digit first; found {wanted.name!r}"
+            f"expected a name: up to 32 of a-z 0-9 _ -, first a letter or digit; found {wanted.name!r}"
         )
     if wanted.name == AUTHORITY:
         raise KeysError(f"{AUTHORITY!r} is the authority's own name; take another")
@@ -236,9 +236,9 @@ def _authority(folder: Path) -> tuple[ec.EllipticCurvePrivateKey, x509.Certifica
     except FileNotFoundError:
         raise KeysError(f"{path}: no such file; keys are made where `tandem keys init` was called") from None
     except ValueError as error:
-        raise KeysError(f"{path}: a private key was expected: {error}") from error
+        raise KeysError(f"{path}: not a private key: {error}") from error
     if not isinstance(key, ec.EllipticCurvePrivateKey):
-        raise KeysError(f"{path}: a key on an elliptic curve was expected")
+        raise KeysError(f"{path}: expected a key on an elliptic curve")
     return key, _load(folder / f"{AUTHORITY}.pem")
 
 
@@ -248,7 +248,7 @@ def _load(certificate: Path) -> x509.Certificate:
     except FileNotFoundError:
         raise KeysError(f"{certificate}: no such file; `tandem keys new` makes it") from None
     except ValueError as error:
-        raise KeysError(f"{certificate}: a certificate was expected: {error}") from error
+        raise KeysError(f"{certificate}: not a certificate: {error}") from error
 
 
 def _write(folder: Path, stem: str, key: ec.EllipticCurvePrivateKey, certificate: x509.Certificate) -> None:

@@ -86,7 +86,7 @@ def read_holders(folder: Path) -> Holders:
             f"{path}: no such file; make the folder with `tandem keys init --folder {folder}`"
         ) from None
     except ValidationError as error:
-        raise KeysError(f"{path}: a list of keys was expected: {error.errors()[0]['msg']}") from error
+        raise KeysError(f"{path}: not a list of keys: {error.errors()[0]['msg']}") from error
 
 
 def write_holders(folder: Path, holders: Holders) -> None:

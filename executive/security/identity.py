@@ -56,7 +56,7 @@ class Identity:
         common = common_name_of(path)
         role = role_in(common)
         if role is None:
-            raise KeysError(f"{path}: a certificate for tandem.<role>.<name> was expected; found {common!r}")
+            raise KeysError(f"{path}: expected a certificate for tandem.<role>.<name>; found {common!r}")
         return role
 
 
@@ -73,7 +73,7 @@ def robot_in(folder: Path, name: str = "") -> Identity:
         found = ", ".join(there) or "none"
         wanted = f"the robot {name!r}" if name else "one robot, or its name with --as"
         hint = f"`tandem keys new --role robot NAME --folder {folder}` makes one"
-        raise KeysError(f"{folder}: keys of {wanted} were expected; there are {found}; {hint}")
+        raise KeysError(f"{folder}: no keys of {wanted}; found {found}; {hint}")
     return Identity(folder, there[0])
 
 
@@ -87,7 +87,7 @@ def client_in(folder: Path, name: str = "") -> Identity:
     clients = [stem for stem in there if stem != AUTHORITY]
     if not name and len(clients) != 1:
         found = ", ".join(clients) or "none"
-        raise KeysError(f"{folder}: one client's key was expected, or its name with --as; there are {found}")
+        raise KeysError(f"{folder}: expected the key of one client, or --as with its name; found {found}")
     return Identity(folder, name or clients[0])
 
 

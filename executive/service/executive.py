@@ -210,7 +210,7 @@ class Executive:
             self.book.remember(turn.task, memory.model_copy(update={"in_order": True}))
             self.book.keep()
         except LedgerError:
-            _LOG.exception("that the executive ends in order could not be noted")
+            _LOG.exception("could not record the orderly shutdown in the ledger")
 
     # After a start.
 
@@ -238,7 +238,7 @@ class Executive:
         # By their number tasks are forgotten in any case; by their age only on a clock that can tell it.
         old = self._wall.utc() - policy.keep_days * DAY if self._wall.tells_age else 0.0
         if not self._wall.tells_age:
-            _LOG.warning("no task is forgotten by its age: %s", self._wall.trouble())
+            _LOG.warning("old tasks are not deleted: %s", self._wall.trouble())
         self._ledger.prune(older_than=old, keep=keep)
 
     # The task under way.
@@ -278,7 +278,7 @@ class Executive:
         status = self.book.entry(turn.task).status
         waits = self._holds.note(turn.asked.kind.name, turn.task, ended.failure)
         if waits and status.state is TaskState.RUNNING:
-            _LOG.warning("a task waits again", extra={"task": turn.task, "why": str(ended.failure)})
+            _LOG.warning("task goes back to the queue", extra={"task": turn.task, "why": str(ended.failure)})
             turn.run.ended = Ending(TaskState.QUEUED)
 
     def _make_room(self, turn: Turn) -> None:
@@ -288,7 +288,7 @@ class Executive:
             return
         waits, status = self.book.next(), self.book.get(turn.task)
         if waits is not None and status is not None and waits.priority > status.priority:
-            _LOG.info("a task makes room", extra={"task": turn.task, "room_for": waits.task})
+            _LOG.info("task makes room for another", extra={"task": turn.task, "room_for": waits.task})
             run.make_room()
 
     def _begin(self, task: str, asked: Asked, how: How) -> None:
@@ -296,9 +296,9 @@ class Executive:
         try:
             self._turn = self._build(task, asked)
         except Exception as error:  # noqa: BLE001 - a builder's mistake costs its task, not the service
-            _LOG.exception("a tree could not be built", extra={"task": task})
+            _LOG.exception("could not build a tree", extra={"task": task})
             what = f"{type(error).__name__}: {error}"
-            text = f"building the tree raised {what}; the executive's log has the trace"
+            text = f"building the tree raised {what}; see the executive's log for the traceback"
             failure = Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=asked.kind.name)
             self._tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
             return

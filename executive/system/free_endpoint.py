@@ -34,13 +34,13 @@ def require_vacant(endpoint: str) -> None:
     if found is None:
         return
     if int(found["port"]) > LAST_PORT:  # some C libraries would take its lower 16 bits
-        raise EndpointError(f"{endpoint}: a port up to {LAST_PORT} was expected")
+        raise EndpointError(f"{endpoint}: expected a port up to {LAST_PORT}")
     try:
         addresses = socket.getaddrinfo(
             found["host"], int(found["port"]), type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE
         )
     except (OSError, OverflowError) as error:
-        raise EndpointError(f"{endpoint}: an address of this host was expected: {error}") from error
+        raise EndpointError(f"{endpoint}: not an address of this host: {error}") from error
     for family, kind, protocol, _, address in addresses:
         with socket.socket(family, kind, protocol) as probe:
             # As zenoh listens: a port whose last connections have not run out yet is free.
@@ -55,9 +55,7 @@ def require_vacant(endpoint: str) -> None:
 def _said(endpoint: str, error: OSError) -> TakenError | EndpointError:
     if error.errno == errno.EADDRINUSE:
         return TakenError(
-            f"another program listens at {endpoint} already; end it, or take another endpoint "
+            f"another program already listens on {endpoint}; stop it, or choose another endpoint "
             "with --connect tcp/127.0.0.1:7448"
         )
-    return EndpointError(
-        f"{endpoint}: an address at which this host can listen was expected: {error.strerror}"
-    )
+    return EndpointError(f"{endpoint}: cannot listen on this address: {error.strerror}")

@@ -68,7 +68,7 @@ class Death:
 
     def describe(self) -> str:
         """Return it in words for people."""
-        said = f"; its last words:\n{self.last_words}" if self.last_words else "; it said nothing"
+        said = f"; last output:\n{self.last_words}" if self.last_words else " without output"
         return f"{self.head()}{said}"
 
 
@@ -164,7 +164,7 @@ class Supervisor:
         for child in reversed(self.children):
             if child.role == role:
                 return child
-        raise KeyError(f"no process {role!r}; there are {', '.join(c.role for c in self.children)}")
+        raise KeyError(f"no process {role!r}; expected one of {', '.join(c.role for c in self.children)}")
 
     def deaths(self) -> tuple[Death, ...]:
         """Return the processes that have ended by themselves."""

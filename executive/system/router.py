@@ -57,11 +57,11 @@ class Router:
         try:
             access = self._access()
         except KeysError:
-            _LOG.exception("the list of keys can't be read; the rules stay as they are")
+            _LOG.exception("cannot read the list of keys; the access rules stay as they are")
             self._known = version
             return
         self._known = version
-        _LOG.warning("the list of keys has changed: the router begins anew")
+        _LOG.warning("the list of keys has changed: restarting the router")
         self._session.close()
         self._session = self._open(access)
 
@@ -82,7 +82,7 @@ class Router:
             raise RefusalError(str(error)) from error
         except BusError as error:
             places = ", ".join(self._endpoints)
-            raise RefusalError(f"nothing can listen at {places}: is another router there?") from error
+            raise RefusalError(f"cannot listen on {places}: is another router running?") from error
 
     def _access(self) -> str | None:
         if self._list is None:

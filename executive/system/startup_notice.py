@@ -15,11 +15,11 @@ from tandem.skills.ports.tasks import TaskState
 Fate = Literal["queued", "resumed", "cancelled", "paused", "asked", "interrupted"]
 """What becomes of a task that has not ended."""
 SAID: Final[dict[Fate, str]] = {
-    "queued": "waits in the queue",
+    "queued": "is queued",
     "resumed": "resumes",
-    "cancelled": "is being cancelled, and winds down",
-    "paused": "stays paused; `tandem resume` lets it go on",
-    "asked": "asks an operator whether to go on; `tandem tasks` shows the question",
+    "cancelled": "is being cancelled",
+    "paused": "is paused; continue it with `tandem resume`",
+    "asked": "asks an operator whether to continue; `tandem tasks` shows the question",
     "interrupted": "ends as INTERRUPTED (--on-restart interrupt)",
 }
 MOVES: Final = "the robot is about to move"

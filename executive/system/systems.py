@@ -249,8 +249,8 @@ class ProcessSystem:
             self._require_vacant()
             return
         raise RefusedError(
-            f"a router answers at {endpoint} already: another system runs there; "
-            f"end it, or take another endpoint with --connect tcp/127.0.0.1:7448"
+            f"a router already answers at {endpoint}: another system is running there; "
+            f"stop it, or choose another endpoint with --connect tcp/127.0.0.1:7448"
         )
 
     def _require_vacant(self) -> None:
@@ -318,10 +318,10 @@ class ProcessSystem:
         deaths, fatal = self.supervisor.deaths(), list[Death]()
         for death in deaths:
             if self._ready and self.supervisor.restart(death.role, self._stop_of(death.role)):
-                self._say(f"{death.head()}; started again")
+                self._say(f"{death.head()}; restarted")
             elif self._ready and death.role == OBSERVER:
                 self.supervisor.give_up(death.role)
-                self._say(f"{death.head()} again and again; nothing is recorded any more")
+                self._say(f"{death.head()} too often; metrics and traces are off from now on")
             else:
                 fatal.append(death)
         if fatal:
@@ -344,7 +344,7 @@ class ProcessSystem:
         names = {f"process/{child.role}": child for child in self.supervisor.children}
         restarted = {name for name in names if name.removeprefix("process/") in {*RESTARTED} - {"hardware"}}
         for name in self._hung.look(restarted & self.bus.alive(), self.bus.awake()):
-            self._say(f"the {names[name].role} process hangs; it is killed")
+            self._say(f"the {names[name].role} process hangs; killing it")
             names[name].process.kill()
 
 

@@ -70,7 +70,7 @@ def main(argv: list[str]) -> int:
         logging.getLogger(__name__).error("%s", error)  # noqa: TRY400 - the disk's fault
         return UNKEPT
     except Exception:
-        logging.getLogger(__name__).exception("%s ended by an error", settings.role)
+        logging.getLogger(__name__).exception("%s failed with an unexpected error", settings.role)
         return 1
     return 0
 

@@ -41,7 +41,7 @@ def host_and_port(text: str) -> tuple[str, int]:
     """
     host, colon, port = text.rpartition(":")
     if not colon or not host or not port.isdecimal() or not 0 <= int(port) <= 65535:  # noqa: PLR2004 - the last port
-        raise ValueError(f"a host and a port such as 127.0.0.1:9464 were expected; found {text!r}")
+        raise ValueError(f"expected a host and a port such as 127.0.0.1:9464; found {text!r}")
     return host.strip("[]"), int(port)
 
 

@@ -94,7 +94,7 @@ class Move:
         joints = self._arm.group.joints
         if goal.joints is not None and len(goal.joints) != len(joints):
             return self._failure(
-                FailureKind.INVALID_GOAL, f"{len(joints)} joints were expected, {len(goal.joints)} given"
+                FailureKind.INVALID_GOAL, f"expected {len(joints)} joints, {len(goal.joints)} given"
             )
         outside = self._outside(goal.joints or ())
         if outside:
@@ -115,7 +115,7 @@ class Move:
         for limit, value in zip(self._arm.group.limits, positions, strict=False):
             if not limit.lower <= value <= limit.upper:
                 span = f"{limit.lower:.3f} to {limit.upper:.3f}"
-                return f"{limit.joint}: {span} was expected, {value:.3f} given"
+                return f"{limit.joint}: expected {span}, {value:.3f} given"
         return ""
 
     def run(self, goal: MoveGoal, goal_id: str) -> Moves:

@@ -107,7 +107,7 @@ class Localise:
         hint = goal.hint
         if hint is not None and not (x_min <= hint.x <= x_max and y_min <= hint.y <= y_max):
             return self._failure(
-                FailureKind.INVALID_GOAL, "a hint on the floor was expected", x_m=hint.x, y_m=hint.y
+                FailureKind.INVALID_GOAL, "expected a hint on the floor", x_m=hint.x, y_m=hint.y
             )
         return None
 

@@ -53,7 +53,7 @@ def build_map(site: Site, description: RobotDescription) -> SiteMap:
     """
     mount = Chain.from_urdf(description.urdf, description.base_frame, description.laser.frame).pose({})
     if rotate(mount.orientation, (0.0, 0.0, 1.0))[2] < math.cos(math.radians(0.5)):
-        raise ValueError(f"{description.laser.frame}: a laser that lies level, z up, was expected")
+        raise ValueError(f"{description.laser.frame}: expected a laser that lies level, z up")
     height = mount.position[2]
     boxes = [box for furniture in site.furniture for box in furniture.boxes]
     seen = [b for b in boxes if abs(b.centre[2] - height) <= b.size[2] / 2]

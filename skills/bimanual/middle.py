@@ -77,7 +77,7 @@ def span(left_in_base: Pose, right_in_base: Pose) -> Span:
     facing = math.inf if apart == 0.0 else sum(a * b for a, b in zip(pointing, between, strict=True)) / apart
     if not 1.7 < facing < math.inf:  # noqa: PLR2004 - 2 cos(30 degrees)
         raise HandsApartError(
-            f"hands that point at each other were expected; their fingers and the line between them agree "
+            f"expected hands that point at each other; their fingers and the line between them agree "
             f"by {facing:.2f} of 2, {apart:.3f} m apart"
         )
     y = scale(between, 1.0 / apart)

@@ -122,7 +122,7 @@ class HoldWithTwo:
                 FailureKind.INVALID_GOAL, f"item {goal.item} has no grasp points for two hands"
             )
         if goal.do is TwoHands.MOVE and goal.to is None:
-            return self._failure(FailureKind.INVALID_GOAL, "move: 'to' was expected")
+            return self._failure(FailureKind.INVALID_GOAL, "move: expected 'to'")
         if goal.do is not TwoHands.SQUEEZE and self._arms.span is None:
             return self._failure(FailureKind.NOT_READY, f"{goal.do}: nothing is between the hands")
         return None
@@ -299,7 +299,7 @@ class HoldWithTwo:
                     raise
             else:
                 return end
-        raise AssertionError("at least one end was expected")
+        raise AssertionError("expected at least one end")
 
     def _draw_back(self) -> Steps[None]:
         """Take the hands off what they did not get hold of, and let go of the arms."""
@@ -368,7 +368,7 @@ class HoldWithTwo:
                 return robot.base_in_map
             if robot_seconds(self._clocks) > until:
                 raise self._stopped(
-                    FailureKind.NOT_READY, "robot pose, world, joints and both wrists were expected"
+                    FailureKind.NOT_READY, "expected robot pose, world, joints and both wrists"
                 )
             yield from self._tick()
 

@@ -79,7 +79,7 @@ class Chain:
         link = tip
         while link != root:
             if link not in by_child:
-                raise ValueError(f"{tip!r} was expected below {root!r}; the chain from it ends at {link!r}")
+                raise ValueError(f"expected {tip!r} below {root!r}; its chain ends at {link!r}")
             path.append(by_child[link])
             link = path[-1].parent
         steps: list[ChainJoint] = []
@@ -135,7 +135,7 @@ def _joints(urdf: str) -> list[ChainJoint]:
     try:
         robot = ET.fromstring(urdf)  # noqa: S314 - the text comes from the robot's own hardware
     except ET.ParseError as error:
-        raise ValueError(f"a URDF text was expected: {error}") from None
+        raise ValueError(f"expected a URDF text: {error}") from None
     return [_joint(element) for element in robot.findall("joint")]
 
 

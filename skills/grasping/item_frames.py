@@ -43,7 +43,7 @@ def outward(tag_in_map: Pose) -> Vector3:
     x, y, _ = rotate(tag_in_map.orientation, _Z)
     size = math.hypot(x, y)
     if size < 0.5:  # noqa: PLR2004
-        raise ValueError("the tag was expected on an upright face; this one lies flat")
+        raise ValueError("expected the tag on an upright face; this one lies flat")
     return (x / size, y / size, 0.0)
 
 

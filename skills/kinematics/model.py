@@ -100,7 +100,7 @@ class RobotKinematics:
         number = self.model.getJointId(joint)
         place = int(self.model.joints[number].idx_q)
         if self.model.joints[number].nq != 1 or place != number - 1:
-            raise UrdfError(f"joint {joint!r}: a joint of one number was expected")
+            raise UrdfError(f"joint {joint!r}: expected a joint of one number")
         return place
 
     def joint_index(self, joint: str) -> int:
@@ -177,7 +177,7 @@ def _refuse_groups(
         for joint in joints:
             who = f"group {name!r}: joint {joint!r}"
             if kinds.get(joint) in SEVERAL_NUMBERS:
-                raise UrdfError(f"{who} is {kinds[joint]}; joints of one number were expected")
+                raise UrdfError(f"{who} is {kinds[joint]}; expected joints of one number")
             if joint in following:
                 raise UrdfError(f"{who} mimics {following[joint].source!r} and can't be moved by itself")
             if joint in followed:

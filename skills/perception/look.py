@@ -112,7 +112,7 @@ class Look:
         if goal.at is None and not goal.tilts:
             return Failure(
                 kind=FailureKind.INVALID_GOAL,
-                message="a point or at least one tilt was expected",
+                message="expected a point or at least one tilt",
                 where=WHERE,
             )
         return None

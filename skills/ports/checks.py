@@ -59,7 +59,7 @@ def _joints(message: JointStates, key: str, robot: RobotDescription | None) -> s
 def _group(message: GroupStatus, key: str, robot: RobotDescription | None) -> str:
     groups = () if robot is None else tuple(group.name for group in robot.groups)
     if robot is not None and message.group not in groups:
-        return f"group: one of {', '.join(groups)} was expected, found {message.group}"
+        return f"group: expected one of {', '.join(groups)}, found {message.group}"
     return _of_key(key, f"hw/group/{message.group}/status")
 
 
@@ -68,7 +68,7 @@ def _setpoint(message: SetPoint, key: str, robot: RobotDescription | None) -> st
     name = key.split("/")[2]
     group = None if robot is None else next((each for each in robot.groups if each.name == name), None)
     if group is not None and len(message.positions) != len(group.joints):
-        return f"{len(group.joints)} joints of {name} were expected, found {len(message.positions)}"
+        return f"expected {len(group.joints)} joints of {name}, found {len(message.positions)}"
     return ""
 
 
@@ -88,7 +88,7 @@ def _wrench(message: Wrench, key: str, robot: RobotDescription | None) -> str:
 def _scan(message: LaserScan, key: str, robot: RobotDescription | None) -> str:
     del key
     if robot is not None and len(message.ranges) != robot.laser.beams:
-        return f"{robot.laser.beams} ranges were expected, found {len(message.ranges)}"
+        return f"expected {robot.laser.beams} ranges, found {len(message.ranges)}"
     return ""
 
 
@@ -101,13 +101,13 @@ def _picture(message: RgbdHeader, key: str, robot: RobotDescription | None) -> s
     if (message.camera, message.width, message.height) == (camera.name, camera.width, camera.height):
         return ""
     return (
-        f"a picture of {camera.name}, {camera.width} x {camera.height}, was expected, "
+        f"expected a picture of {camera.name}, {camera.width} x {camera.height}, "
         f"found {message.camera}, {message.width} x {message.height}"
     )
 
 
 def _of_key(key: str, expected: str) -> str:
-    return "" if key == expected else f"told on {key}, where {expected} was expected"
+    return "" if key == expected else f"sent on {key}, expected on {expected}"
 
 
 def _names(joints: list[str]) -> str:

@@ -139,7 +139,7 @@ def _read(payload: bytes, limit: int, most: int) -> str | Problem:
         return _wrong("JSON in UTF-8", f"byte 0x{payload[error.start]:02x} at {error.start}")
     depth = _depth(text, most)
     if depth > most:
-        return _wrong(f"at most {most} objects and arrays within each other", f"{depth} or more")
+        return _wrong(f"at most {most} nested objects and arrays", f"{depth} or more")
     return text
 
 
@@ -208,7 +208,7 @@ class _Walk:
         try:
             text.encode("utf-8")
         except UnicodeEncodeError:
-            self._note(steps, "Unicode text", "half of a surrogate pair")
+            self._note(steps, "Unicode text", "half a surrogate pair")
 
     def _note(self, steps: tuple[str | int, ...], expected: str, found: str) -> None:
         self.problems.append(Problem(path=path_of(steps), expected=expected, found=found))

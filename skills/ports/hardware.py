@@ -34,7 +34,7 @@ class JointLimit(Message):
     def _ordered(self) -> JointLimit:
         if self.lower > self.upper:
             raise ValueError(
-                f"joint {self.joint!r}: a lower limit of at most the upper one was expected, "
+                f"joint {self.joint!r}: expected a lower limit of at most the upper one, "
                 f"found {self.lower:g} and {self.upper:g}"
             )
         return self
@@ -50,7 +50,7 @@ class JointGroup(Message):
     def _each_once(self) -> JointGroup:
         twice = sorted({joint for joint in self.joints if self.joints.count(joint) > 1})
         if twice:
-            raise ValueError(f"group {self.name!r}: each joint once was expected, twice there: {twice}")
+            raise ValueError(f"group {self.name!r}: expected each joint once, twice there: {twice}")
         return self
 
     @property
@@ -227,7 +227,7 @@ class JointStates(Message):
     def _one_of_each(self) -> JointStates:
         lengths = {len(self.names), len(self.positions), len(self.velocities), len(self.efforts)}
         if len(lengths) > 1 or len(set(self.names)) != len(self.names):
-            raise ValueError("a name, a position, a velocity and an effort of each joint were expected")
+            raise ValueError("expected a name, a position, a velocity and an effort of each joint")
         return self
 
     def position_of(self, joints: tuple[str, ...]) -> tuple[float, ...]:
@@ -266,7 +266,7 @@ class TrajectoryGoal(Leased):
     def _times_rise(self) -> TrajectoryGoal:
         times = [point.time for point in self.points]
         if any(b <= a for a, b in pairwise(times)):
-            raise ValueError("the points' times were expected to rise")
+            raise ValueError("expected rising times of the points")
         return self
 
 
@@ -321,7 +321,7 @@ class SetPoint(Leased):
     @model_validator(mode="after")
     def _as_many(self) -> SetPoint:
         if len(self.positions) != len(self.velocities):
-            raise ValueError("as many velocities as positions were expected")
+            raise ValueError("expected as many velocities as positions")
         return self
 
 

@@ -51,11 +51,11 @@ def decode(payload: bytes) -> RgbdImage:
 def _header(payload: bytes) -> tuple[RgbdHeader, int]:
     """Return the header and where the pixels begin; ValueError when the payload is no picture."""
     if len(payload) < _LENGTH.size:
-        raise ValueError(f"an RGB-D payload was expected, got {len(payload)} bytes")
+        raise ValueError(f"expected an RGB-D payload, got {len(payload)} bytes")
     (size,) = _LENGTH.unpack_from(payload)
     start = _LENGTH.size + size
     header = RgbdHeader.model_validate_json(payload[_LENGTH.size : start])
     expected = start + header.width * header.height * 5
     if len(payload) != expected:
-        raise ValueError(f"an RGB-D payload of {expected} bytes was expected, got {len(payload)}")
+        raise ValueError(f"expected an RGB-D payload of {expected} bytes, got {len(payload)}")
     return header, start

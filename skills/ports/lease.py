@@ -256,7 +256,7 @@ class Fence:
             self.boot = lease.boot
         if lease is not None and lease.role != self.role:
             refusal: LeaseRefusal | None = LeaseRefusal(
-                f"a lease of {self.role} was expected, not one of {lease.role}"
+                f"expected a lease of {self.role}, not one of {lease.role}"
             )
         else:
             refusal = refusal_of(lease, self.boot, self.held)

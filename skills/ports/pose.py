@@ -18,7 +18,7 @@ def _unit(quaternion: Quaternion) -> Quaternion:
     x, y, z, w = quaternion
     norm = math.sqrt(x * x + y * y + z * z + w * w)
     if abs(norm - 1.0) > 1e-3:  # noqa: PLR2004
-        raise ValueError(f"a unit quaternion (x, y, z, w) was expected, this one has length {norm:.4f}")
+        raise ValueError(f"expected a unit quaternion (x, y, z, w), this one has length {norm:.4f}")
     if abs(norm - 1.0) < 1e-12:  # noqa: PLR2004 - as good as it gets; so that a message read again is the same
         return quaternion
     return (x / norm, y / norm, z / norm, w / norm)

@@ -82,7 +82,7 @@ class SiteItem(Message):
     @model_validator(mode="after")
     def _one_point_for_each_hand(self) -> SiteItem:
         if self.grasp_points and sorted(each.side for each in self.grasp_points) != ["left", "right"]:
-            raise ValueError("one grasp point for the left and one for the right hand were expected")
+            raise ValueError("expected one grasp point for the left and one for the right hand")
         return self
 
 
@@ -109,7 +109,7 @@ class Site(Message):
         ):
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:
-                raise ValueError(f"{what}: unique names were expected, twice there: {', '.join(twice)}")
+                raise ValueError(f"{what}: expected unique names, twice there: {', '.join(twice)}")
         return self
 
     def item(self, number: int) -> SiteItem | None:

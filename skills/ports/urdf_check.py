@@ -78,7 +78,7 @@ def _mistakes(root: ET.Element) -> Iterator[str]:
         who = f"joint {joint.get('name', '')!r}"
         kind = joint.get("type", "")
         if kind not in KINDS:
-            yield f"{who}: a type out of {', '.join(sorted(KINDS))} was expected, found {kind!r}"
+            yield f"{who}: expected a type out of {', '.join(sorted(KINDS))}, found {kind!r}"
         yield from (f"{who}: {each}" for each in _ends(joint, links))
         if kind in ONE_NUMBER:
             yield from (f"{who}: {each}" for each in (*_axis(joint), *_limit(joint, kind)))
@@ -90,7 +90,7 @@ def _ends(joint: ET.Element, links: Mapping[str, int]) -> Iterator[str]:
         element = joint.find(end)
         link = "" if element is None else element.get("link", "")
         if link not in links:
-            yield f"a {end} link that is there was expected, found {link!r}"
+            yield f"expected a {end} link that is there, found {link!r}"
 
 
 def _axis(joint: ET.Element) -> Iterator[str]:
@@ -98,7 +98,7 @@ def _axis(joint: ET.Element) -> Iterator[str]:
     text = "1 0 0" if element is None else element.get("xyz", "1 0 0")
     parts = [_number(part) for part in text.split()]
     if len(parts) != 3 or not all(map(math.isfinite, parts)) or not any(parts):  # noqa: PLR2004 - x, y, z
-        yield f"an axis of three numbers, not all 0, was expected, found {text!r}"
+        yield f"expected an axis of three numbers, not all 0, found {text!r}"
 
 
 def _limit(joint: ET.Element, kind: str) -> Iterator[str]:
@@ -110,12 +110,12 @@ def _limit(joint: ET.Element, kind: str) -> Iterator[str]:
     for name in ("velocity", "effort"):
         text = limit.get(name, "")
         if not 0.0 <= _number(text) < math.inf:
-            yield f"{name} of at least 0 was expected, found {text!r}"
+            yield f"expected {name} of at least 0, found {text!r}"
     if kind == "continuous":
         return
     lower, upper = (_number(limit.get(name, "0")) for name in ("lower", "upper"))
     if not lower <= upper:
-        yield f"a lower limit of at most the upper one was expected, found {lower:g} and {upper:g}"
+        yield f"expected a lower limit of at most the upper one, found {lower:g} and {upper:g}"
 
 
 def _mimic_mistakes(joints: list[ET.Element]) -> Iterator[str]:
@@ -134,7 +134,7 @@ def _mimic_mistakes(joints: list[ET.Element]) -> Iterator[str]:
             yield f"{who}: it mimics {source!r}, which mimics another"
         for name in ("multiplier", "offset"):
             if not math.isfinite(_number(mimic.get(name) or "0")):
-                yield f"{who}: a number was expected for {name}, found {mimic.get(name)!r}"
+                yield f"{who}: expected a number for {name}, found {mimic.get(name)!r}"
 
 
 def _number(text: str) -> float:

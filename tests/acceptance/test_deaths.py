@@ -93,7 +93,7 @@ def test_a_skill_that_dies_is_started_again_until_it_dies_too_often() -> None:
 
     with pytest.raises(SystemFailure) as caught:
         one_dies_often()
-    assert said == ["the base process ended (signal 9); started again"] * RESTARTS
+    assert said == ["the base process ended (signal 9); restarted"] * RESTARTS
     assert str(caught.value).startswith("the base process ended (signal 9)")
     assert left_behind(groups) == ()
 
@@ -107,7 +107,7 @@ def test_an_executive_that_dies_is_started_again_and_goes_on_with_its_task(tmp_p
         go_on(system, running, within=20.0)
         kill(system.pids()["executive"])
         go_on(system, partial(begun, system, task, 2), within=20.0)
-        assert said == ["the executive process ended (signal 9); started again"]
+        assert said == ["the executive process ended (signal 9); restarted"]
         assert query(system, b'{"task": "fetch", "item": 29, "id": "mine"}').task == task
         (status,) = tasks(system).tasks
         assert not status.state.terminal
@@ -163,7 +163,7 @@ def test_skills_killed_at_work_are_started_again_and_the_item_gets_there(tmp_pat
         go_on(system, next_kill, within=600.0)
         status = caller.follow(task, within=900.0)
         assert sorted(said) == sorted(
-            f"the {role} process ended (signal 9); started again" for role, _, _ in KILLS[arm]
+            f"the {role} process ended (signal 9); restarted" for role, _, _ in KILLS[arm]
         )
         assert status.state is TaskState.SUCCEEDED, status.model_dump_json(indent=1)
         assert lies_on(caller.truth(), load("lab"), 29, "depot")

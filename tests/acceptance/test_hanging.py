@@ -47,6 +47,6 @@ def test_a_process_that_hangs_for_good_is_killed_and_started_again() -> None:
         go_on(system, lambda: system.pids()["base"] != hangs, within=30.0)
         go_on(system, lambda: "process/base" in system.bus.awake(), within=30.0)
     assert said == [
-        "the base process hangs; it is killed",
-        "the base process ended (signal 9); started again",
+        "the base process hangs; killing it",
+        "the base process ended (signal 9); restarted",
     ]

@@ -40,7 +40,7 @@ def test_watch_and_tree_with_zenoh_and_json(router: str) -> None:
 
 def test_cancel_with_zenoh_and_json(router: str) -> None:
     answer = example("cancel", "fetch-0", router)
-    assert answer == "{'accepted': False, 'reason': \"no task 'fetch-0' is known\"}\n"
+    assert answer == "{'accepted': False, 'reason': \"unknown task 'fetch-0'\"}\n"
 
 
 def test_the_typed_client(router: str) -> None:

@@ -154,10 +154,10 @@ def test_a_stop_tells_who_set_it_until_it_is_released(secured: Secured) -> None:
 def test_who_is_not_named_is_asked_for_when_there_are_several(secured: Secured) -> None:
     done = tandem("tasks", env=secured.env)
     assert done.code == 2
-    assert "with --as; there are the-operator, the-requester, the-viewer" in done.err
+    assert "or --as with its name; found the-operator, the-requester, the-viewer" in done.err
 
 
 def test_a_clients_key_starts_no_robot(secured: Secured) -> None:
     done = tandem("up", "--as", "the-operator", env=secured.env)
     assert done.code == 2
-    assert "keys of the robot 'the-operator' were expected; there are tiago" in done.err
+    assert "no keys of the robot 'the-operator'; found tiago" in done.err

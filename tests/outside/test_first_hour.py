@@ -101,7 +101,7 @@ def test_a_wait_outlives_silence_and_a_restart_of_the_executive(here: Here) -> N
         assert cancelled.code == 0, cancelled.said
         assert waiting.process.wait(30.0) == 1
         assert f"{task}: CANCELED" in waiting.said
-    assert "the executive process ended (signal 9); started again" in here.up.said
+    assert "the executive process ended (signal 9); restarted" in here.up.said
     assert "of the user was imported" not in here.up.said
 
 
@@ -113,7 +113,7 @@ def up(here: Here, *words: str, env: dict[str, str] | None = None) -> Done:
 def test_a_second_system_at_the_endpoint_is_refused(here: Here) -> None:
     done = up(here, "--data", str(here.data / "other"))
     assert done.code == 4, done.said
-    assert "another system runs there" in done.said
+    assert "another system is running there" in done.said
 
 
 def test_a_ledger_in_use_is_refused(here: Here) -> None:
@@ -129,7 +129,7 @@ def test_another_programs_port_is_refused(here: Here, tmp_path: Path) -> None:
         endpoint = f"tcp/127.0.0.1:{other.getsockname()[1]}"
         done = up(here, "--data", str(tmp_path), "--connect", endpoint)
     assert done.code == 4, done.said
-    assert f"another program listens at {endpoint} already" in done.said
+    assert f"another program already listens on {endpoint}" in done.said
 
 
 @pytest.mark.parametrize(
@@ -139,7 +139,7 @@ def test_another_programs_port_is_refused(here: Here, tmp_path: Path) -> None:
         (("--gui",), {"DISPLAY": ""}, "DISPLAY is not set"),
         (("--gui",), {"DISPLAY": ":987"}, "nothing answers at DISPLAY=:987"),
         (("--gui",), {"DISPLAY": "nonsense"}, "nothing answers at DISPLAY=nonsense"),
-        (("--connect", "tcp/192.0.2.1:7447", "--insecure"), {}, "an address at which this host can listen"),
+        (("--connect", "tcp/192.0.2.1:7447", "--insecure"), {}, "cannot listen on this address"),
     ],
 )
 def test_what_can_not_be_started_is_said_in_a_sentence(
@@ -165,6 +165,6 @@ def test_a_start_says_what_it_takes_up_and_an_end_leaves_it_readable(here: Here)
         said = again.await_word("press Ctrl-C to stop")
         first, moves, *_ = said.splitlines()
         assert first.startswith(f'{task} {{"item": 29')
-        assert first.endswith(("waits in the queue", "resumes"))
+        assert first.endswith(("is queued", "resumes"))
         assert moves == "the robot is about to move"
         assert here.tandem("cancel", task).code == 0

@@ -140,4 +140,4 @@ def test_the_fetch_after_a_restart_of_the_hardware_succeeds(tmp_path: Path) -> N
         assert math.dist(there, start) > 0.5, "it was brought somewhere else"
         assert math.dist(there, client.items[42]) < 0.1, "and lies where it is believed to lie"
         client.session.close()
-    assert "the hardware process ended (signal 9); started again" in (tmp_path / "log").read_text()
+    assert "the hardware process ended (signal 9); restarted" in (tmp_path / "log").read_text()

@@ -105,7 +105,7 @@ def test_a_stall_without_a_group_is_of_the_arm_that_moves(make_rig: MakeRig, sid
 
 
 def test_a_stall_without_a_group_needs_an_event_that_an_arm_has() -> None:
-    with pytest.raises(ValidationError, match="a group's name was expected"):
+    with pytest.raises(ValidationError, match="expected a group's name"):
         JointStall(joint=3, when=BaseMoving())
 
 

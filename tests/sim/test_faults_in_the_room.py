@@ -185,10 +185,10 @@ def test_a_reset_mends_everything_and_begins_the_faults_anew(stage: Stage) -> No
 @pytest.mark.parametrize(
     ("fault", "said"),
     [
-        (JointStall(group="leg"), "faults.0.group: one of arm_left"),
-        (DepotTaken(depot="attic"), "faults.0.depot: one of depot was expected"),
-        (DepotTaken(slot=9), "faults.0.slot: 0 to 6 was expected"),
-        (DepotTaken(tag=500), "faults.0.tag: one of 3"),
+        (JointStall(group="leg"), "faults.0.group: expected one of arm_left"),
+        (DepotTaken(depot="attic"), "faults.0.depot: expected one of depot"),
+        (DepotTaken(slot=9), "faults.0.slot: expected 0 to 6"),
+        (DepotTaken(tag=500), "faults.0.tag: expected one of 3"),
         (ObstacleAppears(support="sofa", x=0.0, y=0.0), "faults.0.support: no furniture 'sofa'"),
     ],
 )

@@ -27,7 +27,7 @@ def station() -> Iterator[Station]:
     ("update", "said"),
     [
         ({"items": (TrueItem(tag=29, support="sofa", x=0.0, y=0.0),)}, "sofa"),
-        ({"site": "elsewhere"}, "site: lab was expected, found elsewhere"),
+        ({"site": "elsewhere"}, "site: expected lab, found elsewhere"),
     ],
 )
 def test_a_reset_that_is_refused_changes_nothing(

@@ -63,7 +63,7 @@ def test_an_answer_may_mean_a_failure() -> None:
 def test_only_a_choice_is_an_answer_and_only_once() -> None:
     here, task = asking()
     refused = here.say(TASK_ANSWER, AnswerQuestion(task=task, answer="perhaps"))
-    assert refused.reason == "one of yes, no was expected; found 'perhaps'"
+    assert refused.reason == "expected one of yes, no; found 'perhaps'"
     here.say(TASK_ANSWER, AnswerQuestion(task=task, answer="yes"))
     assert not here.say(TASK_ANSWER, AnswerQuestion(task=task, answer="yes")).accepted
 

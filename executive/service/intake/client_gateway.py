@@ -21,7 +21,7 @@ from tandem.skills.ports.tasks import TASK_CANCEL, CancelTask, ControlAnswer, Pr
 def with_sender(fields: Mapping[str, JsonValue], sender: str) -> dict[str, JsonValue] | Problem:
     """Return a document with its sender's name, or what is wrong: nobody says himself who he is."""
     if BY_FIELD in fields:
-        expected = "no such field: the key tells who asks"
+        expected = "no such field; the topic already names the client"
         return Problem(path=BY_FIELD, expected=expected, found=show(fields[BY_FIELD]))
     return dict(fields) if sender == ANYBODY else {BY_FIELD: sender, **fields}
 
@@ -39,7 +39,7 @@ def cancel_of_own(
     def take(call: Call[CancelTask]) -> ControlAnswer:
         status = find(call.document.task)
         if status is not None and asked_by(status.request) != call.name:
-            reason = f"{status.task} is not {call.name}'s own; an operator may cancel it"
+            reason = f"{status.task} belongs to another client than {call.name}; an operator may cancel it"
             return ControlAnswer(accepted=False, reason=reason)
         return cancel(call.document)
 

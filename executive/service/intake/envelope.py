@@ -17,13 +17,13 @@ class Envelope(Message):
 
     priority: Annotated[int, Field(ge=-100, le=100)] = 0
     """The higher one is taken first; among equals the one that came first."""
-    not_before: Annotated[Utc | None, Field(description="UTC seconds of the earliest start")] = None
-    expires: Annotated[Utc | None, Field(description="UTC seconds of the latest start; EXPIRED after")] = None
+    not_before: Annotated[Utc | None, Field(description="earliest start, UTC seconds")] = None
+    expires: Annotated[Utc | None, Field(description="latest start, UTC seconds; EXPIRED after that")] = None
     on_restart: Annotated[
         Literal["resume", "ask", "interrupt"] | None,
-        Field(description="if it was under way when the executive ended; as the service is set unless given"),
+        Field(description="what to do if the executive ends while it runs; default: as the service is set"),
     ] = None
-    test_run: Annotated[bool, Field(description="whether nodes of its tree may be forced")] = False
+    test_run: Annotated[bool, Field(description="whether nodes of the tree may be forced")] = False
 
 
 FIELDS: Final = frozenset(Envelope.model_fields)

@@ -115,8 +115,8 @@ class Intake:
         try:
             return check()
         except Exception as error:  # noqa: BLE001 - as said
-            _LOG.exception("a request's check raised")
-            text = f"a request that can be checked; its check raised {type(error).__name__}"
+            _LOG.exception("checking a request raised")
+            text = f"a request that can be checked; the check raised {type(error).__name__}"
             return Refused((Problem(path=WHOLE, expected=text),))
 
     def _consider(self, fields: dict[str, JsonValue]) -> TaskAnswer:
@@ -126,7 +126,7 @@ class Intake:
         try:
             return self._book.accept(asked)
         except LedgerError as error:
-            _LOG.exception("a request could not be written down")
+            _LOG.exception("could not store a request")
             return _not_kept(asked.client_id, error)
 
     def _kept(self, answers: list[TaskAnswer]) -> list[TaskAnswer]:
@@ -134,7 +134,7 @@ class Intake:
         try:
             self._book.keep()
         except LedgerError as error:
-            _LOG.exception("requests could not be written down")
+            _LOG.exception("could not store requests")
             return [_not_kept(each.client_id, error) if each.accepted else each for each in answers]
         return [self._or_not(each) for each in answers]
 
@@ -142,13 +142,13 @@ class Intake:
         """Return the answer, unless a later request's error took it back out of the ledger."""
         if not answer.accepted or self._book.find(answer.task) is not None:
             return answer
-        return _not_kept(answer.client_id, LedgerError("another request of the same moment failed"))
+        return _not_kept(answer.client_id, LedgerError("another request in the same batch failed"))
 
 
 def _not_kept(client_id: str, error: LedgerError) -> TaskAnswer:
     problem = Problem(
         path=WHOLE,
-        expected="a disk that it can be written to; ask again later",
+        expected="a writable disk; try again later",
         found=str(error),
         code="NOT_KEPT",
     )

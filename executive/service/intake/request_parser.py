@@ -59,7 +59,7 @@ def check_request(
     """Check a document against the kinds of task, their models, and what is known beforehand."""
     client_id = document.get(ID_FIELD, "")
     if not isinstance(client_id, str) or len(client_id) > MAX_ID or not PLAIN.fullmatch(client_id):
-        expected = f"text of at most {MAX_ID} characters, none of which is a control character"
+        expected = f"text of at most {MAX_ID} characters, without control characters"
         return Refused((Problem(path=ID_FIELD, expected=expected, found=show(client_id)),))
     name = document.get(KIND_FIELD)
     kind = kinds.get(name) if isinstance(name, str) else None

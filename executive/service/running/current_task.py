@@ -64,13 +64,13 @@ class Turn:
         for held in memory.breakpoints:
             node = gates.find(held.node)
             if isinstance(node, str):
-                _LOG.warning("a breakpoint is left out: %s", node, extra={"task": self.task})
+                _LOG.warning("breakpoint ignored: %s", node, extra={"task": self.task})
             else:
                 gates.hold(node, before=held.before)
         for path, status in memory.forced.items():
             node = gates.find(path)
             if isinstance(node, str):
-                _LOG.warning("a forced node is left out: %s", node, extra={"task": self.task})
+                _LOG.warning("forced node ignored: %s", node, extra={"task": self.task})
             else:
                 gates.force(node, Status(status))
 

@@ -22,7 +22,7 @@ class Ending:
 
 def raised(root: Behaviour, error: Exception) -> Failure:
     """Return the failure of a tree that raised: a mistake in the program."""
-    text = f"the tree raised {type(error).__name__}: {error}; the executive's log has the trace"
+    text = f"the tree raised {type(error).__name__}: {error}; see the executive's log for the traceback"
     return Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=root.name)
 
 
@@ -30,7 +30,7 @@ def unsaid(root: Behaviour) -> Failure:
     """Return the failure of a tree that failed without a reason, by the node where it did."""
     node = _deepest_failure(snapshot(root))
     said = f": {node.message}" if node.message else ""
-    text = f"the tree failed without a reason, at {node.path}{said}"
+    text = f"the tree failed at {node.path} without giving a reason{said}"
     return Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=node.path)
 
 
@@ -39,7 +39,7 @@ def not_at_rest(
 ) -> Failure:
     """Return the failure of goals that did not come to rest. ``within``: robot seconds they had."""
     names = ", ".join(sorted(set(skills))) or "a skill"
-    set_ = "was set" if confirmed else "was asked for and not confirmed"
+    set_ = "was set" if confirmed else "was requested but not confirmed"
     return Failure(
         kind=FailureKind.HARDWARE_STOPPED,
         message=f"{names} did not come to rest within {within:.0f} s; the hardware's stop {set_}",
@@ -53,7 +53,7 @@ def hardware_lost(where: str, silent: float, *, before: Failure | None) -> Failu
     """Return the failure of hardware that has been silent for so many host seconds."""
     return Failure(
         kind=FailureKind.HARDWARE_LOST,
-        message=f"the hardware has been silent for {silent:.0f} s; where its parts are is not known",
+        message=f"the hardware has been silent for {silent:.0f} s; the positions of its parts are unknown",
         where=where,
         evidence={"silent_s": round(silent, 1)},
         causes=() if before is None else (before,),
@@ -65,7 +65,7 @@ def abandoned(where: str, skills: Iterable[str], silent: float) -> Failure:
     names = ", ".join(sorted(set(skills))) or "none"
     return Failure(
         kind=FailureKind.HARDWARE_LOST,
-        message=f"abandoned while the hardware did not answer; skills not known to be at rest: {names}",
+        message=f"abandoned while the hardware did not answer; skills that may still be moving: {names}",
         where=where,
         evidence={"silent_s": round(silent, 1)},
     )
@@ -73,7 +73,7 @@ def abandoned(where: str, skills: Iterable[str], silent: float) -> Failure:
 
 def not_taken_up(where: str, why: str) -> Failure:
     """Return the failure of a task that was under way when the executive ended, and does not go on."""
-    text = f"it was under way when the executive ended, and {why}; how far it came is not known"
+    text = f"the task was running when the executive ended, and {why}; its progress is unknown"
     return Failure(kind=FailureKind.INTERRUPTED, message=text, where=where)
 
 
@@ -86,21 +86,21 @@ def crashed_at(where: str, crashes: int, progress: Progress, died: str) -> Failu
         progress: how far it had come.
         died: the last crash in words; empty when nobody knows.
     """
-    last = died or "how it ended is not known: nobody told the executive that was started after it"
+    last = died or "unknown: the restarted executive was not told how it ended"
     return Failure(
         kind=FailureKind.INTERRUPTED,
-        message=f"the executive crashed {crashes} times at this task, which did not come further in between; "
-        "it is not taken up once more",
+        message=f"the executive crashed {crashes} times during this task, without progress in between; "
+        "the task is not resumed again",
         where=where,
         evidence={"crashes": crashes, "phase": progress.phase, "fraction": progress.fraction},
-        causes=(Failure(kind=FailureKind.INTERRUPTED, message=f"the last crash: {last}", where="executive"),),
+        causes=(Failure(kind=FailureKind.INTERRUPTED, message=f"last crash: {last}", where="executive"),),
     )
 
 
 def no_longer_valid(where: str, problems: Iterable[Problem]) -> Failure:
     """Return the failure of a request that was accepted before a restart and is none any more."""
     words = "; ".join(f"{each.path}: expected {each.expected}" for each in problems)
-    text = f"it was accepted before a restart and no longer fits: {words}"
+    text = f"the request was accepted before a restart and is no longer valid: {words}"
     return Failure(kind=FailureKind.INVALID_GOAL, message=text, where=where)
 
 
@@ -108,7 +108,7 @@ def not_wound_down(where: str, seconds: float) -> Failure:
     """Return the failure of what is done after a cancel and took too long; ``seconds`` of robot time."""
     return Failure(
         kind=FailureKind.TIMED_OUT,
-        message=f"what is done after a cancel did not end within {seconds:.0f} s",
+        message=f"the work after the cancel did not end within {seconds:.0f} s",
         where=where,
         evidence={"within_s": seconds},
     )
@@ -118,7 +118,7 @@ def kept_from_winding_down(where: str, by: str) -> Failure:
     """Return the failure of what is done after a cancel and could not be: the hardware's stop is set."""
     return Failure(
         kind=FailureKind.HARDWARE_STOPPED,
-        message=f"what is done after a cancel was left: the hardware's stop is set by {by or 'somebody'}",
+        message=f"the work after the cancel was skipped: the hardware's stop is set by {by or 'somebody'}",
         where=where,
     )
 

@@ -67,7 +67,7 @@ class Leftovers:
             self._halt = None
         elif self._halt is None:
             self._halt = Halt(self._bus, self._clocks)
-            self._halt.set("the goals of a task that has ended did not come to rest")
+            self._halt.set("goals of an ended task did not come to rest")
         elif self._halt.step():
             if self._halt.confirmed:
                 why = "it did not come to rest; the hardware was stopped"

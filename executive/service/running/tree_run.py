@@ -50,7 +50,7 @@ LOST_AFTER: Final = 15.0
 """Host seconds without it after which the task ends."""
 WIND_DOWN_WITHIN: Final = 120.0
 """Robot seconds for what is done after a cancel."""
-WAITS: Final = "waits for the hardware"
+WAITS: Final = "waiting for the hardware"
 
 _LOG = logging.getLogger(__name__)
 
@@ -131,7 +131,7 @@ class Run:
     @property
     def progress(self) -> Progress:
         """Phase and fraction; the fraction never falls."""
-        waits = WAITS if self._waits else f"waits for {self._kept}" if self._kept else ""
+        waits = WAITS if self._waits else f"waiting for {self._kept}" if self._kept else ""
         return self._progress.model_copy(update={"phase": waits}) if waits else self._progress
 
     def step(self) -> None:
@@ -191,11 +191,11 @@ class Run:
     def abandon(self) -> str:
         """Give it up although not all is at rest; return why not, or nothing."""
         if not self.canceling:
-            return "only a task that has been cancelled can be abandoned"
+            return "only a cancelled task can be abandoned"
         silent = self.context.knowledge.hardware_silent_for
         self._resting.update()
         if silent <= SILENT_AFTER and self._halted is None:
-            return "the hardware answers; its skills are coming to rest"
+            return "the hardware answers, and the skills are coming to rest"
         skills = (handle.action for handle in self.context.clients.open)
         self.ended = self._ending = Ending(TaskState.INTERRUPTED, abandoned(self._root.name, skills, silent))
         return ""
@@ -213,7 +213,7 @@ class Run:
         if not why and self._hold.free:
             why = "the task is not paused"
         if not why and self.context.question is not None and self.ticks == 0:
-            why = "it asks whether it shall go on: answer that"
+            why = "the task asks whether to continue; answer the question first"
         if not why:
             self._go_on_from_gate()
             self._hold.resume()
@@ -224,9 +224,9 @@ class Run:
         why = self.held_up_by()
         if not why and self._hold.state is not TaskState.PAUSED:
             pausing = self._hold.state is TaskState.PAUSING
-            why = "its skills are still coming to rest" if pausing else "the task is not paused"
+            why = "the skills are still coming to rest" if pausing else "the task is not paused"
         if not why and self.context.question is not None and self.ticks == 0:
-            why = "it asks whether it shall go on: answer that"
+            why = "the task asks whether to continue; answer the question first"
         if not why:
             self._go_on_from_gate()
             self._hold.resume(step)
@@ -262,7 +262,7 @@ class Run:
         if self.canceling:
             return "the task is being cancelled"
         if self.yielding:
-            return "the task makes room for another one"
+            return "the task is making room for another one"
         return "" if self._ending is None else f"the task is about to end: {self._ending.state}"
 
     def _poll(self) -> bool:
@@ -349,7 +349,7 @@ class Run:
         try:
             self._root.stop(Status.INVALID)
         except Exception:  # noqa: BLE001 - the tree is given up anyway
-            _LOG.exception("a tree raised while it was stopped", extra={"task": self.context.task})
+            _LOG.exception("a tree raised while it was being stopped", extra={"task": self.context.task})
 
     # The end.
 
@@ -416,7 +416,7 @@ class Run:
         try:
             return self.context.with_places(failure)
         except Exception:  # noqa: BLE001 - the end is told in any case
-            _LOG.exception("where everything is could not be told", extra={"task": self.context.task})
+            _LOG.exception("could not describe where everything is", extra={"task": self.context.task})
             return failure
 
     def _last_failure(self) -> Failure | None:

@@ -129,4 +129,4 @@ class Holds:
         if left <= 0.0:
             return ""
         why = f"{cause.failure.kind}: {cause.failure.message}"
-        return f"the end of what failed {cause.task} ({why}); one is tried after {cause.wait:.0f} s"
+        return f"the cause of the failure of {cause.task} to pass ({why}); retry after {cause.wait:.0f} s"

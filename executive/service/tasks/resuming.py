@@ -27,7 +27,7 @@ GO_ON: Final = "resume"
 GIVE_UP: Final = "interrupt"
 QUESTION: Final = Question(
     node="restart",
-    text="The executive ended while this task was under way. Shall it go on from what holds now?",
+    text="The executive ended while this task was running. Continue from the current state of the world?",
     choices=(GO_ON, GIVE_UP),
 )
 _HOW: Final[dict[TaskState, How]] = {
@@ -140,5 +140,5 @@ def _go_on(  # noqa: PLR0917 - all that a decision needs
         found.under_way = UnderWay(task, asked, "ask")
         found.changed.append(book.change(task, TaskState.PAUSED, question=QUESTION, running=()))
     else:
-        failure = not_taken_up(entry.status.kind, "is not to be taken up again (on_restart: interrupt)")
+        failure = not_taken_up(entry.status.kind, "it is not to be resumed (on_restart: interrupt)")
         found.changed.append(book.end(task, TaskState.INTERRUPTED, now, failure))

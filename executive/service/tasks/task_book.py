@@ -139,7 +139,7 @@ class TaskBook:
             self._ledger.note(self._wall.reading())
             self._ledger.commit()
         except LedgerError:  # nobody was told: the next start knows an older time, and is the more careful
-            _LOG.exception("the clocks could not be noted")
+            _LOG.exception("could not record the clocks in the ledger")
 
     def drop_fresh(self) -> None:
         """Forget what was accepted and is not on disk."""
@@ -317,16 +317,18 @@ class TaskBook:
     def _no_room(self, asked: Asked, by: str) -> Problem | None:
         last, now = asked.envelope.expires, self._wall.earliest
         if last is not None and last < now:
-            return Problem(path="expires", expected=f"a time to come (it is {now:.0f})", found=f"{last:g}")
+            return Problem(
+                path="expires", expected=f"a time in the future (it is {now:.0f} now)", found=f"{last:g}"
+            )
         if by and self._open_of(by) >= self._open:
-            bound = f"at most {self._open} open requests of a client; ask again when one has ended"
-            return Problem(path=WHOLE, expected=bound, found="as many open")
+            bound = f"at most {self._open} open requests per client; try again when one has ended"
+            return Problem(path=WHOLE, expected=bound, found=f"{self._open} open")
         if len(self.queue) < self._bound:
             return None
         return Problem(
             path=WHOLE,
-            expected=f"at most {self._bound} tasks waiting; ask again later",
-            found=f"{len(self.queue)} waiting",
+            expected=f"at most {self._bound} queued tasks; try again later",
+            found=f"{len(self.queue)} queued",
             code="QUEUE_FULL",
         )
 
@@ -338,8 +340,8 @@ class TaskBook:
 def _again(asked: Asked, first: TaskStatus) -> TaskAnswer:
     if same_request(first.request, asked.document):
         return TaskAnswer(accepted=True, task=first.task, client_id=asked.client_id)
-    found = f"id {show(asked.client_id)}, which {first.task} has with different contents"
-    problem = Problem(path="id", expected="an id for each request", found=found)
+    found = f"{show(asked.client_id)}, already used by {first.task} with different contents"
+    problem = Problem(path="id", expected="a new id", found=found)
     return TaskAnswer(accepted=False, problems=(problem,), client_id=asked.client_id)
 
 

@@ -14,35 +14,35 @@ LEADS_TO: Final = MappingProxyType(
         _S.QUEUED: {
             _S.RUNNING: "its turn has come",
             _S.CANCELED: "cancelled before it began",
-            _S.EXPIRED: "its latest start went by",
-            _S.REJECTED: "after a restart it no longer fits the kinds of task or the site",
+            _S.EXPIRED: "its latest start has passed",
+            _S.REJECTED: "the request is no longer valid after a restart: the tasks or the site changed",
         },
         _S.RUNNING: {
             _S.PAUSING: "paused; its skills are coming to rest",
-            _S.PAUSED: "paused, with nothing that had to come to rest; or asked about after a restart",
+            _S.PAUSED: "paused with no skill moving, or waiting for an operator after a restart",
             _S.CANCELING: "cancelled; its skills are coming to rest",
             _S.SUCCEEDED: "its tree succeeded",
-            _S.FAILED: "its tree failed, or the hardware did",
-            _S.QUEUED: "a task of a higher priority took over, or it was tried in vain; it is taken up again",
-            _S.INTERRUPTED: "the executive ended in the middle, and it is not to be taken up again",
+            _S.FAILED: "its tree or the hardware failed",
+            _S.QUEUED: "a task with a higher priority took over, or the try was in vain; it runs later",
+            _S.INTERRUPTED: "the executive ended, and the task is not to be resumed",
         },
         _S.PAUSING: {
-            _S.PAUSED: "all is at rest",
-            _S.RUNNING: "resumed before all was at rest",
+            _S.PAUSED: "everything is at rest",
+            _S.RUNNING: "resumed before everything was at rest",
             _S.CANCELING: "cancelled",
             _S.FAILED: "a skill did not come to rest, or the hardware is lost",
-            _S.INTERRUPTED: "the executive ended in the middle, and it is not to be taken up again",
+            _S.INTERRUPTED: "the executive ended, and the task is not to be resumed",
         },
         _S.PAUSED: {
-            _S.RUNNING: "resumed, or stepped",
+            _S.RUNNING: "resumed or stepped",
             _S.CANCELING: "cancelled",
             _S.FAILED: "the hardware is lost",
-            _S.INTERRUPTED: "the executive ended in the middle, and it is not to be taken up again",
+            _S.INTERRUPTED: "the executive ended, and the task is not to be resumed",
         },
         _S.CANCELING: {
-            _S.CANCELED: "all is at rest",
+            _S.CANCELED: "everything is at rest",
             _S.FAILED: "a skill did not come to rest, or the hardware is lost",
-            _S.INTERRUPTED: "abandoned: the hardware is silent; or the executive crashed at it repeatedly",
+            _S.INTERRUPTED: "abandoned while the hardware was silent, or the executive kept crashing",
         },
         _S.SUCCEEDED: {},
         _S.FAILED: {},
@@ -62,7 +62,7 @@ class WrongTransitionError(RuntimeError):
     """A mistake in the program: a change that the table does not have."""
 
     def __init__(self, task: str, now: TaskState, then: TaskState) -> None:
-        allowed = ", ".join(LEADS_TO[now]) or "nothing: it is an end"
+        allowed = ", ".join(LEADS_TO[now]) or "nothing: it is final"
         super().__init__(f"{task}: {now} does not lead to {then}; it leads to {allowed}")
 
 
@@ -78,5 +78,5 @@ def table() -> str:
     for state, ways in LEADS_TO.items():
         rows += [f"| `{state}` | `{then}` | {when} |" for then, when in ways.items()]
         if not ways:
-            rows.append(f"| `{state}` | | it is an end |")
+            rows.append(f"| `{state}` | | final |")
     return "\n".join(rows)

@@ -24,7 +24,7 @@ robot's clock after its boot does so once, well within that."""
 FAR: Final = 30 * 86_400.0
 """Seconds between two starts of the host that are plausible as time switched off; a holiday is."""
 DOUBT: Final = 7 * 86_400.0
-"""Host seconds at work for which nothing is forgotten by its age after a jump of more than ``FAR``."""
+"""Host seconds at work for which old tasks are not deleted after a jump of more than ``FAR``."""
 _BOOT_ID: Final = Path("/proc/sys/kernel/random/boot_id")
 
 _LOG = logging.getLogger(__name__)
@@ -67,12 +67,14 @@ class WallClock:
             self._ahead = ahead
             if self._jumped is not None:
                 self._jumped = None
-                _LOG.warning("the clock is back at %s", date(self.utc()))
+                _LOG.warning("the clock is back to normal: %s", date(self.utc()))
         elif self._jumped is None or abs(ahead - self._jumped) > NEAR:
             self._jumped, self._jumped_at = ahead, now
             _LOG.warning("%s", self.trouble())
         elif now - self._jumped_at >= SETTLES:
-            _LOG.warning("the clock has run steadily for %.0f s: it is %s now", SETTLES, date(now + ahead))
+            _LOG.warning(
+                "the clock has run steadily for %.0f s and is trusted again: %s", SETTLES, date(now + ahead)
+            )
             self._doubt = DOUBT if abs(ahead - self._ahead) > FAR else self._doubt
             self._ahead, self._jumped = ahead, None
 
@@ -100,14 +102,14 @@ class WallClock:
         if self._jumped is not None:
             wall = self._clocks.monotonic() + self._jumped
             return (
-                f"the host's clock says {date(wall)}, but by the ledger it is {date(self.utc())}: tasks "
-                f"with `expires` or `not_before` between the two wait until the clock is back or has run "
-                f"steadily for {SETTLES:.0f} s; nothing is forgotten by its age"
+                f"the host's clock says {date(wall)}, the ledger says {date(self.utc())}: tasks "
+                f"with `expires` or `not_before` between the two wait until the clock is right or has run "
+                f"steadily for {SETTLES:.0f} s; old tasks are not deleted"
             )
         if self._doubt > 0.0:
             return (
-                "the host's clock was set far from the ledger's last entry: nothing is forgotten by its age "
-                f"for another {self._doubt / 3600.0:.0f} h of work"
+                "the host's clock is far from the ledger's last entry: old tasks are not deleted "
+                f"for another {self._doubt / 3600.0:.0f} h of operation"
             )
         return ""
 

@@ -96,9 +96,9 @@ class Control:
         """Give a queued task another place."""
         status = self._book.find(asked.task)
         if status is None:
-            return _refused(f"no task {asked.task[:80]!r} is known")
+            return _refused(f"unknown task {asked.task[:80]!r}")
         if status.state is not TaskState.QUEUED:
-            return _refused(f"only a queued task can be put elsewhere in the queue; it is {status.state}")
+            return _refused(f"only a queued task can be reprioritised; this one is {status.state}")
         self._tell(self._book.rank(asked.task, asked.priority))
         return TAKEN
 
@@ -110,9 +110,9 @@ class Control:
         context = turn.run.context
         question = context.question
         if question is None or turn.run.ending is not None:
-            return _refused("the task asks nothing")
+            return _refused("the task is not asking anything")
         if asked.answer not in question.choices:
-            return _refused(f"one of {', '.join(question.choices)} was expected; found {asked.answer!r}")
+            return _refused(f"expected one of {', '.join(question.choices)}; found {asked.answer!r}")
         context.question = None
         if question is not QUESTION:
             context.answers[question.node] = asked.answer
@@ -121,7 +121,7 @@ class Control:
             turn.run.told_to_go_on = True
             turn.run.resume()
         else:
-            turn.run.interrupt(not_taken_up(turn.asked.kind.name, "the operator had it given up"))
+            turn.run.interrupt(not_taken_up(turn.asked.kind.name, "an operator chose to give it up"))
         self.changed(turn)
         return TAKEN
 
@@ -142,7 +142,7 @@ class Control:
         if isinstance(turn, ControlAnswer):
             return turn
         if not self._book.entry(asked.task).test_run:
-            return _refused('the task is no test run; ask for one with "test_run": true')
+            return _refused('the task is not a test run; request it with "test_run": true')
         node = turn.run.held_up_by() or turn.run.gates.find(asked.node)
         if isinstance(node, str):
             return _refused(node)
@@ -168,9 +168,9 @@ class Control:
             return turn
         status = self._book.find(task)
         if status is None:
-            return _refused(f"no task {task[:80]!r} is known")
+            return _refused(f"unknown task {task[:80]!r}")
         if status.state is TaskState.QUEUED:
-            return _refused("the task has not begun")
+            return _refused("the task has not started")
         return _refused(f"the task has ended: {status.state}")
 
 

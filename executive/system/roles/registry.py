@@ -75,7 +75,7 @@ def role_of(settings: WorkerSettings) -> Role:
         if isinstance(loaded, Role):
             return loaded
     known = ", ".join((*names(on_request=True), *sorted(entry_points(group=GROUP).names)))
-    raise LookupError(f"role {declared!r}: one of {known} was expected")
+    raise LookupError(f"role {declared!r}: expected one of {known}")
 
 
 def part_of(role: Role) -> Part:

@@ -44,7 +44,7 @@ def from_schema(schema: JsonValue, definitions: Mapping[str, JsonValue]) -> Valu
         return st.none() | st.booleans() | st.integers() | st.text()
     make = _TYPES.get(str(schema["type"]))
     if make is None:
-        raise ValueError(f"a schema of one of {', '.join(_TYPES)} was expected; found {schema}")
+        raise ValueError(f"expected a schema of one of {', '.join(_TYPES)}; found {schema}")
     return make(schema, definitions)
 
 

@@ -239,15 +239,13 @@ def what_is_wrong(
         wrong.append("there are no samples after the warm-up; ask for more tasks")
     for each in growth:
         if each.growth > GROWTH_ALLOWED:
-            wrong.append(
-                f"{each.role} grew by {each.growth:.2f} MB; at most {GROWTH_ALLOWED:g} were expected"
-            )
+            wrong.append(f"{each.role} grew by {each.growth:.2f} MB; expected at most {GROWTH_ALLOWED:g}")
         if each.handles[0] != each.handles[1]:
             wrong.append(f"{each.role} has {each.handles[1]} open handles, and had {each.handles[0]}")
         if each.threads[0] != each.threads[1]:
             wrong.append(f"{each.role} has {each.threads[1]} threads, and had {each.threads[0]}")
     wrong += [
-        f"{each.name} has {each.bytes} bytes; at most {LOGS_BOUND} were expected"
+        f"{each.name} has {each.bytes} bytes; expected at most {LOGS_BOUND}"
         for each in files
         if ".log" in each.name and each.bytes > LOGS_BOUND
     ]

@@ -79,7 +79,7 @@ class MoveGoal(Message):
     def _one_target(self) -> MoveGoal:
         targets = (self.joints is not None, self.posture is not None, bool(self.candidates), self.retreats)
         if sum(targets) != 1 or (self.by and self.up is not None):
-            raise ValueError("exactly one of joints, posture, candidates, by and up was expected")
+            raise ValueError("expected exactly one of joints, posture, candidates, by and up")
         return self
 
     @property

@@ -87,7 +87,7 @@ def test_no_command_makes_its_own_idea_of_where_the_robot_is() -> None:
         ("TANDEM_SITE", "a/b", "--site-key"),
         ("TANDEM_ROBOT", "a/b", "--robot"),
         ("TANDEM_AS", "alice", "--as needs --keys"),
-        ("TANDEM_KEYS", "/nowhere", "/nowhere: one client's key was expected"),
+        ("TANDEM_KEYS", "/nowhere", "/nowhere: expected the key of one client"),
     ],
 )
 def test_the_environment_is_read(

@@ -27,8 +27,8 @@ NOWHERE = ["--connect", "tcp/127.0.0.1:1"]
         (["tree", "list"], 0, "fetch"),
         (["scenario", "list"], 0, "OneOfEverything"),
         (["scenario", "check", "Demo"], 0, "valid scenario"),
-        (["scenario", "check", "nope"], 2, "there are Defaults"),
-        (["scenario", "check", "nope.yaml"], 2, "nope.yaml: can't be read"),
+        (["scenario", "check", "nope"], 2, "expected Defaults"),
+        (["scenario", "check", "nope.yaml"], 2, "nope.yaml: cannot read"),
         (["tree", "render", "dance"], 2, "expected one of fetch"),
         (["tree", "render"], 2, "TASK or --live"),
         (

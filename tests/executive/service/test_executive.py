@@ -150,7 +150,7 @@ def test_cancel_of_what_is_not_there(here: Surroundings) -> None:
     here.world(1)
     here.step()
     assert "SUCCEEDED" in here.cancel(task).reason
-    assert "no task" in here.cancel("wait-0099").reason
+    assert "unknown task" in here.cancel("wait-0099").reason
     pending = here.bus.query("task/cancel", b"{")
     here.step()
     assert b"expected" in pending.poll()

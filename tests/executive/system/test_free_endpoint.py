@@ -22,7 +22,7 @@ def test_another_programs_port_is_taken() -> None:
         other.listen()
         port = other.getsockname()[1]
         for endpoint in (f"tcp/127.0.0.1:{port}", f"tls/localhost:{port}", f"tcp/0.0.0.0:{port}"):
-            with pytest.raises(TakenError, match=f"another program listens at {endpoint} already"):
+            with pytest.raises(TakenError, match=f"another program already listens on {endpoint}"):
                 require_vacant(endpoint)
 
 
@@ -30,7 +30,7 @@ def test_another_programs_port_is_taken() -> None:
     "endpoint", ["tcp/192.0.2.1:7447", "tcp/no-such-host.invalid:7447", "tcp/[::1]:99999"]
 )
 def test_no_address_of_this_host(endpoint: str) -> None:
-    with pytest.raises(EndpointError, match="was expected"):
+    with pytest.raises(EndpointError, match=r"cannot listen|not an address|expected a port"):
         require_vacant(endpoint)
 
 

@@ -32,10 +32,10 @@ RUNNING, QUEUED, PAUSED = TaskState.RUNNING, TaskState.QUEUED, TaskState.PAUSED
         ([entry(1, RUNNING)], "ask", ["asks an operator"], False),
         ([entry(1, RUNNING, "resume")], "ask", ["resumes"], True),
         ([entry(1, RUNNING)], "interrupt", ["INTERRUPTED"], False),
-        ([entry(1, RUNNING), entry(2, QUEUED)], "interrupt", ["INTERRUPTED", "waits"], True),
-        ([entry(1, PAUSED), entry(2, QUEUED)], "resume", ["stays paused", "waits"], False),
-        ([entry(1, TaskState.CANCELING)], "interrupt", ["winds down"], True),
-        ([entry(1, QUEUED)], "ask", ["waits in the queue"], True),
+        ([entry(1, RUNNING), entry(2, QUEUED)], "interrupt", ["INTERRUPTED", "is queued"], True),
+        ([entry(1, PAUSED), entry(2, QUEUED)], "resume", ["is paused", "is queued"], False),
+        ([entry(1, TaskState.CANCELING)], "interrupt", ["is being cancelled"], True),
+        ([entry(1, QUEUED)], "ask", ["is queued"], True),
     ],
 )
 def test_each_task_and_whether_the_robot_moves(

@@ -25,7 +25,7 @@ BAD = [
     (b"29", "(the document)", "a JSON object"),
     (b"null", "(the document)", "a JSON object"),
     (b'{"task": "wait", "item": 29, "to": "' + b"x" * 70_000 + b'"}', "(the document)", "65536 bytes"),
-    (DEEP[:60_000], "(the document)", "within each other"),
+    (DEEP[:60_000], "(the document)", "nested objects"),
     (b'{"task": "wait", "item": 29, "item": 42}', "item", "each name once"),
     (b'{"task": "wait", "item": NaN}', "item", "a finite number"),
     (b'{"task": "wait", "item": 29, "weight": Infinity}', "weight", "a finite number"),

@@ -131,8 +131,8 @@ def test_what_cant_be_paused_resumed_or_stepped_is_said(here: Surroundings, skil
     queued = here.ask(WAIT).task
     assert here.verb(TASK_RESUME, task).reason == "the task is not paused"
     assert here.verb(TASK_STEP, task).reason == "the task is not paused"
-    assert here.verb(TASK_PAUSE, queued).reason == "the task has not begun"
-    assert "no task" in here.verb(TASK_PAUSE, "wait-0099").reason
+    assert here.verb(TASK_PAUSE, queued).reason == "the task has not started"
+    assert "unknown task" in here.verb(TASK_PAUSE, "wait-0099").reason
     here.verb(TASK_PAUSE, task)
     assert "coming to rest" in here.verb(TASK_STEP, task).reason
     here.cancel(task)

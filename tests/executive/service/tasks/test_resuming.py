@@ -178,7 +178,7 @@ def test_what_is_to_be_asked_about_waits_for_the_operator(
     here.step(3)
     asking = status(here, task)
     assert (asking.state, asking.question.choices) == (S.PAUSED, ("resume", "interrupt"))
-    assert "answer that" in here.verb(TASK_RESUME, task).reason
+    assert "answer the question" in here.verb(TASK_RESUME, task).reason
     assert "resume, interrupt" in here.say(TASK_ANSWER, AnswerQuestion(task=task, answer="yes")).reason
     assert here.say(TASK_ANSWER, AnswerQuestion(task=task, answer=answer)).accepted
     here.step(2)
@@ -224,7 +224,7 @@ def test_a_task_at_which_the_executive_crashes_again_and_again_ends_and_the_next
     poison, after = here.ask(WAIT).task, here.ask(WAIT).task
     crash_again(here, RESUMES)
     assert states(here) == {poison: S.RUNNING, after: S.QUEUED}
-    crash_again(here, 1, died="the executive process ended (signal 11); its last words:\nboom")
+    crash_again(here, 1, died="the executive process ended (signal 11); last output:\nboom")
     assert states(here) == {poison: S.INTERRUPTED, after: S.RUNNING}
     told = explain(status(here, poison))
     assert "crashed 4 times" in told

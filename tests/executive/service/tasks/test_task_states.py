@@ -68,7 +68,7 @@ def test_the_book_walks_the_table_and_never_beside_it(walk: list[TaskState]) -> 
 def test_what_has_ended_never_changes(state: TaskState) -> None:
     for then in TaskState:
         if then is not state:
-            with pytest.raises(WrongTransitionError, match="it is an end"):
+            with pytest.raises(WrongTransitionError, match="it is final"):
                 check("wait-1", state, then)
 
 

@@ -68,7 +68,7 @@ def test_what_depends_on_a_jump_is_left_undecided_until_the_clock_is_back(
     assert bounds(clock, clocks) == (min(0, jump), max(0, jump))
     assert clock.utc() == NOON + clocks.seconds
     assert not clock.tells_age
-    assert "wait until the clock is back" in clock.trouble()
+    assert "wait until the clock is right" in clock.trouble()
     clocks.ahead -= jump
     look(clock, clocks, 1.0)
     assert bounds(clock, clocks) == (0, 0)

@@ -122,7 +122,7 @@ def test_a_verb_in_a_state(here: Surroundings, verb: str, state: TaskState) -> N
 
 @pytest.mark.parametrize("verb", TAKEN_IN)
 def test_a_verb_on_an_unknown_task(here: Surroundings, verb: str) -> None:
-    assert say(here, verb, "wait-9").reason == "no task 'wait-9' is known"
+    assert say(here, verb, "wait-9").reason == "unknown task 'wait-9'"
 
 
 SERVICES = (
@@ -160,7 +160,7 @@ def test_a_cancelled_task_is_abandoned_only_when_the_hardware_is_silent(here: Su
 
 def test_a_node_is_forced_in_a_test_run_only(here: Surroundings) -> None:
     task = here.ask({**NUDGING, "test_run": False}).task
-    assert "no test run" in say(here, "force", task).reason
+    assert "not a test run" in say(here, "force", task).reason
 
 
 def test_a_forced_node_does_not_work_and_ends_as_it_was_told(here: Surroundings) -> None:
