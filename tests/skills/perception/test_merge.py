@@ -84,13 +84,20 @@ def test_one_that_is_read_in_some_pictures_only_is_there_all_the_time() -> None:
     assert xs(merge(pictures, SIZES)) == pytest.approx([0.5, 0.8])
 
 
-@pytest.mark.parametrize(("apart", "things"), [(0.020, 1), (0.026, 2)])
-def test_the_gate_grows_with_the_sigmas(apart: float, things: int) -> None:
+@pytest.mark.parametrize(("sigma", "averaged"), [(0.008, True), (0.006, False)])
+def test_the_gate_grows_with_the_sigmas(sigma: float, *, averaged: bool) -> None:
     """8 mm each: 4.03 times 8 mm times root (2 / 3) is 26.3 mm for the distance along each axis together."""
-    sigma = 0.008 if things == 1 else 0.006
-    first, second = tag(0.5, 0.5), tag(0.5 + apart, 0.5)
+    first, second = tag(0.5, 0.5), tag(0.526, 0.5)
     pictures = [seen(first, 1, sigma=sigma), seen(second, 2, sigma=sigma), seen(first, 3, sigma=sigma)]
-    assert len(merge(pictures, SIZES)) == things
+    (one,) = merge(pictures, SIZES)
+    assert one.tag_in_map.position[0] == pytest.approx(0.5087 if averaged else 0.5, abs=1e-4)
+
+
+def test_where_no_two_have_room_there_is_one() -> None:
+    """A user saw: a cube 2 m away showed two faces, 4 cm from each other, and was refused as ambiguous."""
+    front, side = tag(0.60, 0.5, math.pi), tag(0.67, 0.47, -math.pi / 2)
+    (one,) = merge([seen(front, 1, quality=0.9), seen(side, 1, quality=0.3)], SIZES)
+    assert one.tag_in_map == front
 
 
 def test_what_differs_more_than_its_sigmas_say_is_no_better_known_for_it() -> None:
