@@ -1,8 +1,8 @@
 """How long one period of an arm's field takes with ten obstacles: ``python -m benchmarks.field_step``.
 
 Everything from the joints and beliefs to the next set-point that is known to be free: distances and
-gradients, the choice of a pole, the hand's wish, the quadratic program, the jerk-limited step and the check
-of its braking.
+gradients, the choice of a pole, the hand's desired twist, the quadratic program, the jerk-limited step and
+the check of its braking.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ import time
 
 from benchmarks.rows import Row, spread
 from tandem.sim.robot import compose_robot
-from tandem.skills.arm.field.course import Course
 from tandem.skills.arm.field.ends import End, Ends
+from tandem.skills.arm.field.field_controller import FieldController
 from tandem.skills.arm.field.live import Live
 from tandem.skills.arm.field.parts import Parts
 from tandem.skills.arm.field.ride import Ride
@@ -109,7 +109,7 @@ def _approach(table: _Table, goal: ApproachGoal) -> list[float]:
     ride = Ride(table.parts, goal)
     ride.refresh()
     ride.motion.begin()
-    course = Course(table.parts.arm, table.parts.live, ride.guard, ride.motion, goal.speed)
+    controller = FieldController(table.parts.arm, table.parts.live, ride.guard, ride.motion, goal.speed)
     ends = Ends(table.parts.arm, table.parts.planner, table.parts.live, goal)
     end: End | None = None
     seconds: list[float] = []
@@ -123,7 +123,7 @@ def _approach(table: _Table, goal: ApproachGoal) -> list[float]:
             ends.think(ride.target, ride.motion.state.q)
             end = ends.end
             continue
-        step = course.step(1, ride.target, end)
+        step = controller.step(1, ride.target, end)
         seconds.append(time.thread_time() - began)
         q = ride.motion.state.q
         table.positions |= dict(zip(table.parts.arm.group.joints, map(float, q), strict=True))

@@ -17,11 +17,11 @@ import numpy as np
 from benchmarks.rows import Row, quantile
 from tandem.sim.camera import HORIZONTAL_FOV, camera_header, camera_sensor
 from tandem.sim.render import Job, Painter, PainterSettings, Scene
+from tandem.sim.render_world import Snapshot, View, looking_at
 from tandem.sim.robot import compose_robot
 from tandem.sim.scenario import Noise, load_scenario
 from tandem.sim.scene import SceneBody, build_scene, item_name
 from tandem.sim.tags import tags_in_item
-from tandem.sim.twin import Snapshot, View, looking_at
 from tandem.skills.geometry.poses import angle_between, compose, conjugate, distance, invert, rotate
 from tandem.skills.perception import tags
 from tandem.skills.ports.image import RgbdImage, decode

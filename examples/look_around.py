@@ -18,7 +18,7 @@ from tandem.trees.behaviours.phase import Phase
 from tandem.trees.conditions.localised import localised
 from tandem.trees.context import TreeContext
 from tandem.trees.leaves.localise import localise
-from tandem.trees.leaves.turn import turn
+from tandem.trees.leaves.rotate import rotate
 from tandem.trees.subtrees.arms_in import tuck
 from tandem.trees.task import TaskType
 
@@ -41,7 +41,7 @@ def build(asked: LookAroundRequest, context: TreeContext) -> Behaviour:
     where = Selector("know where I am", memory=True, children=[localised(context), localise(context)])
     steps: list[Behaviour] = [where, tuck(context, "before looking"), look("look ahead", context)]
     for view in range(2, asked.views + 1):
-        steps += [turn(f"turn to view {view}", context), look(f"look at view {view}", context)]
+        steps += [rotate(f"turn to view {view}", context), look(f"look at view {view}", context)]
     views = Sequence("all views", memory=True, children=steps)
     return Phase("look_around", context, views, begins=0.0, ends=1.0)
 

@@ -3,8 +3,8 @@
 The whole: station, hardware, parts, pace, controls, chatter.
 The robot: robot, model, urdf, meshes, postures, footprint, body.
 Controllers: joints, motors, gripper, base, spline.
-Sensors: camera, render, twin, pixels, lens, laser, wrench.
+Sensors: camera, render, render_world, pixels, lens, laser, wrench.
 The room: scenario, scene, world, room, things, tags, placing, plan, draw.
 Physics and truth: physics, truth, disturbances.
-Faults: faults, trouble, events, defects, line.
+Faults: faults, trouble, events, defects, faulty_link.
 """

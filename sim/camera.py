@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final
 import pybullet
 
 from tandem.sim.render import Job, Renderer, Scene
-from tandem.sim.twin import Snapshot, View, looking_at
+from tandem.sim.render_world import Snapshot, View, looking_at
 from tandem.skills.geometry.poses import from_axes
 from tandem.skills.ports.hardware import CameraSensor, RgbdHeader
 from tandem.skills.ports.keys import RGBD

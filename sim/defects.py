@@ -26,8 +26,8 @@ from tandem.skills.ports.sources import Source
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
+    from tandem.sim.faulty_link import FaultyLink
     from tandem.sim.hardware import Hardware
-    from tandem.sim.line import Line
     from tandem.skills.ports.hardware import RobotDescription
 
 CUTS: Final[dict[type[Fault], str]] = {
@@ -47,11 +47,11 @@ class Standing:
     freeze: Freeze | None = None
 
 
-def break_hardware(standing: Sequence[Standing], line: Line, hardware: Hardware) -> None:
+def break_hardware(standing: Sequence[Standing], link: FaultyLink, hardware: Hardware) -> None:
     """Have the hardware broken in just these ways, and whole otherwise."""
     faults = [each.fault for each in standing]
-    line.cut = frozenset(CUTS[type(fault)] for fault in faults if type(fault) in CUTS)
-    line.spoils = _spoils(standing)
+    link.cut = frozenset(CUTS[type(fault)] for fault in faults if type(fault) in CUTS)
+    link.spoils = _spoils(standing)
     stalls = [stall for each in standing for stall in _stalls(each, hardware.description)]
     for name, group in hardware.groups.items():
         group.stalled = {

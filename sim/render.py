@@ -17,8 +17,8 @@ import cv2
 import numpy as np
 
 from tandem.sim.pixels import SensorNoise
+from tandem.sim.render_world import RenderWorld, Snapshot, View
 from tandem.sim.scenario import Noise
-from tandem.sim.twin import Snapshot, Twin, View
 from tandem.skills.ports.hardware import RgbdHeader
 from tandem.skills.ports.image import RgbdImage, encode
 
@@ -97,46 +97,46 @@ class Renderer(Protocol):
 
 
 class Painter:
-    """Draws jobs with a twin; textures live in a temporary folder as long as the painter."""
+    """Draws jobs with a render world; textures live in a temporary folder as long as the painter."""
 
     def __init__(self, settings: PainterSettings) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="tandem-twin-")
-        self._twin = Twin(settings.urdf, Path(self._folder.name), hardware=settings.hardware)
+        self._world = RenderWorld(settings.urdf, Path(self._folder.name), hardware=settings.hardware)
         self._noise = SensorNoise()
 
     @property
     def renderer(self) -> str:
         """``egl`` or ``tiny``."""
-        return self._twin.renderer
+        return self._world.renderer
 
     def paint(self, job: Job) -> bytes:
         """Return the encoded picture."""
         if job.scene.bodies is not None:
-            self._twin.set_scene(job.scene.bodies)
-        self._twin.follow(job.snapshot)
+            self._world.set_scene(job.scene.bodies)
+        self._world.follow(job.snapshot)
         if job.header is None:
             return self._photograph(job.view)
-        picture = self._twin.draw(job.view)
+        picture = self._world.draw(job.view)
         rng = np.random.default_rng(job.noise_key)
         colour, depth = self._noise.apply(picture.colour, picture.depth, job.noise, rng)
         return encode(RgbdImage(header=job.header, colour=colour, depth=depth))
 
     def close(self) -> None:
-        """End the twin and remove its files. Closing twice is allowed."""
-        self._twin.close()
+        """End the render world and remove its files. Closing twice is allowed."""
+        self._world.close()
         self._folder.cleanup()
 
     def _photograph(self, view: View) -> bytes:
         size = (view.width, view.height)
         large = replace(view, width=size[0] * PHOTO_OVERSAMPLING, height=size[1] * PHOTO_OVERSAMPLING)
-        colour = cv2.resize(self._twin.draw(large).colour, size, interpolation=cv2.INTER_AREA)
+        colour = cv2.resize(self._world.draw(large).colour, size, interpolation=cv2.INTER_AREA)
         written, png = cv2.imencode(".png", np.ascontiguousarray(colour[:, :, ::-1]))
         assert written
         return bytes(png.tobytes())
 
 
 class InlineRenderer:
-    """Draws at once, in the caller's thread: for lockstep and tests. The twin is made with the first job."""
+    """Draws at once, in the caller's thread: for lockstep and tests. The world is made with the first job."""
 
     def __init__(self, settings: PainterSettings) -> None:
         self._settings = settings

@@ -1,7 +1,7 @@
 """A scene as data: every body of the room with its shape and place, made from a site and a scenario.
 
-Both the physics (``sim.world``) and the picture of it (``sim.twin``) are built from these, so that what is
-seen is what collides.
+Both the physics (``sim.world``) and the picture of it (``sim.render_world``) are built from these, so that
+what is seen is what collides.
 """
 
 from __future__ import annotations

@@ -13,9 +13,9 @@ from tandem.sim.body import RobotBody
 from tandem.sim.camera import HeadCamera, Studio
 from tandem.sim.controls import Controls
 from tandem.sim.defects import check_faults
+from tandem.sim.faulty_link import FaultyLink
 from tandem.sim.hardware import Hardware, Sensor
 from tandem.sim.laser import Laser
-from tandem.sim.line import Line
 from tandem.sim.model import RobotModel
 from tandem.sim.parts import LaserSensorNode
 from tandem.sim.physics import Physics
@@ -64,7 +64,7 @@ class Station:
 
     def __init__(self, bus: Bus, site: Site, scenario: Scenario, settings: StationSettings) -> None:
         self._site, self._settings = site, settings
-        self._line = Line(bus)
+        self._link = FaultyLink(bus)
         self._boots = 0
         self.physics = Physics(gui=settings.gui)
         self.model: RobotModel = compose_robot()
@@ -77,7 +77,7 @@ class Station:
         if settings.beside:
             self.studio.warm_up()
         self.hardware = Hardware(
-            self._line,
+            self._link,
             self.body,
             boot=settings.boot,
             noise=scenario.noise,
@@ -85,7 +85,7 @@ class Station:
             sensors=self._sensors(settings.seed),
             waits=settings.waits,
         )
-        self.trouble = Trouble(bus, self._line, self.hardware, self._room(), scenario.faults)
+        self.trouble = Trouble(bus, self._link, self.hardware, self._room(), scenario.faults)
         self.controls = Controls(
             bus, site, self.world, self.body, self.studio, reset=self.reset, fault=self.trouble.ask
         )
@@ -181,6 +181,6 @@ class Station:
         rng = np.random.default_rng((seed, 2))
         laser = Laser(self.body, description.laser, sigma=noise.laser_sigma, rng=rng)
         self._camera = HeadCamera(
-            self._line, self.studio, self.body, description.camera, rate=self.scenario.camera_rate
+            self._link, self.studio, self.body, description.camera, rate=self.scenario.camera_rate
         )
-        return (LaserSensorNode(self._line, description.laser, laser.scan), self._camera)
+        return (LaserSensorNode(self._link, description.laser, laser.scan), self._camera)

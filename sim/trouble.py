@@ -37,8 +37,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Literal
 
+    from tandem.sim.faulty_link import FaultyLink
     from tandem.sim.hardware import Hardware
-    from tandem.sim.line import Line
     from tandem.sim.room import Room
     from tandem.skills.ports.bus import Bus
 
@@ -80,31 +80,33 @@ class Trouble:
 
     Args:
         bus: where it is told what began and ended.
-        line: the hardware's end of the bus, which faults cut.
+        link: the hardware's end of the bus, which faults cut.
         hardware: what is broken.
         room: what is changed.
         faults: of the scenario, checked.
     """
 
-    def __init__(self, bus: Bus, line: Line, hardware: Hardware, room: Room, faults: Sequence[Fault]) -> None:
-        self._bus, self._line, self._hardware = bus, line, hardware
+    def __init__(
+        self, bus: Bus, link: FaultyLink, hardware: Hardware, room: Room, faults: Sequence[Fault]
+    ) -> None:
+        self._bus, self._link, self._hardware = bus, link, hardware
         self.restart(room, faults)
 
     def restart(self, room: Room, faults: Sequence[Fault]) -> None:
         """Begin anew after the hardware has been restarted; nothing is broken."""
         self._room = room
-        self._events = Events(self._line, self._hardware, room.world, room.robot)
+        self._events = Events(self._link, self._hardware, room.world, room.robot)
         self._count = 0
         self._waiting: list[_Case] = []
         self._under_way: list[_Case] = []
-        self._line.cut, self._line.spoils = frozenset(), {}
+        self._link.cut, self._link.spoils = frozenset(), {}
         for fault in faults:
             self._add(fault)
 
     @property
     def silent(self) -> bool:
         """Whether nobody hears the hardware's clock."""
-        return self._line.is_cut(keys.CLOCK.key)
+        return self._link.is_cut(keys.CLOCK.key)
 
     def ask(self, fault: Fault) -> Answer:
         """Have a fault happen in its time, or at once when it has none; refuse what can't be."""
@@ -129,7 +131,7 @@ class Trouble:
             self._waiting.remove(case)
             self._begin(case, now)
         standing = [case.standing() for case in self._under_way]
-        break_hardware(standing, self._line, self._hardware)
+        break_hardware(standing, self._link, self._hardware)
 
     def _add(self, fault: Fault) -> None:
         due = (fault.at or 0.0) if fault.when is None else math.inf

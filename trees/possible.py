@@ -21,7 +21,7 @@ from tandem.trees.behaviours.pause import Pause
 from tandem.trees.behaviours.recovery import Allowance, Recovery
 from tandem.trees.behaviours.remember import Remember, Verdict
 from tandem.trees.behaviours.side_by_side import SideBySide
-from tandem.trees.behaviours.turn import InTurn
+from tandem.trees.behaviours.take_turns import InTurn
 from tandem.trees.behaviours.wait_for import WaitFor
 
 Seen = frozenset[NodeStatus]

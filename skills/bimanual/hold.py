@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from tandem.skills.bimanual.lead import LedArm
-from tandem.skills.bimanual.middle import Span, span
+from tandem.skills.bimanual.object_frame import Span, span
 from tandem.skills.bimanual.squeeze import Grasp
 from tandem.skills.geometry.poses import rotate, subtract
 from tandem.skills.kinematics.hulls import RobotHulls

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from tandem.skills.bimanual.middle import Span
+from tandem.skills.bimanual.object_frame import Span
 from tandem.skills.geometry.poses import (
     about,
     add,

@@ -14,7 +14,7 @@ from typing import Final, TypeVar
 from tandem.skills.bimanual.glide import Bounds, Glide, glide
 from tandem.skills.bimanual.hold import TwoArms
 from tandem.skills.bimanual.landing import Landing
-from tandem.skills.bimanual.middle import HandsApartError, tilt
+from tandem.skills.bimanual.object_frame import HandsApartError, tilt
 from tandem.skills.bimanual.ready import STRAIGHT, between, ready_tools, swing, ways_back
 from tandem.skills.bimanual.squeeze import TOUCH, agree
 from tandem.skills.bimanual.trial import SLICE, OutOfReach, try_way

@@ -18,7 +18,7 @@ import pinocchio as pin
 
 from tandem.skills.kinematics.bodies import Carried, Obstacle, geometry
 from tandem.skills.kinematics.hulls import RobotHulls
-from tandem.skills.kinematics.levers import lever_arms, reach_of, supports
+from tandem.skills.kinematics.lever_arms import lever_arms, reach_of, supports
 from tandem.skills.kinematics.transforms import Array, to_se3
 
 MANY = 25

@@ -41,7 +41,7 @@ def skew(vector: Matrix) -> Matrix:
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
-def turn(vector: Matrix) -> Matrix:
+def rotation_about(vector: Matrix) -> Matrix:
     """Return the rotation about ``vector`` by its length in radians (Rodrigues)."""
     angle = float(np.linalg.norm(vector))
     if angle < 1e-12:  # noqa: PLR2004

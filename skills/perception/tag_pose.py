@@ -22,7 +22,7 @@ import cv2
 import numpy as np
 
 from tandem.skills.perception import depth as depth_image
-from tandem.skills.perception.rigid import Matrix, pose_of, skew, turn
+from tandem.skills.perception.rigid import Matrix, pose_of, rotation_about, skew
 from tandem.skills.ports.hardware import RgbdHeader
 from tandem.skills.ports.pose import Pose
 
@@ -167,7 +167,8 @@ def _refine(problem: _Problem, rotation: Matrix, position: Matrix) -> _Solution 
         normal = slopes.T @ slopes + 1e-9 * np.eye(7)
         cost = float(residuals @ residuals)
         step: Matrix = -np.asarray(np.linalg.solve(normal, slopes.T @ residuals), np.float64)
-        rotation, position, offset = rotation @ turn(step[:3]), position + step[3:6], offset + float(step[6])
+        rotation = rotation @ rotation_about(step[:3])
+        position, offset = position + step[3:6], offset + float(step[6])
         if position[2] < 0.05 or not np.all(np.isfinite(position)):  # noqa: PLR2004
             return None
         if float(np.abs(step).max()) < 1e-7:  # noqa: PLR2004

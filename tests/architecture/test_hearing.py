@@ -17,7 +17,7 @@ MAY_SUBSCRIBE: Final = {
     "skills/ports/forwarding_bus.py": "a bus around a bus",
     "skills/testing/faulty_bus.py": "a bus around a bus",
     "skills/scoped_bus.py": "a bus around a bus",
-    "sim/line.py": "a bus around a bus",
+    "sim/faulty_link.py": "a bus around a bus",
     "executive/trials/campaigns/crash_points.py": "a bus around a bus",
     "skills/ports/serving.py": "documents that are put instead of asked: served, so checked as questions are",
 }

@@ -10,9 +10,9 @@ import pytest
 ROOT = Path(__file__).parents[2]
 ROOMS = ("executive", "skills", "sim", "trees")
 BY_HAND = {
-    # The call, and the files that may make it: at a reset, or in the camera's twin, which has no physics.
-    "resetJointState": {"sim/body.py", "sim/twin.py"},
-    "resetBasePositionAndOrientation": {"sim/twin.py"},
+    # The call, and the files that may make it: at a reset, or in the camera's world, which has no physics.
+    "resetJointState": {"sim/body.py", "sim/render_world.py"},
+    "resetBasePositionAndOrientation": {"sim/render_world.py"},
     "resetBaseVelocity": set(),
     "resetJointStateMultiDof": set(),
     "createConstraint": {"sim/body.py"},
@@ -47,7 +47,7 @@ SERVES = {
     "skills/ports/serving.py",  # the one mechanism
     "skills/ports/forwarding_bus.py",  # buses around a bus
     "executive/trials/campaigns/crash_points.py",
-    "sim/line.py",
+    "sim/faulty_link.py",
     "skills/scoped_bus.py",
     "skills/testing/faulty_bus.py",
     "skills/wire/zenoh_bus.py",  # the bus itself

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import pytest
 
 from tandem.executive.trials.campaigns.crash_points import CrashBus, CrashPoints
-from tandem.sim.line import Line
+from tandem.sim.faulty_link import FaultyLink
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.forwarding_bus import ForwardingBus
 from tandem.skills.scoped_bus import ScopedBus
@@ -42,7 +42,7 @@ WRAPPERS: dict[str, Callable[[Bus], Bus]] = {
     "memory": lambda bus: bus,
     "forwarded": ForwardingBus,
     "scoped": ScopedBus,
-    "a whole line": Line,
+    "a whole link": FaultyLink,
     "points that kill nobody": lambda bus: CrashBus(bus, CrashPoints()),
 }
 

@@ -9,8 +9,8 @@ import numpy as np
 from benchmarks.rig import GRASP, GRASP_POINT, LIFT, Rig
 from tandem.sim.controls import FAULTS
 from tandem.sim.faults import Fault, FaultEvent
+from tandem.sim.faulty_link import FaultyLink
 from tandem.sim.hardware import Hardware
-from tandem.sim.line import Line
 from tandem.sim.room import Room
 from tandem.sim.scenario import Noise
 from tandem.sim.scene import Label, SceneBody
@@ -30,9 +30,9 @@ class FaultyRig(Rig):
     def __init__(self, *faults: Fault, start: dict[str, tuple[float, ...]] | None = None) -> None:
         super().__init__(start=start)
         self.hardware.close()
-        line = Line(self.bus)
+        link = FaultyLink(self.bus)
         rng = np.random.default_rng(1)
-        self.hardware = Hardware(line, self.body, boot="rig", noise=Noise(), rng=rng)
+        self.hardware = Hardware(link, self.body, boot="rig", noise=Noise(), rng=rng)
         for body in (self.floor, self.item):
             self.physics.remove(body)
         self.world = World(self.physics)
@@ -47,7 +47,7 @@ class FaultyRig(Rig):
         )
         self.item = self.world.put(item)
         room = Room(load("lab"), self.world, self.body)
-        self.trouble = Trouble(self.bus, line, self.hardware, room, faults)
+        self.trouble = Trouble(self.bus, link, self.hardware, room, faults)
         self._told = keys.Latest(self.bus, FAULTS)
         self.events: list[FaultEvent] = []
 

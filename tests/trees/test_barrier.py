@@ -13,7 +13,7 @@ from tandem.skills.site import load
 from tandem.trees.behaviours.barrier import Barrier, Meet, Member
 from tandem.trees.behaviours.meanwhile import Meanwhile
 from tandem.trees.behaviours.side_by_side import SideBySide
-from tandem.trees.behaviours.turn import InTurn, Turn
+from tandem.trees.behaviours.take_turns import InTurn, Turn
 from tandem.trees.branch import branch
 from tandem.trees.context import TreeContext
 from tandem.trees.leaves.coordinate import coordinate

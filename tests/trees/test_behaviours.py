@@ -17,7 +17,7 @@ from tandem.trees.behaviours.give_up import GiveUp
 from tandem.trees.behaviours.guarded import Guarded
 from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.pause import Pause
-from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
 from tandem.trees.behaviours.wait_for import WaitFor
 from tandem.trees.context import TreeContext
 from tandem.trees.leaves.drive import drive
@@ -64,15 +64,17 @@ def always(_: Failure) -> bool:
     return True
 
 
-def recovery(context: TreeContext, main: Behaviour, *rungs: Rung, within: float = 100.0) -> Recovery:
-    return Recovery("recovery", context, main, rungs, within=within)
+def recovery(context: TreeContext, main: Behaviour, *steps: RecoveryStep, within: float = 100.0) -> Recovery:
+    return Recovery("recovery", context, main, steps, within=within)
 
 
-def test_recovery_asks_the_cheap_rung_first_and_the_dear_one_when_that_is_used_up(bench: TreeBench) -> None:
+def test_recovery_asks_the_cheap_step_first_and_the_dear_one_when_that_is_used_up(bench: TreeBench) -> None:
     context = bench.context
     main = Script("main", context, F, F, F, S)
     cheap, dear = Script("cheap repair", context, S), Script("dear repair", context, S)
-    tree = recovery(context, main, Rung("cheap", always, 2, cheap), Rung("dear", always, 1, dear))
+    tree = recovery(
+        context, main, RecoveryStep("cheap", always, 2, cheap), RecoveryStep("dear", always, 1, dear)
+    )
     assert play(bench, tree)[-1] is S
     assert [(each.recovery, each.times) for each in context.attempts] == [
         ("cheap", 1),
@@ -83,32 +85,37 @@ def test_recovery_asks_the_cheap_rung_first_and_the_dear_one_when_that_is_used_u
 
 def test_recovery_gives_up_when_all_is_used_up(bench: TreeBench) -> None:
     context = bench.context
-    tree = recovery(context, Script("main", context, F), Rung("rung", always, 2, Note("repair", lambda: "")))
+    tree = recovery(
+        context, Script("main", context, F), RecoveryStep("step", always, 2, Note("repair", lambda: ""))
+    )
     assert play(bench, tree)[-1] is F
-    assert [each.recovery for each in context.attempts] == ["rung", "rung", ""]
+    assert [each.recovery for each in context.attempts] == ["step", "step", ""]
 
 
-def test_recovery_hands_over_to_the_next_rung_when_a_repair_fails(bench: TreeBench) -> None:
+def test_recovery_hands_over_to_the_next_step_when_a_repair_fails(bench: TreeBench) -> None:
     context = bench.context
     bad, good = Script("bad repair", context, F), Script("good repair", context, S)
     tree = recovery(
-        context, Script("main", context, F, S), Rung("bad", always, 1, bad), Rung("good", always, 1, good)
+        context,
+        Script("main", context, F, S),
+        RecoveryStep("bad", always, 1, bad),
+        RecoveryStep("good", always, 1, good),
     )
     assert play(bench, tree)[-1] is S
     assert good.ticks == 1
 
 
-def test_recovery_repairs_nothing_that_no_rung_takes(bench: TreeBench) -> None:
+def test_recovery_repairs_nothing_that_no_step_takes(bench: TreeBench) -> None:
     context = bench.context
     repair = Script("repair", context, S)
-    tree = recovery(context, Script("main", context, F), Rung("never", lambda _: False, 5, repair))
+    tree = recovery(context, Script("main", context, F), RecoveryStep("never", lambda _: False, 5, repair))
     assert play(bench, tree) == [F]
     assert repair.ticks == 0
 
 
 def test_recovery_is_bounded_in_robot_time(bench: TreeBench) -> None:
     context = bench.context
-    slow = Rung("slow", always, 100, Pause("pause", context, 3.0))
+    slow = RecoveryStep("slow", always, 100, Pause("pause", context, 3.0))
     tree = recovery(context, Script("main", context, F), slow, within=5.0)
     assert play(bench, tree, most=1000)[-1] is F
     assert bench.clocks.seconds < 8.0
@@ -118,10 +125,14 @@ def test_what_a_recovery_below_has_given_up_is_not_tried_above_in_the_same_way(b
     context = bench.context
     main = Script("main", context, F)
     below = Recovery(
-        "below", context, main, (Rung("again below", always, 2, Note("n1", lambda: "")),), within=99.0
+        "below", context, main, (RecoveryStep("again below", always, 2, Note("n1", lambda: "")),), within=99.0
     )
     above = Recovery(
-        "above", context, below, (Rung("again above", always, 2, Note("n2", lambda: "")),), within=99.0
+        "above",
+        context,
+        below,
+        (RecoveryStep("again above", always, 2, Note("n2", lambda: "")),),
+        within=99.0,
     )
     assert play(bench, above)[-1] is F
     assert main.ticks == 3

@@ -15,14 +15,14 @@ from tandem.trees.context import TreeContext
 
 
 @dataclass(frozen=True)
-class Rung:
+class RecoveryStep:
     """One recovery: for which failures, how often at the most, and what it does.
 
     Args:
         name: unique in the tree; what people read: "go home and search again".
         helps: a condition over the failure (``trees/recovery_kinds.py``).
         times: how often, before the recovery begins anew from outside.
-        repair: what is done; when it fails, the next rung is asked.
+        repair: what is done; when it fails, the next step is asked.
     """
 
     name: str
@@ -34,10 +34,10 @@ class Rung:
 class Allowance(Behaviour):
     """SUCCESS as long as there are tries left, and takes one; keeps in the context that it was taken."""
 
-    def __init__(self, name: str, context: TreeContext, rung: str, times: int) -> None:
+    def __init__(self, name: str, context: TreeContext, step: str, times: int) -> None:
         """``times``: tries until ``reset``."""
         super().__init__(name)
-        self._context, self._rung, self._times = context, rung, times
+        self._context, self._step, self._times = context, step, times
         self.taken = 0
 
     def reset(self) -> None:
@@ -50,22 +50,22 @@ class Allowance(Behaviour):
             self.feedback_message = f"tried {self.taken} times"
             return Status.FAILURE
         self.taken += 1
-        self._context.recovering(self._rung, self.taken)
+        self._context.recovering(self._step, self.taken)
         self.feedback_message = f"{self.taken} of {self._times}"
         return Status.SUCCESS
 
 
 class Recovery(Composite):
-    """Ticks ``main``; each time it fails, the first rung that takes the failure and then ``main`` again.
+    """Ticks ``main``; each time it fails, the first step that takes the failure and then ``main`` again.
 
-    FAILURE when no rung takes it, or ``within`` robot seconds have passed: then the failure of main, as
+    FAILURE when no step takes it, or ``within`` robot seconds have passed: then the failure of main, as
     ``conclude`` puts it, is the last one that the context keeps.
 
     Args:
         name: unique in the tree.
         context: keeps the failures.
         main: what is tried; begins anew after each repair, so it asks first what is done already.
-        rungs: from cheap to dear.
+        steps: from cheap to dear.
         within: robot seconds after which nothing is repaired any more.
         conclude: makes of main's failure what is told when it is given up.
     """
@@ -75,7 +75,7 @@ class Recovery(Composite):
         name: str,
         context: TreeContext,
         main: Behaviour,
-        rungs: tuple[Rung, ...],
+        steps: tuple[RecoveryStep, ...],
         *,
         within: float,
         conclude: Callable[[Failure], Failure] = lambda failure: failure,
@@ -83,11 +83,11 @@ class Recovery(Composite):
         self._context, self._within, self._conclude = context, within, conclude
         self._failure: Failure | None = None
         self._allowances = [
-            Allowance(f"{rung.name}: at most {rung.times}", context, rung.name, rung.times) for rung in rungs
+            Allowance(f"{step.name}: at most {step.times}", context, step.name, step.times) for step in steps
         ]
         self._at, self._since = 0, 0.0
-        self._helps = frozenset(rung.helps for rung in rungs)
-        super().__init__(name, [main, *map(self._rung, rungs, self._allowances)])
+        self._helps = frozenset(step.helps for step in steps)
+        super().__init__(name, [main, *map(self._step, steps, self._allowances)])
 
     def initialise(self) -> None:
         """Begin with main and with all tries."""
@@ -96,7 +96,7 @@ class Recovery(Composite):
             allowance.reset()
 
     def tick(self) -> Iterator[Behaviour]:
-        """Tick main, or the rung that is at work."""
+        """Tick main, or the step that is at work."""
         if self.status is not Status.RUNNING:
             self.initialise()
             for each in self.children:
@@ -150,13 +150,13 @@ class Recovery(Composite):
         self._context.exhausted = (given_up, self._helps)
         return Status.FAILURE
 
-    def _rung(self, rung: Rung, allowance: Allowance) -> Behaviour:
+    def _step(self, step: RecoveryStep, allowance: Allowance) -> Behaviour:
         def takes() -> bool:
             failure, (given_up, exhausted) = self._failure, self._context.exhausted
             # What a recovery below has given up is not tried here in the same way once more.
-            tried = failure is given_up and rung.helps in exhausted
-            return failure is not None and not tried and rung.helps(failure)
+            tried = failure is given_up and step.helps in exhausted
+            return failure is not None and not tried and step.helps(failure)
 
         return Sequence(
-            rung.name, memory=True, children=[Check(f"{rung.name}?", takes), allowance, rung.repair]
+            step.name, memory=True, children=[Check(f"{step.name}?", takes), allowance, step.repair]
         )

@@ -15,7 +15,7 @@ from tandem.trees.behaviours.barrier import Barrier, Meet, Member
 from tandem.trees.behaviours.check import Check
 from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.pause import Pause
-from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
 from tandem.trees.behaviours.remember import afterwards
 from tandem.trees.behaviours.side_by_side import SideBySide
 from tandem.trees.branch import Branch, branch
@@ -34,7 +34,7 @@ from tandem.trees.leaves.two_hands import (
 from tandem.trees.recovery_kinds import another_grasp_helps, looking_again_helps
 from tandem.trees.subtrees.bring_safe import bring_safe
 from tandem.trees.subtrees.hand_pick import FOLLOWS, GRASPS, WITHIN, Method, seen_again
-from tandem.trees.subtrees.rungs import wait_back
+from tandem.trees.subtrees.recovery_steps import wait_back
 
 Hand = tuple[Branch, HandBoard]
 
@@ -63,7 +63,7 @@ def both_pick(context: TreeContext, board: BothBoard, method: Method, hold: floa
             Pause("hands come to rest", context, REST),
         ],
     )
-    tried = Recovery("get it with both hands", context, main, _rungs(context, board, method), within=WITHIN)
+    tried = Recovery("get it with both hands", context, main, _steps(context, board, method), within=WITHIN)
     end = Sequence(
         "at last",
         memory=True,
@@ -102,11 +102,13 @@ def _at_item(context: TreeContext, hands: tuple[Hand, Hand], *, follows: bool) -
     )
 
 
-def _rungs(context: TreeContext, board: BothBoard, method: Method) -> tuple[Rung, ...]:
+def _steps(context: TreeContext, board: BothBoard, method: Method) -> tuple[RecoveryStep, ...]:
     patience = wait_back("both", context)
     if method == "rrtconnect":
         return (patience,)
-    follow = Rung("both: follow the item", looking_again_helps, FOLLOWS, seen_again(context, board.left))
+    follow = RecoveryStep(
+        "both: follow the item", looking_again_helps, FOLLOWS, seen_again(context, board.left)
+    )
     if method == "rrtconnect_replan":
         return (patience, follow)
     again = Sequence(
@@ -118,7 +120,7 @@ def _rungs(context: TreeContext, board: BothBoard, method: Method) -> tuple[Rung
             *(Note(f"{hand.who}: avoid this way", hand.give_up_way) for hand in board.hands),
         ],
     )
-    return (patience, follow, Rung("both: grasp another way", another_grasp_helps, GRASPS, again))
+    return (patience, follow, RecoveryStep("both: grasp another way", another_grasp_helps, GRASPS, again))
 
 
 def _free(context: TreeContext, board: BothBoard, where: str) -> Behaviour:

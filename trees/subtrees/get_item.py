@@ -18,7 +18,7 @@ from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.trees.behaviours.interruptible import Interruptible
 from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.phase import Phase
-from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
 from tandem.trees.board import FetchBoard
 from tandem.trees.conditions.item_held import item_held
 from tandem.trees.context import TreeContext
@@ -32,7 +32,7 @@ from tandem.trees.recovery_kinds import (
 from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.home import home
 from tandem.trees.subtrees.pick import pick
-from tandem.trees.subtrees.rungs import another_way, localise_again, wait_back
+from tandem.trees.subtrees.recovery_steps import another_way, localise_again, wait_back
 from tandem.trees.subtrees.search import search
 
 WITHIN: Final = 420.0
@@ -66,17 +66,21 @@ def get_item(context: TreeContext, board: FetchBoard) -> Behaviour:
             ),
         ],
     )
-    rungs = (
+    steps = (
         wait_back("get", context),
         localise_again("get", context),
         another_way("get", context, board),
-        Rung("get: look from another stand", another_view_helps, VIEWS, _another_view(context, board)),
-        Rung("get: look around again", looking_again_helps, LOOKS, _look_around(context, board)),
-        Rung("get: grasp another way", another_grasp_helps, GRASPS, _another_grasp(context, board)),
-        Rung("get: go home and search again", searching_again_helps, SEARCHES, _from_home(context, board)),
+        RecoveryStep(
+            "get: look from another stand", another_view_helps, VIEWS, _another_view(context, board)
+        ),
+        RecoveryStep("get: look around again", looking_again_helps, LOOKS, _look_around(context, board)),
+        RecoveryStep("get: grasp another way", another_grasp_helps, GRASPS, _another_grasp(context, board)),
+        RecoveryStep(
+            "get: go home and search again", searching_again_helps, SEARCHES, _from_home(context, board)
+        ),
     )
     return Recovery(
-        "get item", context, main, rungs, within=WITHIN, conclude=lambda failure: _unreachable(board, failure)
+        "get item", context, main, steps, within=WITHIN, conclude=lambda failure: _unreachable(board, failure)
     )
 
 

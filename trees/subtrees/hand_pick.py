@@ -15,7 +15,7 @@ from py_trees.composites import Selector, Sequence
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.trees.behaviours.check import Check
 from tandem.trees.behaviours.note import Note
-from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
 from tandem.trees.behaviours.remember import afterwards
 from tandem.trees.behaviours.wait_for import WaitFor
 from tandem.trees.context import TreeContext
@@ -29,8 +29,8 @@ from tandem.trees.leaves.hand.reach_item import plan_before_item, reach_item
 from tandem.trees.leaves.hand.still_held import still_held
 from tandem.trees.recovery_kinds import another_grasp_helps, looking_again_helps
 from tandem.trees.subtrees.bring_safe import bring_safe
+from tandem.trees.subtrees.recovery_steps import wait_back
 from tandem.trees.subtrees.rise import rise
-from tandem.trees.subtrees.rungs import wait_back
 
 Method = Literal["apf_rrtconnect", "rrtconnect", "rrtconnect_replan"]
 """The thesis's method; its baseline, planned once at the start; and that, planned again for a moved item."""
@@ -103,7 +103,7 @@ def hand_pick(
             ),
         ],
     )
-    tried = Recovery(f"{who}: get item", context, main, _rungs(context, board, method), within=WITHIN)
+    tried = Recovery(f"{who}: get item", context, main, _steps(context, board, method), within=WITHIN)
     return afterwards(f"{who}: pick", context, member(tried), bring_safe(context, board, "at last"))
 
 
@@ -127,7 +127,7 @@ def _grasp(context: TreeContext, board: HandBoard, *, follows: bool) -> Sequence
     )
 
 
-def _rungs(context: TreeContext, board: HandBoard, method: Method) -> tuple[Rung, ...]:
+def _steps(context: TreeContext, board: HandBoard, method: Method) -> tuple[RecoveryStep, ...]:
     who = board.who
     patience = wait_back(who, context)
     if method == "rrtconnect":
@@ -154,7 +154,7 @@ def _rungs(context: TreeContext, board: HandBoard, method: Method) -> tuple[Rung
             Check(f"{who}: item seen by now?", seen),
         ],
     )
-    follow = Rung(f"{who}: follow the item", looking_again_helps, FOLLOWS, in_sight)
+    follow = RecoveryStep(f"{who}: follow the item", looking_again_helps, FOLLOWS, in_sight)
     if method == "rrtconnect_replan":
         return (patience, follow)
     again = Sequence(
@@ -165,7 +165,7 @@ def _rungs(context: TreeContext, board: HandBoard, method: Method) -> tuple[Rung
             Note(f"{who}: avoid this way", board.give_up_way),
         ],
     )
-    return (patience, follow, Rung(f"{who}: grasp another way", another_grasp_helps, GRASPS, again))
+    return (patience, follow, RecoveryStep(f"{who}: grasp another way", another_grasp_helps, GRASPS, again))
 
 
 def seen_again(context: TreeContext, board: HandBoard) -> WaitFor:

@@ -13,7 +13,7 @@ from tandem.trees.conditions.at_pose import at_any
 from tandem.trees.context import TreeContext
 from tandem.trees.leaves.drive import drive
 from tandem.trees.subtrees.arms_in import free_and_tuck
-from tandem.trees.subtrees.rungs import let_pass, localise_again, wait_back
+from tandem.trees.subtrees.recovery_steps import let_pass, localise_again, wait_back
 
 WITHIN: Final = 180.0
 """Robot seconds after which a way home is not tried again."""

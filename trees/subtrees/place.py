@@ -18,7 +18,7 @@ from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.world import Side
 from tandem.trees.behaviours.guarded import Guarded
 from tandem.trees.behaviours.note import Note
-from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
 from tandem.trees.board import FetchBoard
 from tandem.trees.conditions.item_left import item_left
 from tandem.trees.context import TreeContext
@@ -35,7 +35,7 @@ from tandem.trees.leaves.withdraw import withdraw
 from tandem.trees.recovery_kinds import another_slot_helps, another_stand_helps, trying_again_helps
 from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.home import home
-from tandem.trees.subtrees.rungs import a_moment, another_way, localise_again, wait_back
+from tandem.trees.subtrees.recovery_steps import a_moment, another_way, localise_again, wait_back
 from tandem.trees.subtrees.stand import stand_near, unknown
 
 WITHIN: Final = 300.0
@@ -65,20 +65,20 @@ def place(context: TreeContext, board: FetchBoard) -> Behaviour:
         otherwise=lambda: no_longer_held(board.item, board.chosen_side()),
     )
     others = len(board.depot(context).slots) - 1
-    rungs = (
+    steps = (
         wait_back("place", context),
         localise_again("place", context),
         another_way("place", context, board),
-        Rung("place: another slot", another_slot_helps, others, _another_slot(context, board)),
-        Rung("place: another stand", another_stand_helps, STANDS, _another_stand(context, board)),
-        Rung("place: begin from home", another_stand_helps, STARTS, _from_home(context, board)),
+        RecoveryStep("place: another slot", another_slot_helps, others, _another_slot(context, board)),
+        RecoveryStep("place: another stand", another_stand_helps, STANDS, _another_stand(context, board)),
+        RecoveryStep("place: begin from home", another_stand_helps, STARTS, _from_home(context, board)),
     )
     main = Sequence("place item", memory=True, children=[carry, _leave_item(context, board)])
     return Recovery(
         "get rid of item",
         context,
         main,
-        rungs,
+        steps,
         within=WITHIN,
         conclude=lambda failure: _unreachable(board, failure),
     )
@@ -137,11 +137,11 @@ def _leave_item(context: TreeContext, board: FetchBoard) -> Behaviour:
             free_and_tuck(context, "after place"),
         ],
     )
-    rungs = (
+    steps = (
         wait_back("leave", context),
-        Rung("leave: once more", trying_again_helps, LEAVES, a_moment("leave", context)),
+        RecoveryStep("leave: once more", trying_again_helps, LEAVES, a_moment("leave", context)),
     )
-    return Recovery("get away from item", context, main, rungs, within=LEAVE_WITHIN)
+    return Recovery("get away from item", context, main, steps, within=LEAVE_WITHIN)
 
 
 def _another_slot(context: TreeContext, board: FetchBoard) -> Behaviour:

@@ -10,7 +10,7 @@ from py_trees.composites import Selector, Sequence
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.world import WorldState
 from tandem.trees.behaviours.decide import Decide
-from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
 from tandem.trees.behaviours.wait_for import WaitFor
 from tandem.trees.board import FetchBoard
 from tandem.trees.conditions.localised import localised
@@ -18,7 +18,7 @@ from tandem.trees.context import TreeContext
 from tandem.trees.leaves.bind_slot import bind_slot
 from tandem.trees.leaves.localise import localise
 from tandem.trees.recovery_kinds import localising_helps
-from tandem.trees.subtrees.rungs import a_moment, wait_back
+from tandem.trees.subtrees.recovery_steps import a_moment, wait_back
 
 WITHIN: Final = 120.0
 """Robot seconds after which localising is not tried again."""
@@ -41,7 +41,9 @@ def request(context: TreeContext, board: FetchBoard) -> Behaviour:
                 localise(context),
                 (
                     wait_back("request", context),
-                    Rung("request: once more", localising_helps, LOCALISES, a_moment("request", context)),
+                    RecoveryStep(
+                        "request: once more", localising_helps, LOCALISES, a_moment("request", context)
+                    ),
                 ),
                 within=WITHIN,
             ),

@@ -23,7 +23,7 @@ from tandem.trees.item_failures import ambiguous
 from tandem.trees.leaves.drive import drive
 from tandem.trees.leaves.edit_scene import select
 from tandem.trees.leaves.look import look
-from tandem.trees.leaves.turn import turn
+from tandem.trees.leaves.rotate import rotate
 from tandem.trees.recovery_kinds import unseen
 from tandem.trees.subtrees.arms_in import free_and_tuck
 
@@ -79,7 +79,7 @@ def _around(context: TreeContext, board: FetchBoard, where: str) -> Behaviour:
     again = Sequence(
         f"turn and look {where}",
         memory=True,
-        children=[turn(f"turn 30 degrees {where}", context), look(f"look again {where}", context, board)],
+        children=[rotate(f"turn 30 degrees {where}", context), look(f"look again {where}", context, board)],
     )
     return Selector(
         f"look around {where}",

@@ -12,7 +12,7 @@ from tandem.skills.ports.world import SIDES
 from tandem.trees.behaviours.decide import Decide
 from tandem.trees.behaviours.meanwhile import Meanwhile
 from tandem.trees.behaviours.pause import Pause
-from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
 from tandem.trees.behaviours.wait_for import WaitFor
 from tandem.trees.branch import branch
 from tandem.trees.conditions.localised import localised
@@ -24,8 +24,8 @@ from tandem.trees.leaves.look_at_table import look_at_table
 from tandem.trees.leaves.track import track
 from tandem.trees.recovery_kinds import unseen
 from tandem.trees.subtrees.arms_in import free_and_tuck
+from tandem.trees.subtrees.recovery_steps import wait_back
 from tandem.trees.subtrees.request import ready
-from tandem.trees.subtrees.rungs import wait_back
 
 ZONES_WITHIN: Final = 20.0
 """Robot seconds in which the workspace zones must be known: they are computed once at the start."""
@@ -63,9 +63,9 @@ def take_up(context: TreeContext, boards: tuple[HandBoard, ...], *, check: bool 
         look_at_table("look at table", context, items),
         (
             wait_back("look", context),
-            Rung("look: once more", unseen, LOOKS, Pause("look: a moment", context, ANOTHER_MOMENT)),
+            RecoveryStep("look: once more", unseen, LOOKS, Pause("look: a moment", context, ANOTHER_MOMENT)),
             # After a restart an arm may stand before what it was about to pick.
-            Rung("look: arms out of the sight", unseen, 1, free_and_tuck(context, "look")),
+            RecoveryStep("look: arms out of the sight", unseen, 1, free_and_tuck(context, "look")),
         ),
         within=WITHIN,
     )

@@ -18,7 +18,7 @@ from tandem.skills.ports.tasks import Problem
 from tandem.skills.ports.world import Side
 from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.phase import Phase
-from tandem.trees.behaviours.recovery import Recovery, Rung
+from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
 from tandem.trees.behaviours.remember import afterwards
 from tandem.trees.board import FetchBoard
 from tandem.trees.closing import where_all_is
@@ -115,7 +115,7 @@ def build(asked: FetchRequest, context: TreeContext) -> Behaviour:
                     "deliver, whatever falls",
                     context,
                     delivered,
-                    (Rung("fetch it again", fetching_again_helps, DROPS, _again(board)),),
+                    (RecoveryStep("fetch it again", fetching_again_helps, DROPS, _again(board)),),
                     within=WITHIN,
                 ),
                 Phase("home", context, home_at_last(context), begins=0.90, ends=1.0),

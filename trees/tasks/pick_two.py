@@ -19,7 +19,7 @@ from tandem.trees.behaviours.barrier import Barrier, Meet, Member
 from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.phase import Phase
 from tandem.trees.behaviours.side_by_side import SideBySide
-from tandem.trees.behaviours.turn import InTurn, Turn
+from tandem.trees.behaviours.take_turns import InTurn, Turn
 from tandem.trees.branch import Branch, branch
 from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext

@@ -31,10 +31,10 @@ from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.tasks import NodeStatus, Progress, TaskState, TreeNode, TreeSnapshot
+from tandem.trees.breakpoints import Gates
 from tandem.trees.clients import AnyGoal
 from tandem.trees.context import TreeContext
 from tandem.trees.elapsed import Elapsed
-from tandem.trees.gates import Gates
 
 TICK_PERIOD: Final = 0.05
 """Robot seconds after which the tree is ticked although nothing was heard: its timers."""

@@ -19,9 +19,9 @@ from tandem.skills.ports.site import Site
 from tandem.skills.testing.mock_robot import MockRobot
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus, MemoryHub
+from tandem.trees.breakpoints import Gates
 from tandem.trees.clients import Clients
 from tandem.trees.context import TreeContext
-from tandem.trees.gates import Gates
 from tandem.trees.knowledge import Knowledge
 from tandem.trees.registry import discover
 

@@ -8,8 +8,8 @@ from typing import Final
 import numpy as np
 
 from tandem.skills.arm.curve import through
-from tandem.skills.arm.field.course import Course
 from tandem.skills.arm.field.ends import End, Ends
+from tandem.skills.arm.field.field_controller import FieldController
 from tandem.skills.arm.field.parts import Parts
 from tandem.skills.arm.field.ride import LEFT, Ride, Steps, Why
 from tandem.skills.arm.field.target import HIDDEN_FOR, Target
@@ -50,7 +50,7 @@ class Episode:
         self._parts, self._goal, self._rng = parts, goal, rng
         self._live, self._ride = parts.live, Ride(parts, goal)
         self._motion = self._ride.motion
-        self._course = Course(parts.arm, self._live, self._ride.guard, self._motion, goal.speed)
+        self._controller = FieldController(parts.arm, self._live, self._ride.guard, self._motion, goal.speed)
         self._ends = Ends(parts.arm, parts.planner, self._live, goal)
         self._planned, self._stops, self._offs = 0, 0, 0
 
@@ -153,7 +153,7 @@ class Episode:
 
     def _seek(self) -> Steps:
         """Go down the field until the set-points have arrived."""
-        self._course.reset()
+        self._controller.reset()
         self._ends.failures = 0
         ride, phase, before = self._ride, Phase.FIELD, self._ride.target
         while True:
@@ -163,7 +163,7 @@ class Episode:
                 return why
             if self._parts.tracker.hidden:  # stand: the hand would hide what is looked for
                 self._motion.brake(periods)
-                self._course.reset()
+                self._controller.reset()
                 continue
             target = ride.target
             assert target is not None  # not interrupted
@@ -174,9 +174,9 @@ class Episode:
             end = self._ends.end
             assert end is not None  # chosen before, and kept until there is a better one
             if before is None or target.moved(before)[0] > LEFT:
-                self._course.reset()
+                self._controller.reset()
                 before = target
-            step = self._course.step(periods, target, end)
+            step = self._controller.step(periods, target, end)
             ride.distance, ride.at = step.distance, self._motion.record.samples - 1
             phase = Phase.ESCAPING if step.escaping else Phase.FIELD
             if step.stuck or step.arrived:
@@ -202,7 +202,7 @@ class Episode:
                 error=error,
                 item_in_map=self._parts.tracker.item_in_map,
                 duration=robot_seconds(self._parts.clocks) - began,
-                escapes=self._course.escapes,
+                escapes=self._controller.escapes,
                 planned=self._planned,
                 stops=self._stops,
             )

@@ -81,10 +81,10 @@ def pull(p: Array, pole: Array, remaining: float, k: float, gains: Gains) -> Arr
         k: the pole's gain.
         gains: the bounds.
     """
-    wish = -attraction(p, pole, k)[1]
-    size = float(np.linalg.norm(wish))
+    desired = -attraction(p, pole, k)[1]
+    size = float(np.linalg.norm(desired))
     most = min(gains.cruise, float(np.sqrt(2.0 * gains.braking * max(remaining, 0.0))))
-    return wish if size <= most else wish * (most / size)
+    return desired if size <= most else desired * (most / size)
 
 
 def push(rho: Array, normals: Array, to_goal: float, gains: Gains) -> Array:

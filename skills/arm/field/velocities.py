@@ -1,4 +1,4 @@
-"""From the hand's wish to the joints' velocities, with the whole arm kept off everything and off its limits.
+"""From the hand's desired twist to the joints' velocities: the whole arm keeps off everything and its limits.
 
 A small quadratic program, solved by DAQP (a dual active-set method) at each step:
 
@@ -38,8 +38,8 @@ HASTE: Final = 2.0
 SLOPE: Final = 4.0
 """1/s: twice as fast as the arm can answer at its jerk limit would make it swing."""
 ANSWER: Final = 0.1
-"""Seconds by which the arm's velocity is behind its wish, at the jerk limit: bounds and dampers look ahead by
-as much, with the present velocity."""
+"""Seconds by which the arm's velocity is behind the desired one, at the jerk limit: bounds and dampers
+look ahead by as much, with the present velocity."""
 APART_AT_MOST: Final = 0.1
 """m/s at which bodies that are too near are pushed apart."""
 BRAKE_SHARE: Final = 0.4
@@ -80,8 +80,8 @@ class VelocitySolver:
             q: joint positions (n,).
             v: joint velocities (n,) now.
             jacobian: of the hand (6, n), along and about the base's axes.
-            twist: the wish (6,), m/s and rad/s.
-            posture: dq_0 (n,), rad/s, for what the wish leaves open.
+            twist: the desired one (6,), m/s and rad/s.
+            posture: dq_0 (n,), rad/s, for what the twist leaves open.
             dampers: what is near.
         """
         count, near = len(q), len(dampers.distance)

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from tandem.skills.bimanual.middle import span
+from tandem.skills.bimanual.object_frame import span
 from tandem.skills.bimanual.ready import pointing, swing, ways_back
 from tandem.skills.geometry.poses import about, angle_between, multiply, rotate
 from tandem.skills.ports.pose import Pose

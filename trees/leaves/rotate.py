@@ -13,6 +13,6 @@ STEP: Final = -math.radians(30.0)
 """Clockwise, as in the order-picking paper, III-A.2."""
 
 
-def turn(name: str, context: TreeContext) -> Act[RotateGoal, RotateFeedback, RotateResult]:
+def rotate(name: str, context: TreeContext) -> Act[RotateGoal, RotateFeedback, RotateResult]:
     """Return the leaf."""
     return Act(name, context, ROTATE, lambda: RotateGoal(angle=STEP), resources=("base",))

@@ -10,7 +10,7 @@ from py_trees.composites import Sequence
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.pause import Pause
-from tandem.trees.behaviours.recovery import Rung
+from tandem.trees.behaviours.recovery import RecoveryStep
 from tandem.trees.behaviours.wait_for import WaitFor
 from tandem.trees.board import FetchBoard
 from tandem.trees.context import TreeContext
@@ -29,7 +29,7 @@ LET_PASS: Final = 2.0
 """Robot seconds in which whoever stands in the way may leave."""
 
 
-def wait_back(where: str, context: TreeContext, times: int = WAITS) -> Rung:
+def wait_back(where: str, context: TreeContext, times: int = WAITS) -> RecoveryStep:
     """Return the recovery "wait until all skills are there": for what passes by itself."""
 
     def otherwise() -> Failure:
@@ -49,18 +49,18 @@ def wait_back(where: str, context: TreeContext, times: int = WAITS) -> Rung:
         at_least=A_MOMENT,
         for_a_process=True,
     )
-    return Rung(f"{where}: wait until it is back", waiting_helps, times, repair)
+    return RecoveryStep(f"{where}: wait until it is back", waiting_helps, times, repair)
 
 
-def localise_again(where: str, context: TreeContext, times: int = LOCALISES) -> Rung:
+def localise_again(where: str, context: TreeContext, times: int = LOCALISES) -> RecoveryStep:
     """Return the recovery "find out anew where the robot is"."""
     repair = localise(context, f"{where}: localise anew")
-    return Rung(f"{where}: find out where I am", localising_helps, times, repair)
+    return RecoveryStep(f"{where}: find out where I am", localising_helps, times, repair)
 
 
-def let_pass(where: str, context: TreeContext, *, seconds: float, times: int) -> Rung:
+def let_pass(where: str, context: TreeContext, *, seconds: float, times: int) -> RecoveryStep:
     """Return the recovery "wait, and take the same way": for goals that have no other."""
-    return Rung(
+    return RecoveryStep(
         f"{where}: let them pass",
         another_way_helps,
         times,
@@ -68,7 +68,7 @@ def let_pass(where: str, context: TreeContext, *, seconds: float, times: int) ->
     )
 
 
-def another_way(where: str, context: TreeContext, board: FetchBoard, times: int = WAYS) -> Rung:
+def another_way(where: str, context: TreeContext, board: FetchBoard, times: int = WAYS) -> RecoveryStep:
     """Return the recovery "wait, then change the distance to the goal" (order-picking paper, III-A.4).
 
     What failed is not tried again, so the survey offers stands at other distances and angles.
@@ -86,7 +86,7 @@ def another_way(where: str, context: TreeContext, board: FetchBoard, times: int 
             Note(f"{where}: avoid these stands", decide),
         ],
     )
-    return Rung(f"{where}: another way", another_way_helps, times, repair)
+    return RecoveryStep(f"{where}: another way", another_way_helps, times, repair)
 
 
 def a_moment(where: str, context: TreeContext) -> Behaviour:

@@ -1,4 +1,4 @@
-"""The line between the hardware and everybody else: it can be cut, and what passes can be spoilt."""
+"""The link between the hardware and everybody else: it can be cut, and what passes can be spoilt."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
 @dataclass(eq=False)
 class _Inbox:
-    line: Line
+    link: FaultyLink
     inner: Inbox
 
     def drain(self) -> list[Sample]:
-        """Take what has arrived; what came through a cut line is lost."""
-        return [sample for sample in self.inner.drain() if not self.line.is_cut(sample.key)]
+        """Take what has arrived; what came through a cut link is lost."""
+        return [sample for sample in self.inner.drain() if not self.link.is_cut(sample.key)]
 
     def close(self) -> None:
         """End the subscription."""
@@ -30,19 +30,19 @@ class _Inbox:
 
 @dataclass(eq=False)
 class _Desk:
-    line: Line
+    link: FaultyLink
     inner: Desk
 
     def drain(self) -> list[Request]:
-        """Take what was asked; what came through a cut line ends without an answer."""
-        return [request for request in self.inner.drain() if not self.line.is_cut(request.key)]
+        """Take what was asked; what came through a cut link ends without an answer."""
+        return [request for request in self.inner.drain() if not self.link.is_cut(request.key)]
 
     def close(self) -> None:
         """Stop serving."""
         self.inner.close()
 
 
-class Line(ForwardingBus):
+class FaultyLink(ForwardingBus):
     """The hardware's bus. While nothing is wrong it passes everything on.
 
     Args:
@@ -61,18 +61,18 @@ class Line(ForwardingBus):
         return any(key.startswith(start) for start in self.cut)
 
     def publish(self, key: str, payload: bytes) -> None:
-        """Send, unless the line is cut."""
+        """Send, unless the link is cut."""
         if self.is_cut(key):
             return
         spoil = self.spoils.get(key)
         super().publish(key, payload if spoil is None else spoil(payload))
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
-        """Receive what is put on the key expression while the line is whole."""
+        """Receive what is put on the key expression while the link is whole."""
         return _Inbox(self, super().subscribe(key, depth=depth))
 
     def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:
-        """Answer queries while the line is whole."""
+        """Answer queries while the link is whole."""
         return _Desk(self, super().serve(key, limit=limit))
 
     def listened(self, key: str) -> bool:

@@ -12,7 +12,7 @@ from py_trees.composites import Selector, Sequence
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.site import load
-from tandem.trees.gates import Gates
+from tandem.trees.breakpoints import Gates
 
 
 class Step(Behaviour):

@@ -10,11 +10,11 @@ import cv2
 import numpy as np
 import pytest
 
+from tandem.sim.render_world import RenderWorld, View, looking_at
 from tandem.sim.robot import compose_robot
 from tandem.sim.scene import Label, SceneBody
 from tandem.sim.tags import tags_in_item
 from tandem.sim.things import BoxShape
-from tandem.sim.twin import Twin, View, looking_at
 from tandem.skills.geometry.poses import about, compose, invert, transform
 from tandem.skills.ports.pose import Pose
 
@@ -24,8 +24,10 @@ AT = (0.5, 0.3, 0.8)
 
 
 @pytest.fixture(scope="module", params=[True, False], ids=["egl", "tiny"])
-def twin(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Twin]:
-    made = Twin(compose_robot().physics_urdf, Path(tmp_path_factory.mktemp("twin")), hardware=request.param)
+def twin(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[RenderWorld]:
+    made = RenderWorld(
+        compose_robot().physics_urdf, Path(tmp_path_factory.mktemp("twin")), hardware=request.param
+    )
     yield made
     made.close()
 
@@ -58,7 +60,7 @@ def detect(colour: np.ndarray) -> list[tuple[int, np.ndarray]]:
 
 @pytest.mark.parametrize("distance", [0.5, 1.0, 1.5])
 @pytest.mark.parametrize("yaw", [0.0, 0.5, math.pi / 2, math.pi, -math.pi / 2])
-def test_a_tag_is_read_where_it_is(twin: Twin, distance: float, yaw: float) -> None:
+def test_a_tag_is_read_where_it_is(twin: RenderWorld, distance: float, yaw: float) -> None:
     body = item(yaw)
     twin.set_scene((body,))
     eye = (AT[0] + distance * 0.9, AT[1], AT[2] + distance * 0.44)
@@ -72,7 +74,7 @@ def test_a_tag_is_read_where_it_is(twin: Twin, distance: float, yaw: float) -> N
         assert min(np.abs(corners - expected).max() for expected in truth) < 1.6
 
 
-def test_depth_is_metres_along_the_axis(twin: Twin) -> None:
+def test_depth_is_metres_along_the_axis(twin: RenderWorld) -> None:
     twin.set_scene((item(0.0),))
     view = View(looking_at((AT[0] + 1.0, AT[1], AT[2]), AT), 320, 180, math.radians(60))
     depth = twin.draw(view).depth
@@ -80,7 +82,7 @@ def test_depth_is_metres_along_the_axis(twin: Twin) -> None:
     assert np.isinf(depth[0, 0])
 
 
-def test_what_is_taken_away_is_no_longer_drawn(twin: Twin) -> None:
+def test_what_is_taken_away_is_no_longer_drawn(twin: RenderWorld) -> None:
     twin.set_scene((item(0.0),))
     twin.set_scene(())
     view = View(looking_at((AT[0] + 1.0, AT[1], AT[2]), AT), 1280, 720, math.radians(60))

@@ -8,6 +8,13 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from tandem.skills.arm.field.desired_twist import (
+    Chooser,
+    DesiredTwist,
+    desired_twist,
+    nearest_of_hand,
+    with_other_goal,
+)
 from tandem.skills.arm.field.ends import End
 from tandem.skills.arm.field.guard import DAMPED, FIELD, Guard
 from tandem.skills.arm.field.live import Live
@@ -17,7 +24,6 @@ from tandem.skills.arm.field.progress import Progress
 from tandem.skills.arm.field.reference import State
 from tandem.skills.arm.field.target import Target
 from tandem.skills.arm.field.velocities import Dampers, VelocitySolver
-from tandem.skills.arm.field.wish import Chooser, Wish, nearest_of_hand, wish, with_other_goal
 from tandem.skills.arm.problem import Arm
 from tandem.skills.kinematics.proximity import Nearby
 from tandem.skills.kinematics.transforms import Array, rotation_vector, to_se3
@@ -54,7 +60,7 @@ class Step:
     stuck: bool
 
 
-class Course:
+class FieldController:
     """Goes down the field.
 
     Args:
@@ -99,7 +105,7 @@ class Course:
         angle = float(np.linalg.norm(rotation_vector(hand[:3, :3], goal[:3, :3])))
         left = end.q - state.q
         soonest = max(angle / (TURN_RATE * self._speed), float(np.max(np.abs(left) / self._fastest)), SOONEST)
-        asked = self._wish(hand, goal, near, soonest)
+        asked = self._desired(hand, goal, near, soonest)
         if self._may_land(state, distance, angle, target, end):
             make: Make = lambda at: self._motion.stepper.to_place(at, end.q)  # noqa: E731 - one of two ways
         else:
@@ -113,12 +119,12 @@ class Course:
         stuck = self._progress.stuck(asked.remaining, angle, asked.pole.label) and not arrived
         return Step(distance, arrived, asked.pole.escape, stuck)
 
-    def _wish(self, hand: Array, goal: Array, near: Nearby, soonest: float) -> Wish:
+    def _desired(self, hand: Array, goal: Array, near: Nearby, soonest: float) -> DesiredTwist:
         p = hand[:3, 3]
         pole = self._chooser.pole(p, goal[:3, 3], self._live.around)
         rho, normals = nearest_of_hand(near, self._of_hand(), self._live.proximity.first_obstacle)
         rho, normals = with_other_goal(rho, normals, p, self._live.other_goal())
-        return wish(hand, goal, pole, rho, normals, self._gains, soonest)
+        return desired_twist(hand, goal, pole, rho, normals, self._gains, soonest)
 
     def _of_hand(self) -> npt.NDArray[np.bool_]:
         near = self._live.proximity

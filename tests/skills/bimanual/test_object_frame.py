@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from tandem.skills.bimanual.middle import HandsApartError, span, tilt
+from tandem.skills.bimanual.object_frame import HandsApartError, span, tilt
 from tandem.skills.bimanual.ready import between, pointing, ready_tools
 from tandem.skills.geometry.poses import about, angle_between, compose, distance, from_rpy, invert, rotate
 from tandem.skills.ports.pose import Pose

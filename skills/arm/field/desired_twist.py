@@ -20,7 +20,7 @@ CHOOSE_EVERY: Final = 5
 
 
 @dataclass(frozen=True)
-class Wish:
+class DesiredTwist:
     """The twist (6,) of the hand in the base's axes, what draws it, and what is left: metres and seconds."""
 
     twist: Array
@@ -56,9 +56,9 @@ class Chooser:
         self._pole = None
 
 
-def wish(  # noqa: PLR0917 - the field's parts
+def desired_twist(  # noqa: PLR0917 - the field's parts
     hand: Array, goal: Array, pole: Pole, rho: Array, normals: Array, gains: Gains, soonest: float
-) -> Wish:
+) -> DesiredTwist:
     """Return what the field asks: way and turn end together.
 
     Args:
@@ -80,7 +80,7 @@ def wish(  # noqa: PLR0917 - the field's parts
     if size > gains.cruise:
         velocity *= gains.cruise / size
     turn = rotation_vector(hand[:3, :3], goal[:3, :3])
-    return Wish(np.concatenate((velocity, turn / seconds)), pole, remaining, seconds)
+    return DesiredTwist(np.concatenate((velocity, turn / seconds)), pole, remaining, seconds)
 
 
 def nearest_of_hand(near: Nearby, hand: npt.NDArray[np.bool_], first_obstacle: int) -> tuple[Array, Array]:

@@ -85,12 +85,12 @@ class Picture:
     depth: NDArray[np.float32]
 
 
-class Twin:
+class RenderWorld:
     """A drawn copy of the world.
 
     Args:
         urdf: the robot, with ``package://`` addresses; its visuals are drawn.
-        folder: where textures and the like are written; it must exist and outlive the twin.
+        folder: where textures and the like are written; it must exist and outlive the render world.
         hardware: try EGL first.
     """
 
