@@ -127,16 +127,25 @@ class Caller:
         Raises:
             SystemFailure: when the sim does not answer.
         """
-        answer = wait_for(self._system, TRUTH.query(self._system.bus, Nothing()), ANSWER_WITHIN)
-        if answer is None:
-            raise SystemFailure("the sim did not tell the truth")
-        return Truth.model_validate_json(answer)
+        return truth_of(self._system)
 
     def photograph(self) -> bytes | None:
         """Return a picture of the room as PNG, or None when none came."""
         ask = VIEW.model_dump_json().encode()
         pending = self._system.bus.query(PHOTOGRAPH.key, ask, timeout=ANSWER_WITHIN)
         return wait_for(self._system, pending, ANSWER_WITHIN)
+
+
+def truth_of(system: System) -> Truth:
+    """Return how things truly are.
+
+    Raises:
+        SystemFailure: when the sim does not answer.
+    """
+    answer = wait_for(system, TRUTH.query(system.bus, Nothing()), ANSWER_WITHIN)
+    if answer is None:
+        raise SystemFailure("the sim did not tell the truth")
+    return Truth.model_validate_json(answer)
 
 
 def succeeded(status: TaskStatus) -> bool:

@@ -16,10 +16,11 @@ from typing import Final, Literal
 from pydantic import JsonValue
 
 from tandem.executive.config.run_options import BusOptions, RunOptions
-from tandem.executive.system.systems import ProcessSystem, SystemFailure
+from tandem.executive.system.systems import ProcessSystem
 from tandem.executive.trials.campaigns.crash_world import Deed, wrong_deeds
-from tandem.executive.trials.demo import Caller
+from tandem.executive.trials.demo import truth_of
 from tandem.executive.trials.experiments.timeline import Timeline
+from tandem.executive.trials.trial import trial
 from tandem.sim.scenario import load_scenario
 from tandem.sim.scene import item_name
 from tandem.sim.truth import Truth, lies_on
@@ -29,7 +30,6 @@ from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.hearing import Heard
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import Message, RobotTime
-from tandem.skills.ports.tasks import TaskState
 from tandem.skills.ports.world import WORLD, Side, WorldState
 from tandem.skills.site import load
 
@@ -128,22 +128,13 @@ def physics_runs(
 def _one_run(options: RunOptions, run: int, moment: Moment, victim: str, after: float) -> PhysicsRun:
     with ProcessSystem(options) as system:
         killer = Killer(system, moment, victim, after)
-        caller = Caller(system, _quiet, also=killer)
-        began = robot_seconds(system.clocks)
-        answer = caller.request(REQUESTS[moment.kind])
-        state, failure, begun = "STUCK", None, 0
+        made = trial(system, REQUESTS[moment.kind], within=TASK_WITHIN, also=killer)
         wrong: list[str] = []
-        try:
-            status = caller.follow(answer.task, within=TASK_WITHIN)
-            state, failure, begun = status.state.value, status.failure, status.begun
-        except SystemFailure as stuck:
-            wrong.append(str(stuck))
-        else:
-            wrong += wrong_in_truth(moment.kind, caller.truth(), options.scenario)
-        seconds = round(robot_seconds(system.clocks) - began, 2)
+        if made.status is not None:
+            wrong += wrong_in_truth(moment.kind, truth_of(system), options.scenario)
         killer.close()
-    if state != TaskState.SUCCEEDED.value:
-        wrong.append(f"{answer.task} ended as {state}")
+    if not made.succeeded:
+        wrong.append(f"{made.task} ended as {made.state}")
     if killer.killed_at is None:
         wrong.append(f"'{moment.leaf}' never ran: nobody was killed")
     wrong += wrong_deeds(killer.deeds, lambda _: None)
@@ -155,10 +146,10 @@ def _one_run(options: RunOptions, run: int, moment: Moment, victim: str, after: 
         victim=victim,
         after=after,
         killed_at=killer.killed_at,
-        state=state,
-        begun=begun,
-        seconds=seconds,
-        failure=failure,
+        state=made.state,
+        begun=0 if made.status is None else made.status.begun,
+        seconds=made.seconds,
+        failure=made.failure,
         wrong=tuple(wrong),
     )
 

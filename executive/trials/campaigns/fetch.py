@@ -7,27 +7,23 @@ from typing import Final
 import numpy as np
 from numpy.random import Generator
 
-from tandem.executive.system.systems import LockstepSystem, SystemFailure
+from tandem.executive.system.systems import LockstepSystem
 from tandem.executive.trials.campaigns.oracle import Oracle
 from tandem.executive.trials.campaigns.reachable import Reachable
-from tandem.executive.trials.demo import Caller
 from tandem.executive.trials.phase_times import Phases
+from tandem.executive.trials.trial import trial, warm_up
 from tandem.sim.draw import Draw, draw_fetch
 from tandem.sim.scenario import Scenario
 from tandem.skills.ports.actions.base import ARM_MARGIN
-from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import TaskState
 from tandem.skills.site import load
 
 DEPOT: Final = "depot"
 TASK_WITHIN: Final = 600.0
 """Robot seconds for one fetch."""
-WARM_UP: Final = 0.3
-"""Robot seconds before the request."""
 
 
 class FetchRun(Message):
@@ -93,18 +89,8 @@ def draw_run(site: Site, scenario: Scenario, rng: Generator) -> Draw:
 def _fetch(system: LockstepSystem, run: int, draw: Draw) -> FetchRun:
     scenario, item, site = draw.scenario, draw.item, load(draw.scenario.site)
     oracle, phases = Oracle(system, site, item, DEPOT), Phases(system)
-    caller = Caller(system, _quiet, also=phases)
-    while robot_seconds(system.clocks) < WARM_UP:
-        system.advance()
-    began = robot_seconds(system.clocks)
-    answer = caller.request({"task": "fetch", "item": item, "to": DEPOT})
-    failure: Failure | None = None
-    try:
-        status = caller.follow(answer.task, within=TASK_WITHIN)
-        state, failure = status.state.value, status.failure
-    except SystemFailure as error:
-        state = f"STUCK: {error}"
-    ended = robot_seconds(system.clocks)
+    warm_up(system)
+    made = trial(system, {"task": "fetch", "item": item, "to": DEPOT}, within=TASK_WITHIN, also=phases)
     digest, wrong = system.digest(), oracle.verdict().wrong
     place = scenario.item(item)
     return FetchRun(
@@ -117,16 +103,12 @@ def _fetch(system: LockstepSystem, run: int, draw: Draw) -> FetchRun:
             for each in draw.rejected
         ),
         unreachable=sum(each.unreachable for each in draw.rejected),
-        state=state,
+        state=made.state,
         slot=oracle.slot(),
         wrong=wrong,
-        right=not wrong and state == TaskState.SUCCEEDED.value,
-        failure=failure,
-        robot_seconds=round(ended - began, 2),
+        right=not wrong and made.succeeded,
+        failure=made.failure,
+        robot_seconds=made.seconds,
         phases=phases.seconds(),
         digest=digest,
     )
-
-
-def _quiet(_: str) -> None:
-    """Tell nobody."""

@@ -15,12 +15,12 @@ from typing import Final
 
 from tandem.executive.config.run_options import BusOptions, RunOptions
 from tandem.executive.system.systems import ProcessSystem, SystemFailure, wait_for
-from tandem.executive.trials.demo import Caller
+from tandem.executive.trials.demo import truth_of
 from tandem.executive.trials.experiments.timeline import Timeline
+from tandem.executive.trials.trial import Trial, trial, warm_up
 from tandem.sim.controls import RESET, ResetRequest
 from tandem.sim.scenario import load_scenario
-from tandem.sim.truth import lies_on
-from tandem.skills.ports.clocks import robot_seconds
+from tandem.sim.truth import Truth, lies_on
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.site import Site
@@ -111,28 +111,25 @@ def _reset(system: ProcessSystem, seed: int) -> None:
 
 def _settle(system: ProcessSystem) -> None:
     """Let the skills live through some seconds of this boot, so that there is something to lose."""
-    until = robot_seconds(system.clocks) + SETTLED_AFTER
-    while robot_seconds(system.clocks) < until:
-        system.advance()
+    warm_up(system, SETTLED_AFTER)
 
 
 def _one_run(system: ProcessSystem, run: int, leaf: str) -> RestartRun:
     killer = Killer(system, leaf)
-    caller = Caller(system, _quiet, also=killer)
     site, wrong = load(load_scenario(SCENARIO).site), list[str]()
     interrupted, kind, state = "", None, ""
     try:
         if leaf:
-            status = caller.follow(_ask(caller, INTERRUPTED), within=TASK_WITHIN)
-            interrupted = status.state.value
-            kind = None if status.failure is None else status.failure.kind
+            first = _fetched(system, INTERRUPTED, killer)
+            interrupted = first.state
+            kind = None if first.failure is None else first.failure.kind
             if killer.killed_at is None:
                 wrong.append(f"'{leaf}' never ran: nothing was killed")
         else:
             killer.kill()
         killer.await_boot()
-        state = caller.follow(_ask(caller, NEXT), within=TASK_WITHIN).state.value
-        wrong += _wrong(caller, site, interrupted, state)
+        state = _fetched(system, NEXT, killer).state
+        wrong += _wrong(truth_of(system), site, interrupted, state)
     except SystemFailure as stuck:
         wrong.append(str(stuck))
     finally:
@@ -149,16 +146,15 @@ def _one_run(system: ProcessSystem, run: int, leaf: str) -> RestartRun:
     )
 
 
-def _ask(caller: Caller, item: int) -> str:
-    answer = caller.request({"task": "fetch", "item": item, "to": DEPOT})
-    if not answer.accepted:
-        raise SystemFailure(f"the fetch of item {item} was refused: {answer.problems}")
-    return answer.task
+def _fetched(system: ProcessSystem, item: int, killer: Killer) -> Trial:
+    made = trial(system, {"task": "fetch", "item": item, "to": DEPOT}, within=TASK_WITHIN, also=killer)
+    if made.status is None:
+        raise SystemFailure(made.stuck)
+    return made
 
 
-def _wrong(caller: Caller, site: Site, interrupted: str, state: str) -> Iterator[str]:
+def _wrong(truth: Truth, site: Site, interrupted: str, state: str) -> Iterator[str]:
     """Yield what is not as it was told, in truth."""
-    truth = caller.truth()
     if state != TaskState.SUCCEEDED.value:
         yield f"the next fetch ended as {state}"
     elif not lies_on(truth, site, NEXT, DEPOT):

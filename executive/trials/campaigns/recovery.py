@@ -6,19 +6,18 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from tandem.executive.system.systems import LockstepSystem, SystemFailure
-from tandem.executive.trials.campaigns.fetch import DEPOT, WARM_UP, draw_run
+from tandem.executive.system.systems import LockstepSystem
+from tandem.executive.trials.campaigns.fetch import DEPOT, draw_run
 from tandem.executive.trials.campaigns.oracle import Oracle, Verdict
 from tandem.executive.trials.campaigns.troubles import Case, Trouble, draw_hopeless, draw_recoverable
-from tandem.executive.trials.demo import Caller
+from tandem.executive.trials.trial import trial, warm_up
 from tandem.sim.controls import FAULTS
 from tandem.sim.scenario import Scenario
-from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import Attempt, TaskState
+from tandem.skills.ports.tasks import Attempt
 from tandem.skills.site import load
 
 if TYPE_CHECKING:
@@ -96,25 +95,17 @@ def _run(scenario: Scenario, seed: int, run: int, *, hopeless: bool) -> Recovery
 
 
 def _fetch(system: LockstepSystem, site: Site, run: int, item: int, trouble: Trouble) -> RecoveryRun:
-    events, caller = Latest(system.bus, FAULTS, depth=1024), Caller(system, _quiet)
+    events = Latest(system.bus, FAULTS, depth=1024)
     oracle = Oracle(system, site, item, DEPOT)
-    while robot_seconds(system.clocks) < WARM_UP:
-        system.advance()
-    began = robot_seconds(system.clocks)
-    answer = caller.request({"task": "fetch", "item": item, "to": DEPOT})
-    failure, tried = None, tuple[Attempt, ...]()
-    try:
-        status = caller.follow(answer.task, within=TASK_WITHIN)
-        state, failure, tried = status.state.value, status.failure, status.tried
-    except SystemFailure as error:
-        state = f"STUCK: {error}"
-    ended, digest, told = robot_seconds(system.clocks), system.digest(), events.take()
+    warm_up(system)
+    made = trial(system, {"task": "fetch", "item": item, "to": DEPOT}, within=TASK_WITHIN)
+    digest, told, failure = system.digest(), events.take(), made.failure
     missed = unstruck(trouble.faults, told)
     wrong = wrong_in(oracle.verdict(), hopeless=bool(trouble.ends_in))
     if trouble.ends_in:
         ended_well = failure is not None and failure.kind in trouble.ends_in
     else:
-        ended_well = state == TaskState.SUCCEEDED.value
+        ended_well = made.succeeded
     return RecoveryRun(
         run=run,
         item=item,
@@ -122,12 +113,12 @@ def _fetch(system: LockstepSystem, site: Site, run: int, item: int, trouble: Tro
         hopeless=bool(trouble.ends_in),
         struck=tuple(f"{event.stamp.seconds:.2f} s {event.phase}: {event.words}" for event in told),
         unstruck=missed,
-        state=state,
+        state=made.state,
         wrong=wrong,
         right=ended_well and not missed and not wrong,
         failure=failure,
-        tried=tried,
-        robot_seconds=round(ended - began, 2),
+        tried=() if made.status is None else made.status.tried,
+        robot_seconds=made.seconds,
         digest=digest,
     )
 

@@ -8,13 +8,13 @@ from typing import Final
 import numpy as np
 from pydantic import JsonValue
 
-from tandem.executive.system.systems import LockstepSystem, SystemFailure
-from tandem.executive.trials.demo import Caller
+from tandem.executive.system.systems import LockstepSystem
 from tandem.executive.trials.experiments.draws import Step, draw_run, scenario_of
 from tandem.executive.trials.experiments.mover import Moved, Mover
 from tandem.executive.trials.experiments.settings import CARTON, LEFT, RIGHT, Options
 from tandem.executive.trials.experiments.timeline import Span, Timeline
 from tandem.executive.trials.experiments.witness import Touch, Witness, lean, tilt
+from tandem.executive.trials.trial import trial, warm_up
 from tandem.skills.ports.actions.bimanual import RIGHT_OF_WAY
 from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.failure import Failure
@@ -25,7 +25,6 @@ from tandem.skills.ports.tasks import TaskState
 from tandem.skills.ports.world import SIDES, Side
 from tandem.skills.site import load
 
-WARM_UP: Final = 0.3
 TASK_WITHIN: Final = 240.0
 """Robot seconds for one routine: the thesis's took that long."""
 WATCHED_FOR: Final = 0.5
@@ -126,23 +125,15 @@ class _Running:
     def make(self, run: int, position: int, steps: tuple[Step, ...]) -> ExperimentRun:
         """Make it."""
         system = self._system
-        while robot_seconds(system.clocks) < WARM_UP:
-            system.advance()
+        warm_up(system)
         self._mover = Mover(system.bus, system.clocks, self._timeline, steps, self._options.series)
-        caller = Caller(system, _quiet, also=self)
-        answer = caller.request(self._request())
-        failure: Failure | None = None
-        try:
-            status = caller.follow(answer.task, within=TASK_WITHIN)
-            state, failure = status.state.value, status.failure
-        except SystemFailure as error:
-            state = f"STUCK: {error}"
-        picks = self._picks(state)
+        made = trial(system, self._request(), within=TASK_WITHIN, also=self)
+        picks = self._picks(made.state)
         return ExperimentRun(
             run=run,
             position=position,
-            state=state,
-            failure=failure,
+            state=made.state,
+            failure=made.failure,
             moved=tuple(self._mover.moved),
             touches=tuple(self._witness.touches),
             left=self._arm("left", picks["left"]),
