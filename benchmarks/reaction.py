@@ -28,7 +28,8 @@ from tandem.skills.site import load
 from tandem.skills.testing.mock_robot import MockRobot
 from tandem.skills.wire.clocks import ProcessClocks
 from tandem.skills.wire.keyed_queue import DESK_DEPTH, KeyedQueue
-from tandem.skills.wire.zenoh_bus import ZenohBus, ZenohDesk, ZenohRequest
+from tandem.skills.wire.zenoh_bus import ZenohBus
+from tandem.skills.wire.zenoh_ends import ZenohDesk, ZenohRequest
 
 FETCHES: Final = 24
 REQUESTS: Final = 100

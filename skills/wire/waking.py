@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 from contextlib import suppress
 
-from tandem.skills.wire.zenoh_bus import Waker
+from tandem.skills.wire.zenoh_ends import Waker
 
 
 class LoopWaker(Waker):

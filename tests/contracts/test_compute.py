@@ -13,7 +13,7 @@ import pytest
 from tandem.skills.ports.compute import Compute
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.workers import InlineCompute, ProcessCompute
-from tandem.skills.wire.zenoh_bus import Waker
+from tandem.skills.wire.zenoh_ends import Waker
 
 
 @dataclass

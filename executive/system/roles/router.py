@@ -11,7 +11,7 @@ from tandem.executive.system.roles.role import Role
 def _route(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
     from tandem.executive.system.playing import credentials_of  # noqa: PLC0415
     from tandem.executive.system.router import Router  # noqa: PLC0415
-    from tandem.skills.wire.zenoh_bus import Waker  # noqa: PLC0415
+    from tandem.skills.wire.zenoh_ends import Waker  # noqa: PLC0415
 
     router, waker = Router(settings, credentials_of(settings, ROLES[0])), Waker()
     try:
