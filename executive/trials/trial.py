@@ -27,7 +27,7 @@ class Trial:
     """The last one; None when the task has not ended in time."""
     stuck: str
     """Why it has no last status."""
-    seconds: float
+    lasted: float
     """Robot seconds from the request to the end."""
 
     @property

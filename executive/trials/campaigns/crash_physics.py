@@ -148,7 +148,7 @@ def _one_run(options: RunOptions, run: int, moment: Moment, victim: str, after: 
         killed_at=killer.killed_at,
         state=made.state,
         begun=0 if made.status is None else made.status.begun,
-        seconds=made.seconds,
+        seconds=made.lasted,
         failure=made.failure,
         wrong=tuple(wrong),
     )

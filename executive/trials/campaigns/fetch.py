@@ -108,7 +108,7 @@ def _fetch(system: LockstepSystem, run: int, draw: Draw) -> FetchRun:
         wrong=wrong,
         right=not wrong and made.succeeded,
         failure=made.failure,
-        robot_seconds=made.seconds,
+        robot_seconds=made.lasted,
         phases=phases.seconds(),
         digest=digest,
     )

@@ -118,7 +118,7 @@ def _fetch(system: LockstepSystem, site: Site, run: int, item: int, trouble: Tro
         right=ended_well and not missed and not wrong,
         failure=failure,
         tried=() if made.status is None else made.status.tried,
-        robot_seconds=made.seconds,
+        robot_seconds=made.lasted,
         digest=digest,
     )
 
