@@ -11,8 +11,8 @@ from pydantic import Field
 
 from tandem.skills.ports.actions.perception import LOOK, LookGoal
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import Problem
 from tandem.trees.behaviours.act import Act
 from tandem.trees.behaviours.phase import Phase
 from tandem.trees.conditions.localised import localised

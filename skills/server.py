@@ -30,15 +30,14 @@ from tandem.skills.ports.action import (
 )
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
-from tandem.skills.ports.documents import in_words
 from tandem.skills.ports.endpoint import answering, endpoint
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.fencing import Listening
 from tandem.skills.ports.lease import Lease, Leased
 from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.problems import Problem, in_words, problems_of
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.skill import Command, F, G, Outcome, R, Run, Skill, Slice
-from tandem.skills.ports.tasks import Problem
 
 log = logging.getLogger(__name__)
 
@@ -168,7 +167,7 @@ class ActionServer(Generic[G, F, R]):
         try:
             goal = self._skill.action.goal.model_validate(sent.goal)
         except ValidationError as error:
-            failure = self._failure(FailureKind.INVALID_GOAL, str(error))
+            failure = self._failure(FailureKind.INVALID_GOAL, in_words(problems_of(error)))
             return self._status(sent.goal_id, GoalState.REJECTED, failure=failure)
         if self._journal is not None and sent.goal_id in self._journal.before:
             text = (

@@ -17,6 +17,7 @@ from typing import Final, TypeVar
 import yaml
 from pydantic import BaseModel, JsonValue, ValidationError
 
+from tandem.skills.ports.problems import WHOLE, in_words, problems_of
 from tandem.skills.ports.sources import DocumentError, Source
 
 Document = TypeVar("Document", bound=BaseModel)
@@ -106,21 +107,10 @@ def validate(data: JsonValue, source: Source, model: type[Document]) -> Document
 
 def mistakes(error: ValidationError, source: Source) -> list[str]:
     """Return a line for each mistake: file, path and line, what was expected, what was found."""
-    lines = []
-    for part in error.errors(include_url=False):
-        where = source.at(".".join(str(step) for step in part["loc"]))
-        given = repr(part["input"])
-        shown = "" if part["type"] == "missing" or len(given) > LONGEST_SHOWN else f", found {given}"
-        lines.append(f"{where}: {_expectation(part['type'], part['msg'])}{shown}")
-    return lines
-
-
-def _expectation(kind: str, message: str) -> str:
-    if kind == "extra_forbidden":
-        return "no such field"
-    if kind == "missing":
-        return "missing field"
-    return message[:1].lower() + message[1:]
+    return [
+        in_words((each.model_copy(update={"path": source.at("" if each.path == WHOLE else each.path)}),))
+        for each in problems_of(error, most=error.error_count())
+    ]
 
 
 def _line(event: yaml.Event) -> int:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import Problem
 from tandem.skills.ports.world import Side
 
 

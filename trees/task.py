@@ -9,8 +9,8 @@ from typing import Generic, TypeVar
 from py_trees.behaviour import Behaviour
 
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import Problem
 from tandem.trees.context import TreeContext
 from tandem.trees.knowledge import Knowledge
 

@@ -13,7 +13,8 @@ ClientError
 
 from __future__ import annotations
 
-from tandem.skills.ports.tasks import Problem, TaskStatus
+from tandem.skills.ports.problems import Problem
+from tandem.skills.ports.tasks import TaskStatus
 
 
 class ClientError(Exception):

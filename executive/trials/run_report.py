@@ -21,12 +21,12 @@ from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import Message, RobotTime
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.tasks import (
     TASK_ANSWERS,
     TASK_STATUS,
     TREE,
     NodeStatus,
-    Problem,
     Progress,
     TaskState,
     TreeNode,

@@ -10,42 +10,21 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
-from pydantic import JsonValue, ValidationError
+from pydantic import JsonValue
 
 from tandem.skills.ports.limits import MAX_DEPTH
 from tandem.skills.ports.message import MAX_REQUEST_BYTES
-from tandem.skills.ports.tasks import Problem
+from tandem.skills.ports.problems import MAX_PROBLEMS, SHOWN, WHOLE, Problem, path_of, show
 
-WHOLE: Final = "(the document)"
-"""The path of the document itself."""
 MAX_DIGITS: Final = 300
 """Digits of a number, at the most."""
-SHOWN: Final = 80
-"""Characters of what was found that an answer repeats."""
-MAX_PROBLEMS: Final = 16
-"""Problems of one document that an answer names."""
 _SUSPECT: Final = re.compile(rb"\\u[dD]|[eE]\+?\d{3}|\d{301}|NaN|Infinity")
 """What may be half of a surrogate pair, too large a number, NaN or Infinity, or only looks like it."""
 _TEXT: Final = re.compile(r'"(?:[^"\\]+|\\.)*"?', re.DOTALL)
 _NO_BRACKET: Final = re.compile(r"[^][{}]+")
-_EXPECTED: Final[Mapping[str, str]] = {
-    "missing": "a value",
-    "extra_forbidden": "no such field",
-    "int_type": "a whole number",
-    "float_type": "a number",
-    "string_type": "text",
-    "bool_type": "true or false",
-    "finite_number": "a finite number",
-    "tuple_type": "an array",
-    "list_type": "an array",
-    "dict_type": "an object",
-    "model_type": "an object",
-    "none_required": "null",
-}
 
 
 @dataclass(frozen=True)
@@ -77,25 +56,6 @@ def parse(
         return (text,)
     plain = None if _SUSPECT.search(payload) else _plain(text)
     return _thorough(text) if plain is None else plain
-
-
-def problems_of(error: ValidationError) -> tuple[Problem, ...]:
-    """Return pydantic's findings as problems."""
-    found = []
-    for finding in error.errors(include_url=False, include_context=False)[:MAX_PROBLEMS]:
-        kind, message = finding["type"], finding["msg"]
-        expected = _EXPECTED.get(kind, message.removeprefix("Input should be ").removeprefix("Value error, "))
-        shown = "" if kind == "missing" else show(finding["input"])
-        found.append(Problem(path=path_of(finding["loc"]), expected=expected, found=shown))
-    return tuple(found) or (Problem(path=WHOLE, expected="a request"),)
-
-
-def in_words(problems: tuple[Problem, ...]) -> str:
-    """Return problems as a sentence: where, what was expected, what was found."""
-    return "; ".join(
-        f"{each.path}: expected {each.expected}" + (f", found {each.found}" if each.found else "")
-        for each in problems
-    )
 
 
 class _TwiceError(ValueError):
@@ -157,21 +117,6 @@ def _tree(text: str) -> object:
         found = f"{error.msg} at line {error.lineno}, column {error.colno}" if text.strip() else "nothing"
         return _wrong("JSON", found)
     return raw
-
-
-def show(value: object) -> str:
-    """Return a value as JSON, cut short."""
-    try:
-        text = json.dumps(value, ensure_ascii=False)
-        text.encode("utf-8")
-    except (TypeError, ValueError):
-        text = ascii(value)
-    return text if len(text) <= SHOWN else f"{text[: SHOWN - 1]}…"
-
-
-def path_of(steps: tuple[str | int, ...]) -> str:
-    """Return a place in a document in words: names and numbers with dots between."""
-    return ".".join(show(step)[1:-1] if isinstance(step, str) else str(step) for step in steps) or WHOLE
 
 
 @dataclass

@@ -10,7 +10,7 @@ from pydantic import JsonValue
 
 from tandem.skills.ports.keys import Service
 from tandem.skills.ports.message import Message
-from tandem.skills.ports.tasks import Problem
+from tandem.skills.ports.problems import Problem
 
 Asked = TypeVar("Asked", bound=Message)
 Answered = TypeVar("Answered", bound=Message)

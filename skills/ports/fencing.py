@@ -7,7 +7,6 @@ from collections.abc import Callable
 from typing import Final
 
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.documents import in_words
 from tandem.skills.ports.endpoint import Endpoint, Problems, endpoint
 from tandem.skills.ports.keys import LEASE, LEASES, Latest
 from tandem.skills.ports.lease import (
@@ -21,6 +20,7 @@ from tandem.skills.ports.lease import (
     Leases,
     present_claims,
 )
+from tandem.skills.ports.problems import in_words
 
 TOLD_EVERY: Final = 1.0
 """Host seconds between two messages of the table when nothing changes: who starts later learns of it then."""

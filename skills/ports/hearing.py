@@ -16,6 +16,7 @@ from pydantic import ValidationError
 
 from tandem.skills.ports.checks import LARGEST, LONGEST, misfit, too_large
 from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.problems import in_words, problems_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -207,7 +208,4 @@ def _keep(known: dict[str, V], key: str, value: V) -> None:
 
 def _first(error: ValueError) -> str:
     """Return the first thing that is wrong, and where in the document."""
-    if not isinstance(error, ValidationError):
-        return str(error)
-    first = error.errors(include_url=False, include_input=False, include_context=False)[0]
-    return f"{'.'.join(str(part) for part in first['loc']) or 'document'}: {first['msg']}"
+    return in_words(problems_of(error, most=1)) if isinstance(error, ValidationError) else str(error)

@@ -23,11 +23,11 @@ from typing import Final
 from pydantic import ValidationError
 
 from tandem.skills.ports.bus import Bus, Inbox, Request
-from tandem.skills.ports.documents import WHOLE, in_words, parse, problems_of
+from tandem.skills.ports.documents import parse
 from tandem.skills.ports.endpoint import AnyDocument, Call, Endpoint, Problems, Refusal
 from tandem.skills.ports.limits import Rates
 from tandem.skills.ports.message import Message
-from tandem.skills.ports.tasks import Problem
+from tandem.skills.ports.problems import WHOLE, Problem, in_words, problems_of
 
 TOLD: Final = 20.0
 """Refusals for its rate that a sender is told in a second; more end unanswered: an answer costs more than the

@@ -11,6 +11,7 @@ from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.keys import Nothing, Service, Topic
 from tandem.skills.ports.limits import Limits
 from tandem.skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.problems import Problem
 
 
 class TaskState(StrEnum):
@@ -40,16 +41,6 @@ class TaskState(StrEnum):
 _UNENDED: Final = frozenset(
     (TaskState.QUEUED, TaskState.RUNNING, TaskState.PAUSING, TaskState.PAUSED, TaskState.CANCELING)
 )
-
-
-class Problem(Message):
-    """What is wrong with a document: where in it, what was expected, what was there."""
-
-    path: str
-    expected: str
-    found: str = ""
-    code: str = ""
-    """For programs, where there is something to be done about it: ``QUEUE_FULL``, ``NOT_KEPT``."""
 
 
 class Question(Message):

@@ -32,11 +32,7 @@ from tandem.skills.ports.actions.perception import LOOK
 from tandem.skills.ports.actions.world import EDIT
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.pose import FloorPose
-from tandem.skills.ports.tasks import (
-    TaskState,
-    TaskStatus,
-    task_status,
-)
+from tandem.skills.ports.tasks import TaskState, TaskStatus, task_status
 from tandem.skills.site import load
 from tests.acceptance.live import (
     COMMAND,

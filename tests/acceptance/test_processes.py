@@ -16,12 +16,7 @@ from tandem.sim.scenario import load_scenario
 from tandem.sim.truth import lies_on
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.pose import FloorPose
-from tandem.skills.ports.tasks import (
-    REQUEST,
-    TASK_ANSWERS,
-    TaskAnswer,
-    TaskState,
-)
+from tandem.skills.ports.tasks import REQUEST, TASK_ANSWERS, TaskAnswer, TaskState
 from tandem.skills.site import load
 from tests.acceptance.live import (
     COMMAND,

@@ -19,7 +19,7 @@ from tandem.skills.ports.hardware import BaseVelocity, Odometry
 from tandem.skills.ports.keys import BASE_VELOCITY, CLOCK, ODOMETRY, Latest
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
-from tandem.skills.ports.tasks import Problem
+from tandem.skills.ports.problems import Problem
 from tandem.skills.server import ActionServer
 from tandem.skills.site import load
 from tandem.skills.testing.mock_description import mock_description

@@ -29,6 +29,7 @@ from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.hardware import Clock
 from tandem.skills.ports.keys import CLOCK, Service
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.skill import ActionType, Command
 from tandem.skills.ports.tasks import (
@@ -39,7 +40,6 @@ from tandem.skills.ports.tasks import (
     CancelTask,
     ControlAnswer,
     NameTask,
-    Problem,
     TaskAnswer,
     TaskStatus,
     TreeSnapshot,

@@ -8,8 +8,8 @@ from py_trees.behaviour import Behaviour
 from py_trees.behaviours import Running
 
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import Problem
 from tandem.trees.context import TreeContext
 from tandem.trees.task import TaskType
 

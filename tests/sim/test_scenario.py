@@ -36,9 +36,9 @@ def test_the_demo_has_what_is_promised() -> None:
     [
         ("name: [", "", "not YAML"),
         ("- 1", "", "a mapping"),
-        ("name: x", "start", "missing field"),
+        ("name: x", "start", "expected a value"),
         ("{name: x, start: {x: 0, y: 0, yaw: 0}, colour: red}", "colour", "no such field"),
-        ("{name: x, start: {x: a, y: 0, yaw: 0}}", "start.x", "valid number"),
+        ("{name: x, start: {x: a, y: 0, yaw: 0}}", "start.x", "a number"),
         ("{name: x, start: {x: .nan, y: 0, yaw: 0}}", "start.x", "finite"),
         (
             "{name: x, start: {x: 0, y: 0, yaw: 0}, items: [{tag: 29, support: table, x: 0, y: 0, mass: 7}]}",

@@ -10,8 +10,8 @@ from py_trees.composites import Selector, Sequence
 from pydantic import Field
 
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import Problem
 from tandem.skills.ports.world import Side
 from tandem.trees.behaviours.check import Check
 from tandem.trees.behaviours.phase import Phase

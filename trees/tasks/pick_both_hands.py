@@ -9,8 +9,8 @@ from py_trees.composites import Sequence
 from pydantic import Field
 
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import Problem
 from tandem.trees.behaviours.phase import Phase
 from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext

@@ -13,9 +13,9 @@ from collections.abc import Callable, Mapping
 from pydantic import JsonValue
 
 from tandem.executive.ledger.sender import ANYBODY, BY_FIELD, asked_by
-from tandem.skills.ports.documents import show
 from tandem.skills.ports.endpoint import Call, Endpoint, endpoint
-from tandem.skills.ports.tasks import TASK_CANCEL, CancelTask, ControlAnswer, Problem, TaskStatus, by_client
+from tandem.skills.ports.problems import Problem, show
+from tandem.skills.ports.tasks import TASK_CANCEL, CancelTask, ControlAnswer, TaskStatus, by_client
 
 
 def with_sender(fields: Mapping[str, JsonValue], sender: str) -> dict[str, JsonValue] | Problem:

@@ -16,14 +16,14 @@ from tandem.executive.service.intake.request_parser import Asked, Refused, check
 from tandem.executive.service.tasks.task_book import TaskBook
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.documents import WHOLE
 from tandem.skills.ports.endpoint import AnyDocument, Call, endpoint
 from tandem.skills.ports.keys import Service
 from tandem.skills.ports.limits import Limits
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.problems import WHOLE, Problem
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import REQUEST, TASK_ANSWERS, Problem, TaskAnswer, by_client
+from tandem.skills.ports.tasks import REQUEST, TASK_ANSWERS, TaskAnswer, by_client
 from tandem.trees.task import TaskType
 
 AT_ONCE: Final = 64

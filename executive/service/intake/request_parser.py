@@ -12,10 +12,10 @@ from pydantic import JsonValue, ValidationError
 
 from tandem.executive.ledger.sender import BY_FIELD
 from tandem.executive.service.intake.envelope import FIELDS, Envelope
-from tandem.skills.ports.documents import parse, problems_of, show
+from tandem.skills.ports.documents import parse
 from tandem.skills.ports.message import PLAIN_TEXT, Message
+from tandem.skills.ports.problems import Problem, problems_of, show
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import Problem
 from tandem.trees.task import TaskType
 
 KIND_FIELD: Final = "task"

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from py_trees.behaviour import Behaviour
 
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.tasks import NodeStatus, Problem, Progress, TaskState, TreeNode
+from tandem.skills.ports.problems import Problem
+from tandem.skills.ports.tasks import NodeStatus, Progress, TaskState, TreeNode
 from tandem.trees.snapshot import snapshot
 
 

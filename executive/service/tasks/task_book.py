@@ -17,10 +17,10 @@ from tandem.executive.service.intake.request_parser import Asked
 from tandem.executive.service.tasks.task_queue import TaskQueue, Waiting
 from tandem.executive.service.tasks.task_states import FIRST, check
 from tandem.executive.service.tasks.wall_clock import WallClock, date
-from tandem.skills.ports.documents import WHOLE, show
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.message import RobotTime
-from tandem.skills.ports.tasks import Attempt, Problem, TaskAnswer, TaskState, TaskStatus
+from tandem.skills.ports.problems import WHOLE, Problem, show
+from tandem.skills.ports.tasks import Attempt, TaskAnswer, TaskState, TaskStatus
 
 MAX_WAITING: Final = 1000
 """Tasks that may wait; one more is refused."""

@@ -16,14 +16,7 @@ from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.keys import STOP, Nothing, Service
 from tandem.skills.ports.message import Message
-from tandem.skills.ports.tasks import (
-    TASK_INFO,
-    TASK_LIST,
-    TREE_NOW,
-    NodeStatus,
-    Progress,
-    TaskState,
-)
+from tandem.skills.ports.tasks import TASK_INFO, TASK_LIST, TREE_NOW, NodeStatus, Progress, TaskState
 
 A = TypeVar("A", bound=Message)
 WAIT = {"task": "wait", "item": 29}

@@ -151,7 +151,7 @@ def test_a_question_needs_no_document_and_a_command_one_with_a_field(room: Room)
         (b'{"by": "me", "by": "you"}', "the name twice"),
         (b'{"by": "me", "x": 1}', "x: expected no such field"),
         (b'{"by": "' + b"x" * 300 + b'"}', "at most 200 bytes, found 310 bytes"),
-        (b'{"by": ' + b"[" * 50 + b"]" * 50 + b"}", "at most 4 objects and arrays"),
+        (b'{"by": ' + b"[" * 50 + b"]" * 50 + b"}", "at most 4 nested objects and arrays"),
         (b'{"by": NaN}', "a finite number"),
         (b'{"by": "\\ud800"}', "surrogate"),
         (b'["by"]', "a JSON object"),

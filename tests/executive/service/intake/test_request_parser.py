@@ -9,8 +9,9 @@ from surroundings import WAIT, Surroundings, WaitRequest
 
 from tandem.executive.service.intake.request_parser import Asked, Refused, read_request
 from tandem.skills.ports.documents import parse
+from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import REQUEST, TASK_ANSWERS, Problem, TaskState
+from tandem.skills.ports.tasks import REQUEST, TASK_ANSWERS, TaskState
 from tandem.skills.site import load
 
 GOOD = b'{"task": "wait", "item": 29}'
