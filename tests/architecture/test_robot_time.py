@@ -35,6 +35,7 @@ OTHER_CLASSES = {
     "context.seconds": "TreeContext's: a timer's reading",
     "parent.seconds": "a branch's TreeContext",
     "asked.seconds": "how long a part of a course takes",
+    "made.seconds": "how long a trial took (executive/trials/trial.py)",
     "before.seconds": "how long two bodies have touched (sim/disturbances.py)",
 }
 """Expressions that read ``seconds`` of something that is no stamp, by their last two or three words."""
