@@ -31,7 +31,7 @@ _HAS_ROWS = re.compile(r"^def rows\(", re.MULTILINE)
 _HAS_QUICK = re.compile(r"^def rows\([^)]*\bquick\b", re.MULTILINE)
 _HEAD = ("what", "value", "unit", "aim", "value to aim", "others' cores", "note")
 _HOW = (
-    "`value to aim` is at most 1 where the aim is met. `others' cores` is how many cores other programs kept"
+    "`value to aim` is at most 1 if the target is met. `others' cores` is how many cores other programs kept"
     " busy while it was measured: times taken beside others are longer than on a machine left alone."
 )
 
@@ -76,7 +76,7 @@ def table(rows: Sequence[Row]) -> str:
 
 def page(where: str, rows: Sequence[Row]) -> str:
     """Return the documentation's page of figures."""
-    parts = ("# Figures", "Made by `tandem bench --markdown FILE`; don't edit.", where, _HOW, table(rows))
+    parts = ("# Benchmarks", "Made by `tandem bench --markdown FILE`; don't edit.", where, _HOW, table(rows))
     return "\n\n".join(parts) + "\n"
 
 

@@ -36,14 +36,14 @@ Pixels = Annotated[int, Field(ge=16, le=2048)]
 
 
 class ResetRequest(Message):
-    """Begin anew with a seed; without a scenario, with the one that runs."""
+    """Restart with a seed; without a scenario, with the current one."""
 
     seed: Annotated[int, Field(ge=0, le=MOST)]
     scenario: Scenario | None = None
 
 
 class MoveRequest(Message):
-    """Put a body that is there, by its name, with its centre at a pose in map."""
+    """Move an existing body, by its name, so that its centre is at a pose in map."""
 
     name: str
     pose: Pose

@@ -51,26 +51,26 @@ class ItemLifted(_Event):
 
 
 class ArmMoving(_Event):
-    """An arm sets out on a motion; without a side: either arm."""
+    """An arm starts to move; without a side: either arm."""
 
     event: Literal["arm_moving"] = "arm_moving"
     side: Side | None = None
 
 
 class BaseMoving(_Event):
-    """The base sets out."""
+    """The base starts to move."""
 
     event: Literal["base_moving"] = "base_moving"
 
 
 class BaseAtRest(_Event):
-    """The base has driven or turned, and has stood still for 0.3 s."""
+    """The base has moved and then stood still for 0.3 s."""
 
     event: Literal["base_at_rest_after_moving"] = "base_at_rest_after_moving"
 
 
 class CameraUsed(_Event):
-    """Somebody begins to listen to the camera."""
+    """The camera gets a subscriber."""
 
     event: Literal["camera_used"] = "camera_used"
 
@@ -103,13 +103,13 @@ class _Lasting(_Once):
 
 
 class CameraDark(_Lasting):
-    """The lens is covered: colours are black and no depth is measured."""
+    """The lens is covered: pictures are black, without depth."""
 
     kind: Literal["camera_dark"] = "camera_dark"
 
 
 class CameraFrozen(_Lasting):
-    """The camera sends one picture again and again, with new stamps."""
+    """The camera repeats one picture, with new stamps."""
 
     kind: Literal["camera_frozen"] = "camera_frozen"
 
@@ -127,7 +127,7 @@ class LaserSilent(_Lasting):
 
 
 class OdometryJump(_Once):
-    """The odometry takes a step that the base didn't: metres ahead and to the left, and rad to the left."""
+    """The odometry jumps although the base doesn't: metres ahead and to the left, and rad to the left."""
 
     kind: Literal["odometry_jump"] = "odometry_jump"
     dx: Step = 0.0
@@ -153,14 +153,14 @@ class JointStall(_Lasting):
 
 
 class GripperStuck(_Lasting):
-    """The fingers stay where they are, whatever is commanded; without a side: the event's, or both hands."""
+    """The fingers ignore commands; without a side: the event's hand, or both."""
 
     kind: Literal["gripper_stuck"] = "gripper_stuck"
     side: Side | None = None
 
 
 class GripperWeak(_Lasting):
-    """The gripper has a share of the force asked for; without a side: the event's, or both hands."""
+    """The gripper has a fraction of the commanded force; without a side: the event's hand, or both."""
 
     kind: Literal["gripper_weak"] = "gripper_weak"
     side: Side | None = None
@@ -168,7 +168,7 @@ class GripperWeak(_Lasting):
 
 
 class HandOpens(_Lasting):
-    """The fingers come apart, so that what they hold falls; without a side: the event's, or both hands."""
+    """The fingers open, and what they hold falls; without a side: the event's hand, or both."""
 
     kind: Literal["hand_opens"] = "hand_opens"
     side: Side | None = None
@@ -176,7 +176,7 @@ class HandOpens(_Lasting):
 
 
 class HardwareSilent(_Lasting):
-    """The hardware hears nothing and tells nothing, not even its clock. Its physics goes on."""
+    """The hardware receives and sends nothing, not even its clock. Its physics continues."""
 
     kind: Literal["hardware_silent"] = "hardware_silent"
 
@@ -224,7 +224,7 @@ class ItemMoves(_Once):
 
 
 class ItemGone(_Once):
-    """Somebody takes an item away. Without a tag: the event's item."""
+    """A person takes an item away. Without a tag: the event's item."""
 
     kind: Literal["item_gone"] = "item_gone"
     tag: Tag | None = None
@@ -253,7 +253,7 @@ class ObstacleAppears(_Lasting):
     friction: Friction = 0.6
     colour: Colour = (0.72, 0.20, 0.20)
     waits: bool = False
-    """Where something stands already, appear as soon as there is room instead of being refused."""
+    """If the place is taken, appear as soon as there is room instead of being refused."""
 
     @model_validator(mode="after")
     def _where(self) -> ObstacleAppears:
@@ -305,7 +305,7 @@ Fault = Annotated[
 
 
 class FaultRequest(Message):
-    """Have a fault happen: at its time, or at once when it names none."""
+    """Inject a fault: at its time, or at once if it has none."""
 
     fault: Fault
 
@@ -319,7 +319,7 @@ class FaultEvent(Message):
     kind: str
     phase: Literal["began", "ended", "refused"]
     words: str
-    """For people: what struck where, or why it could not."""
+    """Description: what happened where, or why it could not."""
 
 
 def _needs_tag(tag: int | None, when: object) -> None:

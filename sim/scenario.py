@@ -28,12 +28,12 @@ class ScenarioError(DocumentError):
 
 
 class Noise(Message):
-    """How the sensors err. All sigmas are of normal distributions; zeros make ideal sensors."""
+    """Sensor errors. All sigmas are of normal distributions; zeros make ideal sensors."""
 
     odometry_scale: float = Field(default=0.0, ge=-0.2, le=0.2)
-    """The part of the way by which odometry is systematically wrong."""
+    """Systematic odometry error, as a fraction of the distance."""
     odometry_turn_scale: float = Field(default=0.0, ge=-0.2, le=0.2)
-    """The part of each turn by which odometry is systematically wrong."""
+    """Systematic odometry error, as a fraction of each turn."""
     odometry_drift: float = Field(default=0.0, ge=0.0, le=0.5)
     """Radians of heading per square root of a metre driven."""
     laser_sigma: float = Field(default=0.0, ge=0.0, le=0.2)
@@ -47,7 +47,7 @@ class Noise(Message):
 
 
 class SpawnSurface(Message):
-    """A strip of a surface on which a campaign may put items.
+    """A strip of a surface where a campaign may put items.
 
     ``lower`` and ``upper`` are opposite corners in map (the item's centre stays between them); ``facing`` is
     the heading in map that points away from the furniture, towards where a robot would stand.
@@ -67,7 +67,7 @@ class SpawnSurface(Message):
 
 
 class Scenario(Message):
-    """All that a run starts from, but the seed."""
+    """The initial state of a run, except the seed."""
 
     name: Annotated[str, Field(min_length=1, max_length=60)]
     site: Name = "lab"
@@ -76,10 +76,10 @@ class Scenario(Message):
     obstacles: tuple[Obstacle, ...] = ()
     noise: Noise = Noise()
     camera_rate: float = Field(default=5.0, gt=0.0, le=30.0)
-    """Pictures a second while somebody listens."""
+    """Pictures a second while there is a subscriber."""
     surfaces: tuple[SpawnSurface, ...] = ()
     faults: tuple[Fault, ...] = ()
-    """What goes wrong on purpose, each in its own time."""
+    """Faults to inject, each at its time."""
 
     @model_validator(mode="after")
     def _unique(self) -> Scenario:

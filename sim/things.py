@@ -21,7 +21,7 @@ Colour = tuple[float, float, float]
 
 
 class TrueItem(Message):
-    """Where a tagged item truly stands when the run starts; its size comes from the site by its tag."""
+    """Where a tagged item really stands at the start of the run; the site file gives its size."""
 
     tag: int = Field(ge=0, le=586)
     support: Name
@@ -32,7 +32,7 @@ class TrueItem(Message):
     mass: float = Field(default=0.1, ge=0.05, le=5.0)
     friction: Friction = 0.9
     stiffness: float | None = Field(default=None, ge=500.0, le=1e6)
-    """N/m with which its walls yield at each point of contact, as cardboard does; rigid unless given."""
+    """Stiffness of its walls in N/m per contact point, for soft material like cardboard; default: rigid."""
 
 
 class BoxShape(Message):
@@ -54,7 +54,7 @@ Shape = Annotated[BoxShape | CylinderShape, Field(discriminator="kind")]
 
 
 class Obstacle(Message):
-    """A thing without a tag that no site file knows: clutter on a table, or something left on the floor."""
+    """An object without a tag that is not in the site file: clutter on a table, or something on the floor."""
 
     name: Name
     shape: Shape

@@ -86,7 +86,7 @@ class TimedOutError(ClientError):
 
     def __init__(self, task: str, seconds: float) -> None:
         self.task, self.seconds = task, seconds
-        super().__init__(f"{task} has not ended within {seconds:g} s; it goes on unless it is cancelled")
+        super().__init__(f"{task} has not ended within {seconds:g} s; it keeps running unless you cancel it")
 
 
 class TaskFailedError(ClientError):

@@ -269,7 +269,7 @@ class Client:
     def _drive(self, talk: Talk[T]) -> T:
         while True:
             if self._link is None:
-                raise ClientError("this client is closed; make another one")
+                raise ClientError("this client is closed; create a new one")
             try:
                 self._link.wait(next(talk))
             except StopIteration as end:

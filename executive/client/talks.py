@@ -107,7 +107,7 @@ class Talks:
 
     def _nobody(self) -> str:
         there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))
-        seen = f"there are only {there}" if there else "nobody is there"
+        seen = f"connected are only {there}" if there else "nothing else is connected"
         return f"no executive answers on {self.where}: {seen}; start the system with `tandem up`"
 
 
@@ -116,4 +116,4 @@ def reason_of(refusal: bytes) -> str:
     try:
         return Refusal.model_validate_json(refusal).reason
     except ValidationError:
-        return "it was answered with an error that this program can't read"
+        return "the answer is an error that this program can't read"

@@ -94,8 +94,8 @@ class SqliteLedger:
         (version,) = self._db.execute("PRAGMA user_version").fetchone()
         if version > len(migrations):
             raise LedgerError(
-                f"{self.path}: the ledger is of version {version}, and this program knows up to "
-                f"{len(migrations)}; nothing was changed: run a newer program, or name another --data"
+                f"{self.path}: the ledger has version {version}, but this program supports versions up to "
+                f"{len(migrations)}; nothing was changed; run a newer version, or choose another --data"
             )
         self._write("BEGIN IMMEDIATE")  # a disk that can't be written is told now, not with the first request
         for number in range(version, len(migrations)):
@@ -322,14 +322,14 @@ def _lock(folder: Path) -> int:
         lock = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
     except OSError as error:
         raise LedgerError(
-            f"{folder}: the ledger needs a writable folder: {error.strerror}; name another one with --data"
+            f"{folder}: the ledger needs a writable folder: {error.strerror}; choose another one with --data"
         ) from error
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError as error:
         os.close(lock)
         raise LedgerLockedError(
-            f"{folder}: another executive has this ledger; end it first, or name another --data"
+            f"{folder}: another executive has this ledger; stop it first, or choose another --data"
         ) from error
     return lock
 
@@ -340,14 +340,14 @@ def in_words(path: Path, error: sqlite3.Error) -> str:
     for start, advice in _ADVICE.items():
         if name.startswith(start):
             return f"{path}: {advice} ({error})"
-    return f"{path}: SQLite could not do what was asked: {error}"
+    return f"{path}: SQLite error: {error}"
 
 
 _ADVICE: Final = {
-    "SQLITE_FULL": "the disk is full; what was acknowledged is there: make room, and start again",
-    "SQLITE_READONLY": "the file can't be written; make its disk and folder writable, or name another --data",
-    "SQLITE_CANTOPEN": "the file can't be opened; see its folder's permissions, or name another --data",
-    "SQLITE_CORRUPT": "the file is damaged, and was left as it is; put a copy back, or name another --data",
-    "SQLITE_NOTADB": "this is no ledger, and was left as it is; put a copy back, or name another --data",
-    "SQLITE_IOERR": "the disk failed; what was acknowledged is there: see to the disk, and start again",
+    "SQLITE_FULL": "the disk is full; accepted requests are safe: free some space and start again",
+    "SQLITE_READONLY": "cannot write the file; make its disk and folder writable, or choose another --data",
+    "SQLITE_CANTOPEN": "cannot open the file; check the permissions of its folder, or choose another --data",
+    "SQLITE_CORRUPT": "the file is damaged and was left as it is; restore a backup, or choose another --data",
+    "SQLITE_NOTADB": "not a ledger; the file was left as it is; restore a backup, or choose another --data",
+    "SQLITE_IOERR": "the disk failed; accepted requests are safe: check the disk and start again",
 }

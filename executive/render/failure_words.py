@@ -12,39 +12,44 @@ from tandem.skills.ports.tasks import Attempt, TaskState, TaskStatus
 
 NEXT: Final = MappingProxyType(
     {
-        Helper.CLIENT: "Whoever asked: the request can't be met as it stands. Correct it and ask again.",
-        Helper.AGAIN: "Nobody need do anything at the robot. Ask for the same once more; when it comes back, "
-        "look into the logs (`tandem --log FILE up`).",
-        Helper.LOOK: "Things are not where the robot believed. See that the item stands free and its tag can "
-        "be seen, then ask again: it looks anew.",
-        Helper.BASE: "The robot lacks room. Clear the floor around it and before the item, then ask again.",
-        Helper.LET_GO: "A hand is full. Take the item out of it, or have it put down, then ask again.",
-        Helper.OPERATOR: "Somebody has to go and see. Put right what is told above, then ask again.",
+        Helper.CLIENT: "The client: the request can't be met. Correct it and send it again.",
+        Helper.AGAIN: "Nothing needs to be done at the robot. Send the request again; if it fails again, "
+        "look at the logs (`tandem --log FILE up`).",
+        Helper.LOOK: "Things are not where the robot expected. Make sure that the item stands free and its "
+        "tag is visible, then send the request again: the robot looks again.",
+        Helper.BASE: "The robot lacks room. Clear the floor around it and in front of the item, then "
+        "send the request again.",
+        Helper.LET_GO: "A hand is full. Take the item out of it, or have it put down, then "
+        "send the request again.",
+        Helper.OPERATOR: "Someone must go and look. Fix the problem above, then send the request again.",
     }
 )
 """What to do, by who can help."""
 OPERATORS: Final = MappingProxyType(
     {
-        FailureKind.HARDWARE_LOST: "See whether the robot has power and its link, start it anew, ask again.",
+        FailureKind.HARDWARE_LOST: (
+            "Check the robot's power and its link, restart it, then send the request again."
+        ),
         FailureKind.HARDWARE_STOPPED: (
-            "See why the stop was set, and that nobody is in reach; release it with `tandem release`. "
-            "Then ask again."
+            "Find out why the stop was set, and make sure that nobody is in reach. Run `tandem release`. "
+            "Then send the request again."
         ),
         FailureKind.ITEM_NOT_FOUND: (
-            "Find the item and put it where a search spot looks, its tag uncovered. Then ask again."
+            "Put the item in view of a search spot, with its tag uncovered. Then send the request again."
         ),
         FailureKind.ITEM_UNREACHABLE: (
-            "Move the item towards the edge and turn a tagged side outwards. Then ask again."
+            "Move the item towards the edge and turn a tagged side outwards. Then send the request again."
         ),
-        FailureKind.DESTINATION_FULL: "Clear a slot of the depot. Then ask again.",
+        FailureKind.DESTINATION_FULL: "Clear a slot of the depot. Then send the request again.",
         FailureKind.DESTINATION_UNREACHABLE: (
-            "Take the item out of the hand and clear the way to the depot. Then ask again."
+            "Take the item out of the hand and clear the way to the depot. Then send the request again."
         ),
         FailureKind.GRIPPER_STUCK: (
-            "Look at the gripper: something may be between its fingers, or it has no power. Then ask again."
+            "Check the gripper: something may be stuck in it, or it has no power. "
+            "Then send the request again."
         ),
         FailureKind.INTERRUPTED: (
-            "See what is in the hands and where the item is. Then ask again: what is done is not done again."
+            "Check the hands and the item. Then send the request again: finished steps are not repeated."
         ),
     }
 )
@@ -96,9 +101,9 @@ def _head(status: TaskStatus) -> Iterator[str]:
         took = f" after {seconds:.1f} s of robot time"
     phase = f", in the phase {status.progress.phase!r}" if status.progress.phase else ""
     yield f"{status.task}: {status.state}{took}{phase}, {status.progress.fraction:.0%} done"
-    yield f"  asked for: {json.dumps(status.request)}"
+    yield f"  request: {json.dumps(status.request)}"
     if status.failure is None:
-        yield "  it has not failed" if status.state.terminal else "  it is under way and has not failed"
+        yield "  it has not failed" if status.state.terminal else "  it is running and has not failed"
 
 
 def _chain(failure: Failure, indent: str = "  ") -> Iterator[str]:
@@ -116,13 +121,13 @@ def _chain(failure: Failure, indent: str = "  ") -> Iterator[str]:
 
 def _tried(tried: tuple[Attempt, ...]) -> Iterator[str]:
     if not tried:
-        yield "  nothing: no recovery took it"
+        yield "  nothing: no recovery applies"
         return
     for attempt in tried:
         at = "" if attempt.at is None else f"{attempt.at.seconds:8.1f} s  "
         failure, seen = attempt.failure, f"  (picture {attempt.picture})" if attempt.picture else ""
         where = f" at {failure.where}" if failure.where else ""
-        did = f"{attempt.recovery}, for the {_nth(attempt.times)} time" if attempt.recovery else "nothing"
+        did = f"{attempt.recovery}, {_nth(attempt.times)} attempt" if attempt.recovery else "nothing"
         yield f"  {at}{failure.kind}{where}: {failure.message}{seen}"
         yield f"  {' ' * len(at)}-> {did}"
     counts: dict[str, int] = {}
@@ -130,7 +135,7 @@ def _tried(tried: tuple[Attempt, ...]) -> Iterator[str]:
         if attempt.recovery:
             counts[attempt.recovery] = counts.get(attempt.recovery, 0) + 1
     if counts:
-        yield "  in all: " + ", ".join(f"{name} {times} x" for name, times in counts.items())
+        yield "  in total: " + ", ".join(f"{name} {times} x" for name, times in counts.items())
 
 
 def _nth(number: int) -> str:
@@ -142,4 +147,4 @@ def _places(failure: Failure) -> Iterator[str]:
     for name, value in known.items():
         yield f"  {PLACES[name]} {value}"
     if not known:
-        yield "  not told; `tandem watch` and world/state tell what is believed now"
+        yield "  not reported; see `tandem watch` and world/state for the current beliefs"

@@ -60,7 +60,7 @@ class Follower:
 
     @property
     def remaining(self) -> float:
-        """Metres of way left."""
+        """Metres left to drive."""
         return self.path.length - self.way
 
     def speeds(self, pose: FloorPose, speed: float, blocked_at: float | None) -> tuple[float, float]:

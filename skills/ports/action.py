@@ -18,7 +18,7 @@ from tandem.skills.ports.skill import Command
 
 
 class GoalState(StrEnum):
-    """Where a goal stands."""
+    """State of a goal."""
 
     REJECTED = "REJECTED"
     UNKNOWN = "UNKNOWN"
@@ -52,7 +52,7 @@ class SendGoal(Leased):
 class GoalCommand(Leased):
     """Cancel, pause or resume the goal.
 
-    A cancel is obeyed whatever its lease: coming to rest is always allowed.
+    A cancel needs no lease: stopping is always allowed.
     """
 
     goal_id: str
@@ -60,7 +60,7 @@ class GoalCommand(Leased):
 
 
 class AskResult(Message):
-    """Ask how the goal ended; kept by the server for late and reconnecting clients."""
+    """Query how a goal ended; the server keeps it for clients that join late or reconnect."""
 
     goal_id: str
 

@@ -142,7 +142,7 @@ KINDS: Final = MappingProxyType(
 
 
 class Failure(Message):
-    """One failure: its kind, what happened in words, and the evidence.
+    """One failure: its kind, a message, and the evidence.
 
     ``evidence`` holds what was measured (which joint, which pose, how far), by name with the unit in the
     name (``distance_m``); ``causes`` is the chain below it, nearest first.

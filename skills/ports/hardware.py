@@ -66,9 +66,9 @@ class Gripper(Message):
     max_width: Positive
     """Metres between the pads when open."""
     speed: Positive
-    """Metres a second at which the width changes."""
+    """Speed of the width, in metres a second."""
     force: Positive
-    """Newtons at the most between the pads."""
+    """Maximum force between the pads, in newtons."""
 
 
 class EndEffector(Message):
@@ -86,7 +86,7 @@ class EndEffector(Message):
     work_point: tuple[float, float] = (0.65, 0.0)
     """x and y in the base (m) around which the hand works best at table height."""
     work_heading: float = 0.0
-    """Heading in the base (rad) in which the hand points when it works best there."""
+    """Heading in the base (rad) in which the hand works best there."""
     safe_point: Vector3 | None = None
     """In the base (m): where the hand holds what it picked, clear of the other (two-arm thesis, 4.1.1)."""
 
@@ -115,7 +115,7 @@ class LaserSensor(Message):
 
 
 class Drive(Message):
-    """What the wheels can do: m/s, m/s2, rad/s, rad/s2."""
+    """Limits of the drive: m/s, m/s2, rad/s, rad/s2."""
 
     forward: Positive
     backward: Positive
@@ -153,7 +153,7 @@ class ArmsCrossing(Message):
 
 
 class RobotDescription(Message):
-    """All that a skill learns about a robot."""
+    """Everything that a skill knows about a robot."""
 
     name: str
     urdf: str
@@ -171,7 +171,7 @@ class RobotDescription(Message):
     period: Positive
     """Seconds between two messages of the clock and of the joints' state."""
     arms_crossing: ArmsCrossing | None = None
-    """For robots with two arms that can meet; without it nobody watches over them."""
+    """For robots with two arms that can meet; without it, nothing checks for crossing arms."""
 
     @cached_property
     def joints(self) -> frozenset[str]:
@@ -215,7 +215,7 @@ class Clock(Message):
 
 
 class JointStates(Message):
-    """All joints that have a group or belong to a gripper, each once; no others."""
+    """All joints of groups and grippers, each once; no others."""
 
     stamp: RobotTime
     names: tuple[str, ...]
@@ -271,7 +271,7 @@ class TrajectoryGoal(Leased):
 
 
 class MotionState(StrEnum):
-    """Where a trajectory goal stands."""
+    """State of a trajectory goal."""
 
     ACTIVE = "ACTIVE"
     SUCCEEDED = "SUCCEEDED"
@@ -287,16 +287,16 @@ class GroupStatus(Message):
     goal_id: str
     state: MotionState
     joint: str = ""
-    """The joint that strayed most, when ABORTED."""
+    """The joint with the largest deviation, if ABORTED."""
     error: float = 0.0
-    """By how much it strayed (rad or m)."""
+    """Its deviation (rad or m)."""
     at_rest: bool = True
     held: float = 0.0
     """Seconds by which the motion is behind its plan, since its keeper was silent for a while."""
 
 
 class Answer(Message):
-    """What the hardware says at once to a goal or a command."""
+    """The hardware's immediate answer to a goal or a command."""
 
     accepted: bool
     reason: str = ""
@@ -305,7 +305,7 @@ class Answer(Message):
 class CancelMotion(Leased):
     """Stop the group's goal ``id`` within its limits; the group then holds. An empty id means any goal.
 
-    Coming to rest is always allowed: the lease is not looked at.
+    Stopping is always allowed: the lease is not checked.
     """
 
     id: str = ""
@@ -345,7 +345,7 @@ class GripperMotion(StrEnum):
 
 
 class GripperState(Message):
-    """The gripper as its own controller sees it."""
+    """State of the gripper, from its controller."""
 
     stamp: RobotTime
     side: Literal["left", "right"]
@@ -354,18 +354,18 @@ class GripperState(Message):
     width: float
     """Metres between the pads."""
     force: float
-    """Newtons between the pads, as the motor's effort tells."""
+    """Newtons between the pads, from the motor's effort."""
 
 
 class BaseVelocity(Leased):
-    """m/s ahead and rad/s to the left; older than the drive's dead-man means stop."""
+    """m/s forward and rad/s to the left; a command older than the drive's dead-man time means stop."""
 
     linear: float
     angular: float
 
 
 class Odometry(Message):
-    """The base's way by its wheels; drifts."""
+    """The base's pose from its wheels; drifts."""
 
     stamp: RobotTime
     base_in_odom: FloorPose
@@ -404,14 +404,14 @@ class Stop(Message):
 
 
 class StopRelease(Message):
-    """Let things move again; whoever releases the stop says who that is, as whoever sets it does."""
+    """Release the stop, with the name of the person, as for setting it."""
 
     by: Annotated[str, Field(min_length=1, max_length=80)]
     reason: Annotated[str, Field(max_length=200)] = ""
 
 
 class StopState(Message):
-    """Whether the stop is set, by whom and why."""
+    """Whether the stop is set, by whom, and why."""
 
     stopped: bool
     by: str = ""
@@ -419,7 +419,7 @@ class StopState(Message):
 
 
 class RgbdHeader(Message):
-    """What stands before the pixels of an RGB-D picture.
+    """The header before the pixels of an RGB-D picture.
 
     Pinhole intrinsics in pixels, without distortion; colour is rgb8, depth is uint16 in millimetres along
     the optical axis (0: nothing measured), aligned with the colour.

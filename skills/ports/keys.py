@@ -41,7 +41,7 @@ Answered = TypeVar("Answered", bound=Message)
 
 
 class Nothing(Message):
-    """An empty document: a query that needs no words."""
+    """An empty document, for a query without arguments."""
 
 
 def _with_lease(bus: Bus, message: Message) -> Message:

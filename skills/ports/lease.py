@@ -87,7 +87,7 @@ class Leased(Message):
 
 
 class LeaseRequest(Message):
-    """Ask for the lease of a role. Asking again with the same claim returns the same lease."""
+    """Request the lease of a role. The same claim always gets the same lease."""
 
     role: RoleName
     claim: Annotated[str, Field(pattern=f"^{_CLAIM.pattern}$")]
@@ -102,7 +102,7 @@ class LeaseAnswer(Message):
 
 
 class Held(Message):
-    """A role's present lease."""
+    """The current lease of a role."""
 
     role: RoleName
     epoch: Epoch
@@ -110,12 +110,12 @@ class Held(Message):
 
 
 class Leases(Message):
-    """All leases of a boot; told on each change and once a second while there are any."""
+    """All leases of a boot; published on each change and once a second while there are any."""
 
     boot: str
     held: tuple[Held, ...] = ()
     refused: Count = 0
-    """Commands of this boot that were refused or dropped for their lease."""
+    """Number of commands in this boot that were refused or dropped because of their lease."""
 
     def of(self, role: str) -> Held | None:
         """Return the role's lease."""

@@ -31,7 +31,7 @@ class Message(BaseModel):
 
 
 class RobotTime(Message):
-    """A moment on the robot's clock.
+    """A time on the robot's clock.
 
     ``boot`` names the start of the hardware that counts the seconds. Two moments of different boots can't be
     compared: what asks for it gets None, and ``<`` and ``-`` don't exist. ``seconds`` alone is for telling

@@ -24,7 +24,7 @@ G_contra = TypeVar("G_contra", bound=Message, contravariant=True)
 
 
 class Command(StrEnum):
-    """What a resumption may bring."""
+    """A command to a running skill."""
 
     GO_ON = "GO_ON"
     CANCEL = "CANCEL"

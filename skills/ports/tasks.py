@@ -15,7 +15,7 @@ from tandem.skills.ports.problems import Problem
 
 
 class TaskState(StrEnum):
-    """Where a task stands."""
+    """State of a task."""
 
     QUEUED = "QUEUED"
     RUNNING = "RUNNING"
@@ -53,7 +53,7 @@ class Question(Message):
 
 
 class TaskAnswer(Message):
-    """The answer to a request: the task's id, or what is wrong."""
+    """The answer to a request: the task's id, or the problems."""
 
     accepted: bool
     task: str = ""
@@ -63,21 +63,21 @@ class TaskAnswer(Message):
 
 
 class Progress(Message):
-    """Phase in words of the task's tree, and how far: 0 to 1, never running backwards."""
+    """Phase of the task's tree, and its progress: 0 to 1, never decreasing."""
 
     phase: str = ""
     fraction: Annotated[float, Field(ge=0.0, le=1.0)] = 0.0
 
 
 class Attempt(Message):
-    """Something that went wrong while the task ran, and what the tree did about it."""
+    """A failure while the task ran, and what the tree did about it."""
 
     at: RobotTime | None
     failure: Failure
     recovery: str = ""
-    """The recovery that took it, by the name of its node; empty when none did."""
+    """Node name of the recovery that handled it; empty if none did."""
     times: Count = 0
-    """How often that recovery has been tried by now, this time included."""
+    """How often that recovery has been tried, including this time."""
     picture: str = ""
     """Number of the camera's picture of that moment, asked for with ``task/picture``; empty without."""
 
@@ -92,7 +92,7 @@ class TaskStatus(Message):
     progress: Progress = Progress()
     failure: Failure | None = None
     tried: tuple[Attempt, ...] = ()
-    """What went wrong so far, mended or not, in order; the newest 32."""
+    """Failures so far, recovered or not, in order; the newest 32."""
     accepted_at: float
     """UTC seconds."""
     started: RobotTime | None = None
@@ -101,21 +101,21 @@ class TaskStatus(Message):
     """UTC seconds of its end."""
     client_id: str = ""
     priority: Annotated[int, Field(ge=-100, le=100)] = 0
-    """The higher one is taken first."""
+    """Tasks with a higher priority run first."""
     not_before: float | None = None
     """UTC seconds of its earliest start."""
     expires: float | None = None
     """UTC seconds of its latest start."""
     begun: Count = 0
-    """How often its tree has begun: more than once after a restart, or when another task took over."""
+    """How often its tree has started: more than once after a restart, or if another task took over."""
     running: tuple[str, ...] = ()
-    """The leaves of its tree that run, by their names."""
+    """Names of the running leaves."""
     time_left: float | None = None
-    """Robot seconds that it is expected to take yet, from past tasks of its kind; null without any."""
+    """Estimated remaining robot seconds, from past tasks of its kind; null if there are none."""
     question: Question | None = None
-    """What it asks an operator just now."""
+    """Its current question to an operator."""
     waits_for: str = ""
-    """What it waits for while it is QUEUED, in words: its turn, its earliest start, the release of a stop."""
+    """What it waits for while QUEUED: its turn, its earliest start, the release of a stop."""
 
 
 PAGE: Final = 100
@@ -125,7 +125,7 @@ Place = Count
 
 
 class AskTasks(Message):
-    """Ask for the tasks that the executive remembers, from the newest."""
+    """Query the tasks that the executive has in memory, starting with the newest."""
 
     before: Place = 0
     """Only older ones than the place that an answer's ``more`` told; 0: from the newest."""
@@ -133,7 +133,7 @@ class AskTasks(Message):
 
 
 class TaskList(Message):
-    """A page of the tasks that the executive remembers, oldest first."""
+    """A page of the tasks in the executive's memory, oldest first."""
 
     tasks: tuple[TaskStatus, ...]
     more: Place = 0
@@ -141,44 +141,44 @@ class TaskList(Message):
 
 
 class NameTask(Message):
-    """Pause, resume or abandon the task of this id, or ask how it stands."""
+    """Pause, resume or abandon the task with this id, or query its status."""
 
     task: str
 
 
 class StepTask(Message):
-    """Have a paused task go on by one leaf, or by one tick of its tree."""
+    """Run a paused task for one more leaf, or for one tick."""
 
     task: str
     by: Literal["leaf", "tick"] = "leaf"
 
 
 class Reprioritise(Message):
-    """Give a queued task another priority."""
+    """Change the priority of a queued task."""
 
     task: str
     priority: Annotated[int, Field(ge=-100, le=100)]
 
 
 class AnswerQuestion(Message):
-    """Answer what a task asks, with one of its question's choices."""
+    """Answer a task's question with one of its choices."""
 
     task: str
     answer: Annotated[str, Field(max_length=200)]
 
 
 class Breakpoint(Message):
-    """Have a task pause before or after a node of its tree, each time; or no longer."""
+    """Set or remove a breakpoint before or after a node of the tree."""
 
     task: str
     node: str
-    """The node's name, or its path where two have the same name."""
+    """The node's name, or its path if two have the same name."""
     when: Literal["before", "after"] = "before"
     on: bool = True
 
 
 class ForceNode(Message):
-    """Have a node of a test run end with a status instead of doing its work; null lets it work again."""
+    """Force the status of a node in a test run; null lets it run again."""
 
     task: str
     node: str
@@ -186,21 +186,21 @@ class ForceNode(Message):
 
 
 class AskHistory(Message):
-    """Ask for tasks of the ledger, the newest first."""
+    """Query tasks of the ledger, newest first."""
 
     states: tuple[TaskState, ...] = ()
-    """Only these; all unless given."""
+    """Only tasks in these states; default: all."""
     since: float = 0.0
-    """UTC seconds: only what was accepted then or later."""
+    """Only tasks accepted at or after these UTC seconds."""
     task: str = ""
-    """Only the task of this id."""
+    """Only the task with this id."""
     before: Place = 0
     """Only older ones than the place in the ledger that an answer's ``more`` told; 0: from the newest."""
     limit: Annotated[int, Field(ge=1, le=PAGE)] = PAGE
 
 
 class History(Message):
-    """Tasks of the ledger, the newest first."""
+    """Tasks of the ledger, newest first."""
 
     tasks: tuple[TaskStatus, ...]
     more: Place = 0
@@ -221,7 +221,7 @@ class CancelTask(Message):
 
 
 class ControlAnswer(Message):
-    """Whether a verb was taken, and why not."""
+    """Whether a command was accepted, or why not."""
 
     accepted: bool
     reason: str = ""
@@ -243,10 +243,10 @@ class TreeNode(Message):
     name: str
     kind: Literal["sequence", "selector", "parallel", "recovery", "decorator", "condition", "action"]
     type: str
-    """The class of the behaviour."""
+    """Class of the behaviour."""
     status: NodeStatus = NodeStatus.INVALID
     last: NodeStatus = NodeStatus.INVALID
-    """How it ended when it was last ticked, although its parent has set it back to INVALID since."""
+    """Its status at the last tick, even if its parent has reset it to INVALID since."""
     message: str = ""
     children: tuple[TreeNode, ...] = ()
 
@@ -267,37 +267,37 @@ class TreeSnapshot(Message):
 
 
 class ExecutiveInfo(Message):
-    """Who serves the tasks here."""
+    """Information about the executive."""
 
     name: str
     version: str
     tasks: tuple[str, ...]
-    """The kinds of request that are taken."""
+    """The tasks that it accepts."""
     running: str = ""
     queued: Count = 0
     waits_for: str = ""
-    """What the first of the queued tasks waits for while none runs, in words."""
+    """What the first queued task waits for while none runs."""
 
 
 class Times(Message):
-    """A histogram of durations since the start of who counts them."""
+    """A histogram of durations since the process started."""
 
     bounds: tuple[float, ...]
     """Seconds; the upper edge of each class but the last, which has none."""
     counts: tuple[Count, ...]
-    """How many fell into each class; one more than there are bounds."""
+    """Count per class; one more than there are bounds."""
     total: float
-    """Seconds, all of them together."""
+    """Sum, in seconds."""
 
 
 class ExecutivePulse(Message):
-    """Told once a second, for who watches over the executive."""
+    """Published once a second, for monitoring the executive."""
 
     queued: Count
     running: str = ""
-    """The task that runs, or nothing."""
+    """The running task, or empty."""
     ticks: Times
-    """How long the ticks of trees took, in seconds of the host."""
+    """Duration of tree ticks, in seconds of the host."""
 
 
 REQUEST: Final = "task/request"

@@ -50,12 +50,12 @@ class Sighting(Message):
 
 
 class Sightings(Message):
-    """All tags of one picture (perhaps none). An item that is here twice is two things of one number."""
+    """All tags of one picture (perhaps none). An item listed twice means two objects with one number."""
 
     stamp: RobotTime
     sightings: tuple[Sighting, ...]
     absent: tuple[Count, ...] = ()
-    """Items that were believed in view, where the depth shows that nothing is."""
+    """Items that should be in view, but the depth shows nothing there."""
 
 
 class Box(Message):
@@ -78,7 +78,7 @@ class Clutter(Message):
 
 
 class SceneObject(Message):
-    """One thing of the planning scene.
+    """One object of the planning scene.
 
     Its ``box.pose`` is in the map, or in the tool frame of the hand that it is attached to.
     """
@@ -91,7 +91,7 @@ class SceneObject(Message):
 
 
 class PlanningScene(Message):
-    """What arms must not hit; owner: the keeper. On each change and every second."""
+    """Obstacles for the arms; owner: the keeper. On each change and every second."""
 
     stamp: RobotTime
     version: Count
@@ -128,7 +128,7 @@ class HeldItem(Message):
 
 
 class WorldState(Message):
-    """The keeper's facts, all of them; on each change and every second."""
+    """All facts of the keeper; on each change and every second."""
 
     stamp: RobotTime
     version: Count

@@ -21,7 +21,7 @@ IDLE_WAIT: Final = 0.05
 
 
 class Followed(Message):
-    """A follower is through with the hardware's tick."""
+    """A follower has finished the hardware's tick."""
 
     follower: str
     tick: Count

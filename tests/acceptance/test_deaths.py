@@ -118,7 +118,7 @@ def begun(system: ProcessSystem, task: str, times: int) -> bool:
 def test_a_ledger_that_can_not_be_read_is_told_and_all_ends(tmp_path: Path) -> None:
     (tmp_path / FILE).write_bytes(b"no ledger" * 1000)
     system = ProcessSystem(RunOptions(bus=own_bus(), data=tmp_path), roles=("router", "executive"))
-    with pytest.raises(LedgerFailure, match="this is no ledger, and was left as it is"):
+    with pytest.raises(LedgerFailure, match="not a ledger; the file was left as it is"):
         system.__enter__()
 
 

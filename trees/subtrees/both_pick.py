@@ -45,7 +45,7 @@ def both_pick(context: TreeContext, board: BothBoard, method: Method, hold: floa
     Args:
         context: the task's surroundings.
         board: the item and its hands.
-        method: how the hands get before it.
+        method: how the hands approach it.
         hold: robot seconds for which it is held up.
     """
     hands = (branch(context, board.left.who), board.left), (branch(context, board.right.who), board.right)

@@ -56,10 +56,10 @@ class FetchRequest(Message):
             "is meant"
         ),
     ] = None
-    arm: Annotated[Side | None, Field(description="which arm; the robot chooses unless given")] = None
+    arm: Annotated[Side | None, Field(description="which arm; default: the robot chooses")] = None
     on_cancel: Annotated[
         Literal["hold", "put_down"],
-        Field(description="with the item in the hand: keep it there, or put it back to where it stood"),
+        Field(description="with the item in the hand: keep it there, or put it back where it stood"),
     ] = "hold"
 
 

@@ -30,8 +30,8 @@ class PickRequest(Message):
 
     task: Literal["pick"] = "pick"
     item: Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
-    arm: Annotated[Side | None, Field(description="which arm; the nearer one unless given")] = None
-    method: Annotated[Method, Field(description="how the hand gets before it")] = "apf_rrtconnect"
+    arm: Annotated[Side | None, Field(description="which arm; default: the nearer one")] = None
+    method: Annotated[Method, Field(description="how the hand approaches it")] = "apf_rrtconnect"
 
 
 def problems(asked: PickRequest, site: Site) -> tuple[Problem, ...]:

@@ -30,10 +30,10 @@ class PickBothHandsRequest(Message):
 
     task: Literal["pick_both_hands"] = "pick_both_hands"
     item: Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
-    parallel_pick: Annotated[bool, Field(description="always so for an item that needs both hands")] = True
+    parallel_pick: Annotated[bool, Field(description="always true for an item that needs both hands")] = True
     hold: Annotated[float, Field(ge=0.0, le=60.0, description="robot seconds to hold it up")] = HOLD
-    mode: Annotated[Mode, Field(description="when an arm that was stopped goes on")] = "eager"
-    method: Annotated[Method, Field(description="how the hands get before it")] = "apf_rrtconnect"
+    mode: Annotated[Mode, Field(description="when a stopped arm continues")] = "eager"
+    method: Annotated[Method, Field(description="how the hands approach it")] = "apf_rrtconnect"
 
 
 def problems(asked: PickBothHandsRequest, site: Site) -> tuple[Problem, ...]:

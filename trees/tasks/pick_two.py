@@ -33,7 +33,7 @@ from tandem.trees.subtrees.two_arms import take_up, watched, where_hands_are
 from tandem.trees.task import TaskType
 
 Number = Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
-HOW: Final = "how the hands get before their items; the others are baselines"
+HOW: Final = "how the hands approach their items; the others are baselines"
 
 
 class PickTwoRequest(Message):
@@ -43,7 +43,7 @@ class PickTwoRequest(Message):
     left: Number
     right: Number
     parallel_pick: Annotated[bool, Field(description="grasp both at once; else one after the other")] = False
-    mode: Annotated[Mode, Field(description="when the arm that waits goes on")] = "eager"
+    mode: Annotated[Mode, Field(description="when the waiting arm continues")] = "eager"
     method: Annotated[Method, Field(description=HOW)] = "apf_rrtconnect"
     sequential: Annotated[bool, Field(description="one arm moves after the other, as a baseline")] = False
 

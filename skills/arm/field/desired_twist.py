@@ -36,7 +36,7 @@ class Chooser:
         self._pole: Pole | None = None
         self._count = 0
         self.escapes = 0
-        """How often an escape point was turned to."""
+        """How often an escape point was used."""
 
     def pole(self, hand: Array, goal: Array, around: Around) -> Pole:
         """Return the pole for now; the choice is made anew every few periods."""

@@ -87,7 +87,7 @@ class FieldController:
 
     @property
     def escapes(self) -> int:
-        """How often an escape point was turned to."""
+        """How often an escape point was used."""
         return self._chooser.escapes
 
     def reset(self) -> None:

@@ -30,15 +30,15 @@ class ApproachGoal(Message):
     grasps: Annotated[tuple[Pose, ...], Field(min_length=1)]
     radius: Annotated[float, Field(gt=0.0, le=0.5)] = GOAL_RADIUS
     hand_width: Annotated[float, Field(ge=0.0)] | None = None
-    """Metres between the pads that are planned with; as they are unless given."""
+    """Metres between the pads to plan with; default: their current width."""
     tolerance: Annotated[float, Field(gt=0.0)] = 0.015
-    """Metres from the proximity pose within which it has been reached."""
+    """Metres from the proximity pose that count as reached."""
     speed: Annotated[float, Field(gt=0.0, le=1.0)] = 1.0
-    """Share of the joints' limits."""
+    """Fraction of the joints' speed limits."""
 
 
 class ApproachPhase(StrEnum):
-    """What an approach is at."""
+    """The phase of an approach."""
 
     FIELD = "FIELD"
     ESCAPING = "ESCAPING"
@@ -60,7 +60,7 @@ class ApproachFeedback(Message):
 
 
 class ApproachResult(Message):
-    """Where it ended: which grasp, how far off, and what it took."""
+    """Where the approach ended: which grasp, the error, and the effort."""
 
     grasp: Count
     positions: tuple[float, ...]
@@ -70,15 +70,15 @@ class ApproachResult(Message):
     duration: float
     """Robot seconds."""
     escapes: Count = 0
-    """How often an escape point was turned to."""
+    """How often an escape point was used."""
     planned: Count = 0
-    """How often a stuck field was given to the planner."""
+    """How often the planner took over from a stuck field."""
     stops: Count = 0
-    """How often the coordination stopped it."""
+    """How often the coordination stopped the arm."""
 
 
 class ApproachStatus(Message):
-    """What everybody may know of an arm's approach; owner: the arm. 20 Hz while one runs, and on each change.
+    """The state of an arm's approach; owner: the arm. 20 Hz while one runs, and on each change.
 
     The other arm takes ``goal_in_base`` for an obstacle (two-arm thesis, 4.3); the coordination compares the
     distances and counts the record.

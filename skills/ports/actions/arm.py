@@ -29,7 +29,7 @@ class ArmStatus(Message):
     group: str
     state: ArmState
     extent: float
-    """Metres from the base's axis to the farthest point of the group, in plan, with what it holds."""
+    """Horizontal metres from the base's axis to the farthest point of the group, including what it holds."""
 
 
 class Candidate(Message):
@@ -37,7 +37,7 @@ class Candidate(Message):
 
     pose: Pose
     followed_by: tuple[Pose, ...] = ()
-    """Poses that must be reachable one after the other in straight lines (pre-grasp: grasp, retraction)."""
+    """Poses to reach one after the other in straight lines (pre-grasp: grasp, retraction)."""
 
 
 class MoveGoal(Message):
@@ -69,7 +69,7 @@ class MoveGoal(Message):
     hand_width: Annotated[float, Field(ge=0.0)] | None = None
     """Metres between the pads of an empty hand that are planned with; as they are unless given."""
     speed: Annotated[float, Field(gt=0.0, le=1.0)] = 1.0
-    """Share of the joints' limits."""
+    """Fraction of the joints' speed limits."""
     follows_item: Annotated[int, Field(ge=0, le=MOST)] | None = None
     """The item that the goal was made for: when it turns out to be elsewhere, the move stops and fails."""
     follow_tolerance: Annotated[float, Field(gt=0.0)] = 0.03
@@ -89,7 +89,7 @@ class MoveGoal(Message):
 
 
 class MovePhase(StrEnum):
-    """What a move is at."""
+    """The phase of a move."""
 
     PLANNING = "PLANNING"
     MOVING = "MOVING"
@@ -97,7 +97,7 @@ class MovePhase(StrEnum):
 
 
 class MoveFeedback(Message):
-    """How far the move is."""
+    """Progress of the move."""
 
     phase: MovePhase
     progress: Annotated[float, Field(ge=0.0, le=1.0)]
@@ -139,7 +139,7 @@ class SurveyFeedback(Message):
 
 
 class SurveyResult(Message):
-    """Indices of the bases from which it can be done, in the order of the goal; none is a result too."""
+    """Indices of the suitable bases, in the order of the goal; may be empty."""
 
     bases: tuple[Count, ...]
 

@@ -46,11 +46,11 @@ class DriveGoal(Message):
 
 
 class DriveFeedback(Message):
-    """Where the base is and how far it has to go."""
+    """Where the base is and how far it still has to go."""
 
     base_in_map: FloorPose
     remaining: float
-    """Metres of way left."""
+    """Metres left to drive."""
     progress: Annotated[float, Field(ge=0.0, le=1.0)]
 
 
@@ -78,7 +78,7 @@ class RotateFeedback(Message):
 
 
 class RotateResult(Message):
-    """Radians turned, as the localised pose tells."""
+    """Radians turned, from the localised pose."""
 
     turned: float
 
@@ -90,13 +90,13 @@ class LocaliseGoal(Message):
 
 
 class LocaliseFeedback(Message):
-    """How much of the search is done."""
+    """Progress of the search."""
 
     progress: Annotated[float, Field(ge=0.0, le=1.0)]
 
 
 class LocaliseResult(Message):
-    """The pose, and how well the scan fits the map there: share of beams within 10 cm."""
+    """The pose, and how well the scan fits the map there: fraction of beams within 10 cm."""
 
     base_in_map: FloorPose
     fit: float

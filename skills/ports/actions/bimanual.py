@@ -15,7 +15,7 @@ from tandem.skills.ports.world import Side
 
 
 class Crossing(Message):
-    """What the arms crossing control sees; owner: the reflex. 50 Hz while an arm moves, and on each change.
+    """State of the arms crossing control; owner: the reflex. 50 Hz while an arm moves, and on each change.
 
     ``risk`` is Algorithm 2's verdict, or the true distance between the arms' geometry below its bound.
     """
@@ -27,13 +27,13 @@ class Crossing(Message):
     threshold: float
     """K: metres, after the hands' orientations."""
     clearance: float
-    """Metres between the arms' geometry, with what they hold; negative when they overlap."""
+    """Metres between the arms' geometry, including what they hold; negative if they overlap."""
     near: bool = False
     """Whether the clearance is below its bound, now or on the way to rest; ``risk`` is true then."""
 
 
 class Order(StrEnum):
-    """What an arm may do."""
+    """What an arm is allowed to do."""
 
     GO = "GO"
     HOLD = "HOLD"
@@ -53,7 +53,7 @@ class ArmOrder(Message):
 
 
 class RightOfWay(Message):
-    """Who may move; owner: the coordination. 20 Hz, and on each change.
+    """Which arm may move; owner: the coordination. 20 Hz, and on each change.
 
     Approaches and moves obey it at once. No message for ``ORDER_LOST_AFTER`` while an episode is open means
     HOLD for both.
@@ -63,7 +63,7 @@ class RightOfWay(Message):
     episode: Count
     """Counts the stops; 0 before the first."""
     open: bool = False
-    """Whether somebody is held or sent back."""
+    """Whether an arm is held or sent back."""
     leader: Side | None = None
     orders: tuple[ArmOrder, ...] = ()
 
@@ -90,7 +90,7 @@ class CoordinateGoal(Message):
 
 
 class CoordinateFeedback(Message):
-    """How often they were stopped, who leads, and whether both are safe."""
+    """How often the arms were stopped, which one leads, and whether both are safe."""
 
     episode: Count
     leader: Side | None = None
@@ -99,13 +99,13 @@ class CoordinateFeedback(Message):
 
 
 class CoordinateResult(Message):
-    """How often the arms were stopped (for when it ends without a cancel; it does not today)."""
+    """How often the arms were stopped (in case it ever ends without a cancel)."""
 
     episodes: Count
 
 
 class TwoHands(StrEnum):
-    """What two hands do with one thing."""
+    """What two hands do with one object."""
 
     SQUEEZE = "squeeze"
     """Close in until both wrists feel the force; then hold it."""
@@ -116,7 +116,7 @@ class TwoHands(StrEnum):
 
 
 class TwoHandsGoal(Message):
-    """Do it with the item that is between the hands.
+    """Squeeze, move or release the item between the hands.
 
     ``to``: for MOVE, the item's centre frame in the map. ``force``: newtons of each hand; the robot's own
     choice for the item unless given. ``apart``: metres by which RELEASE draws each hand back.
@@ -128,7 +128,7 @@ class TwoHandsGoal(Message):
     force: Annotated[float, Field(gt=0.0)] | None = None
     apart: Annotated[float, Field(ge=0.0)] = 0.10
     touch_support: bool = False
-    """Whether the item may touch what it stands on: when it is lifted off, and when it is put down."""
+    """Whether the item may touch its support, for lifting it and putting it down."""
 
 
 class TwoHandsFeedback(Message):
@@ -146,7 +146,7 @@ class TwoHandsResult(Message):
     right_force: float
     item_in_map: Pose | None = None
     tilt: float = 0.0
-    """Radians between the hands' common frame and level, as the joints tell."""
+    """Tilt of the hands' common frame in radians, from the joints."""
 
 
 class ZoneRow(Message):
@@ -154,20 +154,20 @@ class ZoneRow(Message):
 
     x: float
     cells: str
-    """One letter a cell: L (S_L), R (S_R), C (common), U (unreachable)."""
+    """One letter per cell: L (S_L), R (S_R), C (common), U (unreachable)."""
 
 
 class Zones(Message):
     """The workspace of both hands at one height, in the base (two-arm thesis, 4.1.1); owner: bimanual.
 
-    A cell is reachable when the hand gets a grasp there that has collision-free joint positions.
+    A cell is reachable if the hand has a grasp there with collision-free joint positions.
     """
 
     stamp: RobotTime
     height: float
     """Metres above the floor."""
     torso: float
-    """Position of the torso (m) that it holds for."""
+    """Torso position (m) that it is valid for."""
     cell: float
     """Edge of a cell in metres."""
     y0: float

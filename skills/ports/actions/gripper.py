@@ -13,7 +13,7 @@ from tandem.skills.ports.skill import ActionType
 
 
 class Grip(StrEnum):
-    """What to do with the hand."""
+    """What the hand does."""
 
     OPEN = "open"
     CLOSE = "close"
@@ -30,11 +30,11 @@ class GripGoal(Message):
     grip: Grip
     width: Annotated[float, Field(ge=0.0)] = 0.0
     force: Annotated[float, Field(gt=0.0)] | None = None
-    """Newtons; the gripper's own limit unless given."""
+    """Newtons; default: the gripper's limit."""
 
 
 class GripFeedback(Message):
-    """What the gripper tells while it moves."""
+    """State of the gripper while it moves."""
 
     width: float
     force: float
@@ -49,7 +49,7 @@ class GripResult(Message):
 
 
 class HandState(StrEnum):
-    """What the hand is at, as the watch over it tells."""
+    """State of the hand, from the hand watch."""
 
     OPEN = "OPEN"
     """It squeezes nothing: opened, or moving."""

@@ -12,7 +12,7 @@ from tandem.skills.ports.world import Sighting
 
 
 class LookGoal(Message):
-    """Point the head, take pictures, and tell what is there.
+    """Point the head, take pictures, and report what is there.
 
     Looks at ``at`` (a point in the map) or else through the ``tilts`` (radians, down is negative), straight
     ahead. Ends early once ``item`` has been seen. With ``clutter``, what is untagged is measured from the
@@ -31,7 +31,7 @@ class LookGoal(Message):
 
 
 class LookFeedback(Message):
-    """Pictures taken so far, and items seen so far."""
+    """Pictures taken and items seen so far."""
 
     pictures: Count
     seen: tuple[Count, ...]
@@ -43,7 +43,7 @@ class LookResult(Message):
     found: bool
     sightings: tuple[Sighting, ...]
     hidden: tuple[Count, ...] = ()
-    """Items that were not seen because something nearer to the camera covers their place."""
+    """Items that were not seen because something closer to the camera hides their place."""
     clutter: Count = 0
     """Boxes of clutter measured."""
 
@@ -61,7 +61,7 @@ class TrackGoal(Message):
 
 
 class TrackResult(Message):
-    """How many pictures were read (for when it ends without a cancel; it does not today)."""
+    """Number of pictures read (in case it ever ends without a cancel)."""
 
     pictures: Count
 

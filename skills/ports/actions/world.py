@@ -45,7 +45,7 @@ class EditGoal(Message):
 
 
 class EditFeedback(Message):
-    """Nothing to tell: edits are done at once."""
+    """Empty: edits take effect at once."""
 
 
 class EditResult(Message):

@@ -98,14 +98,14 @@ def test_a_full_disk_loses_nothing_that_was_committed(tmp_path: Path) -> None:
 def test_a_disk_that_can_not_be_written_is_told(tmp_path: Path) -> None:
     ledger = SqliteLedger(tmp_path)
     ledger._db.execute("PRAGMA query_only = 1")
-    with pytest.raises(LedgerError, match="can't be written"):
+    with pytest.raises(LedgerError, match="cannot write the file"):
         ledger.enter(entry(1))
     ledger.close()
 
 
 def test_a_folder_that_is_none_is_told(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(LedgerError, match="name another one with --data"):
+    with pytest.raises(LedgerError, match="choose another one with --data"):
         SqliteLedger(tmp_path / "file")
 
 
@@ -137,7 +137,7 @@ def test_a_file_of_a_newer_version_is_left_as_it_is(tmp_path: Path) -> None:
     SqliteLedger(tmp_path, (*MIGRATIONS, ("CREATE TABLE of_tomorrow (a INTEGER)",))).close()
     before = (tmp_path / FILE).read_bytes()
     with pytest.raises(
-        LedgerError, match=f"of version {VERSION + 1}, and this program knows up to {VERSION}"
+        LedgerError, match=f"version {VERSION + 1}, but this program supports versions up to {VERSION}"
     ):
         SqliteLedger(tmp_path)
     assert (tmp_path / FILE).read_bytes() == before
