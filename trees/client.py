@@ -202,7 +202,7 @@ class GoalHandle(Generic[G, F, R]):
                     self._forgotten()
                 self.take(status)
             except ValidationError as error:
-                self._lose(f"{self._client.action.name} answered what is no status: {error}")
+                self._lose(f"{self._client.action.name} sent an invalid status: {error}")
         if self._pending is not None and self._pending.done():
             self._pending = None
         if self._command_pending is not None and self._command_pending.done():
@@ -225,7 +225,7 @@ class GoalHandle(Generic[G, F, R]):
         self._command_pending = command_service(self._client.action.name).query(self._client.bus, asked)
 
     def _forgotten(self) -> None:
-        self._lose(f"{self._client.action.name} has forgotten goal {self.goal_id}: it was started anew")
+        self._lose(f"{self._client.action.name} has lost goal {self.goal_id}: it was restarted")
 
     def _lose(self, message: str) -> None:
         self.state = GoalState.FAILED

@@ -19,7 +19,7 @@ def _robot(context: TreeContext) -> str:
     out = [side for side in SIDES if not tucked(context, side)]
     arms = "" if not out else f", {' and '.join(out)} arm not tucked in"
     if robot is None or not robot.localised:
-        return f"nobody knows where{arms}"
+        return f"unknown{arms}"
     if near(context, context.site.home):
         return f"at home{arms}"
     pose = robot.base_in_map
@@ -35,6 +35,6 @@ def _item(context: TreeContext, board: FetchBoard) -> str:
         if placed.item == board.item:
             return f"in slot {placed.slot} of {placed.depot}"
     if fact is None:
-        return "nobody knows where"
+        return "unknown"
     x, y, z = fact.tag_in_map.position
     return f"last seen at ({x:.2f}, {y:.2f}, {z:.2f}) m in the map"

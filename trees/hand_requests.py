@@ -21,7 +21,7 @@ def item_problems(site: Site, path: str, number: int, *, two: bool = False) -> t
         known = ", ".join(str(each.item) for each in site.items)
         return (Problem(path=path, expected=f"one of the site's items: {known}", found=str(number)),)
     if item.needs_two and not two:
-        expected = "an item for one hand; this one needs both (pick_both_hands)"
+        expected = "an item for one hand; this one needs both hands (pick_both_hands)"
         return (Problem(path=path, expected=expected, found=str(number)),)
     if two and not item.needs_two:
         expected = "an item with two grasp points; this one is for one hand (pick, pick_two)"

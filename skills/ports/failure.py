@@ -83,58 +83,58 @@ _K = FailureKind
 KINDS: Final = MappingProxyType(
     {
         _K.INVALID_GOAL: KindFacts("the goal contradicts itself or the robot", False, Helper.CLIENT),
-        _K.BUSY: KindFacts("the skill is at another goal", True, Helper.AGAIN),
-        _K.NOT_READY: KindFacts("something the skill needs has not been heard yet", True, Helper.AGAIN),
+        _K.BUSY: KindFacts("the skill is busy with another goal", True, Helper.AGAIN),
+        _K.NOT_READY: KindFacts("something the skill needs has not arrived yet", True, Helper.AGAIN),
         _K.NOT_STORED: KindFacts("the skill's host can't write to its disk", True, Helper.OPERATOR),
         _K.TIMED_OUT: KindFacts("no result within the time allowed", True, Helper.AGAIN),
         _K.SKILL_LOST: KindFacts("the process of the skill is gone", True, Helper.AGAIN),
-        _K.SKILL_CRASHED: KindFacts("the skill raised an error; its log has the trace", True, Helper.AGAIN),
-        _K.HARDWARE_LOST: KindFacts("the hardware is silent, or was started anew", True, Helper.OPERATOR),
+        _K.SKILL_CRASHED: KindFacts(
+            "the skill raised an error; see its log for the traceback", True, Helper.AGAIN
+        ),
+        _K.HARDWARE_LOST: KindFacts("the hardware is silent or was restarted", True, Helper.OPERATOR),
         _K.HARDWARE_STOPPED: KindFacts("the hardware's stop is set", False, Helper.OPERATOR),
-        _K.CAMERA_SILENT: KindFacts("no picture came in time", True, Helper.AGAIN),
-        _K.CAMERA_BLIND: KindFacts("pictures come, but they are dark or stand still", True, Helper.AGAIN),
-        _K.LASER_SILENT: KindFacts("no scan came in time", True, Helper.AGAIN),
+        _K.CAMERA_SILENT: KindFacts("no picture arrived in time", True, Helper.AGAIN),
+        _K.CAMERA_BLIND: KindFacts("pictures arrive, but they are dark or frozen", True, Helper.AGAIN),
+        _K.LASER_SILENT: KindFacts("no scan arrived in time", True, Helper.AGAIN),
         _K.NOT_LOCALISED: KindFacts("the robot does not know where it is", True, Helper.AGAIN),
-        _K.ITEM_UNKNOWN: KindFacts("the site file knows no such item", False, Helper.CLIENT),
-        _K.ITEM_NOT_FOUND: KindFacts("all search spots seen, the tag was not", False, Helper.OPERATOR),
+        _K.ITEM_UNKNOWN: KindFacts("the site file has no such item", False, Helper.CLIENT),
+        _K.ITEM_NOT_FOUND: KindFacts("the tag was not found from any search spot", False, Helper.OPERATOR),
         _K.ITEM_AMBIGUOUS: KindFacts(
-            "several things carry the item's number; say which with `near`", False, Helper.CLIENT
+            "several items have this number; choose one with `near`", False, Helper.CLIENT
         ),
         _K.ITEM_GONE: KindFacts("the item is not where it was last seen", True, Helper.LOOK),
         _K.ITEM_HIDDEN: KindFacts("something stands between the camera and the item", True, Helper.BASE),
         _K.ITEM_UNREACHABLE: KindFacts("seen, but out of reach or fallen over", False, Helper.OPERATOR),
-        _K.DESTINATION_UNKNOWN: KindFacts("the site file knows no such depot", False, Helper.CLIENT),
+        _K.DESTINATION_UNKNOWN: KindFacts("the site file has no such depot", False, Helper.CLIENT),
         _K.DESTINATION_FULL: KindFacts("no slot of the depot is free", False, Helper.OPERATOR),
         _K.DESTINATION_UNREACHABLE: KindFacts(
-            "the item is in the hand, but no arm gets it into a slot", False, Helper.OPERATOR
+            "the item is in the hand, but no arm can put it into a slot", False, Helper.OPERATOR
         ),
-        _K.SLOT_TAKEN: KindFacts("something stands where the item was to be put", True, Helper.LOOK),
+        _K.SLOT_TAKEN: KindFacts("something stands where the item should go", True, Helper.LOOK),
         _K.HAND_FULL: KindFacts("the hand holds another item", False, Helper.LET_GO),
-        _K.BASE_NO_PATH: KindFacts("no free way to any of the goal's poses", True, Helper.BASE),
+        _K.BASE_NO_PATH: KindFacts("no free path to any of the goal's poses", True, Helper.BASE),
         _K.BASE_BLOCKED: KindFacts("something stands in the way", True, Helper.BASE),
         _K.BASE_OFF_GOAL: KindFacts("at rest, but outside the goal's tolerance", True, Helper.AGAIN),
         _K.BASE_HELD: KindFacts(
             "an arm is stretched out or moving; the base must not move", True, Helper.AGAIN
         ),
-        _K.NO_IK: KindFacts("no joint positions reach the pose without collision", True, Helper.BASE),
+        _K.NO_IK: KindFacts("no collision-free joint positions reach the pose", True, Helper.BASE),
         _K.NO_PATH: KindFacts("reachable, but no collision-free path was found", True, Helper.BASE),
         _K.PATH_IN_COLLISION: KindFacts("the planned motion failed its last check", True, Helper.LOOK),
         _K.ARM_STOPPED: KindFacts("the arm was stopped on the way", True, Helper.LOOK),
         _K.ARM_OFF_GOAL: KindFacts("at rest, but not where the plan ended", True, Helper.LOOK),
         _K.GRASP_EMPTY: KindFacts("the gripper closed on nothing", True, Helper.LOOK),
         _K.GRASP_LOST: KindFacts("the hand was full and is empty", True, Helper.LOOK),
-        _K.GRIPPER_STUCK: KindFacts("the gripper did not move as told", True, Helper.OPERATOR),
-        _K.ARMS_CROSSING: KindFacts(
-            "the arms came into each other's way and were stopped", True, Helper.AGAIN
-        ),
-        _K.FORCE_MISSING: KindFacts("two hands closed in and did not feel the thing", True, Helper.LOOK),
-        _K.TILTED: KindFacts("what is between two hands is not level", False, Helper.LET_GO),
+        _K.GRIPPER_STUCK: KindFacts("the gripper did not move as commanded", True, Helper.OPERATOR),
+        _K.ARMS_CROSSING: KindFacts("the arms got in each other's way and were stopped", True, Helper.AGAIN),
+        _K.FORCE_MISSING: KindFacts("two hands closed in but did not feel the object", True, Helper.LOOK),
+        _K.TILTED: KindFacts("the object between two hands is not level", False, Helper.LET_GO),
         _K.OTHER_ARM_FAILED: KindFacts("the other arm failed before both could act", True, Helper.AGAIN),
         _K.INTERRUPTED: KindFacts(
-            "the executive ended in the middle; how far it came is not known", True, Helper.OPERATOR
+            "the executive ended during the task; its progress is unknown", True, Helper.OPERATOR
         ),
         _K.SUPERSEDED: KindFacts(
-            "another process plays the sender's role; its commands are not obeyed", False, Helper.OPERATOR
+            "another process has the sender's role; the command was refused", False, Helper.OPERATOR
         ),
     }
 )

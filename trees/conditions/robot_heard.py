@@ -8,4 +8,4 @@ from tandem.trees.knowledge import Knowledge
 def unheard(knowledge: Knowledge) -> str:
     """Return what has not been heard yet of the robot and no such task can do without; or nothing."""
     missing = knowledge.missing()
-    return f"the robot, which has not told yet: {', '.join(missing)}" if missing else ""
+    return f"the robot to publish: {', '.join(missing)}" if missing else ""

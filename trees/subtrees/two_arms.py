@@ -169,7 +169,7 @@ def _where(context: TreeContext, item: int) -> str:
     if held:
         return f"in the {held[0]} hand"
     if fact is None:
-        return "nobody knows where"
+        return "unknown"
     x, y, z = fact.tag_in_map.position
     return f"last seen at ({x:.2f}, {y:.2f}, {z:.2f}) m in the map"
 
