@@ -12,9 +12,10 @@ from typing import Final
 from tandem.skills.grasping.item_frames import face_towards
 from tandem.skills.grasping.tag_grasps import FINGER_ROOM, Grasp, Place
 from tandem.skills.ports.pose import FloorPose, Pose
-from tandem.skills.ports.site import Depot, SiteItem, Slot
+from tandem.skills.ports.site import Depot, Slot
 from tandem.skills.ports.world import ItemFact, Side
 from tandem.trees.context import TreeContext
+from tandem.trees.hand_task import HandTask
 
 NEAR: Final = 0.5
 """Metres: a thing that far from the point that a request names is still meant. It is half a table, about what
@@ -27,7 +28,7 @@ def is_meant(tag_in_map: Pose, near: tuple[float, float]) -> bool:
 
 
 @dataclass(eq=False)
-class FetchBoard:
+class FetchBoard(HandTask):
     """A fetch: what is asked for, and what has been decided so far."""
 
     item: int
@@ -67,6 +68,19 @@ class FetchBoard:
         assert self.side is not None, "the request binds the arm first"
         return self.side
 
+    def node(self, what: str) -> str:
+        """Return the name as it is: a fetch has one hand."""
+        return what
+
+    def item_in_tool(self) -> Pose:
+        """Return the item's centre frame in the tool as it was grasped."""
+        return self.chosen_grasp().item_in_tool
+
+    def attached(self) -> None:
+        """Keep to the arm that holds the item, and begin anew with all stands and grasps."""
+        self.sides = (self.chosen_side(),)
+        self.forget_tries()
+
     def chosen_grasp(self) -> Grasp:
         """Return the grasp; the pre-grasp has bound it."""
         assert self.grasp is not None, "the pre-grasp binds the grasp first"
@@ -76,12 +90,6 @@ class FetchBoard:
         """Return the place poses; the motion above the slot has bound them."""
         assert self.place is not None, "the motion above the slot binds the place first"
         return self.place
-
-    def site_item(self, context: TreeContext) -> SiteItem:
-        """Return what the site says of the item; the request has checked that it is known."""
-        known = context.site.item(self.item)
-        assert known is not None, "the request is checked against the site first"
-        return known
 
     def depot(self, context: TreeContext) -> Depot:
         """Return the destination; the request has checked that it is known."""

@@ -5,19 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from tandem.skills.geometry.poses import compose, invert, to_pose, yaw_of
-from tandem.skills.grasping.hand_grasps import HandGrasp, cube_grasps, side_grasps
+from tandem.skills.grasping.hand_grasps import HandGrasp, cube_grasps, item_in_tool, side_grasps
 from tandem.skills.grasping.item_frames import standing_in_map, turned_like
 from tandem.skills.grasping.tag_grasps import FINGER_ROOM
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.site import SiteItem
 from tandem.skills.ports.world import ItemFact, Side
 from tandem.trees.context import TreeContext
+from tandem.trees.hand_task import HandTask
 from tandem.trees.item_failures import lies
 
 
 @dataclass(eq=False)
-class HandBoard:
+class HandBoard(HandTask):
     """A hand and the item that it is for."""
 
     side: Side
@@ -45,11 +45,20 @@ class HandBoard:
         """The arm's joint group."""
         return f"arm_{self.side}"
 
-    def site_item(self, context: TreeContext) -> SiteItem:
-        """Return what the site says of the item; the request has checked that it is known."""
-        known = context.site.item(self.item)
-        assert known is not None, "the request is checked against the site first"
-        return known
+    def chosen_side(self) -> Side:
+        """Return the arm."""
+        return self.side
+
+    def node(self, what: str) -> str:
+        """Return the name with the arm's before it: a tree may have both hands at work."""
+        return f"{self.who}: {what}"
+
+    def item_in_tool(self) -> Pose:
+        """Return the item's centre frame in the tool as it was grasped."""
+        return item_in_tool(self.chosen())
+
+    def attached(self) -> None:
+        """Note nothing: the hand and its way stay as they are."""
 
     def fact(self, context: TreeContext) -> ItemFact | None:
         """Return what is believed of the item, or None."""

@@ -10,6 +10,7 @@ from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard
 from tandem.trees.context import TreeContext
 from tandem.trees.fetch_notes import lets_go
+from tandem.trees.hand_task import HandTask
 
 Edit = Act[EditGoal, EditFeedback, EditResult]
 
@@ -19,7 +20,7 @@ def add_to_scene(context: TreeContext, board: FetchBoard) -> Edit:
     return _edit("add to scene", context, lambda: EditGoal(edit=SceneEdit.ADD, item=board.item))
 
 
-def attach(context: TreeContext, board: FetchBoard) -> Edit:
+def attach(context: TreeContext, board: HandTask) -> Edit:
     """Return the leaf: the item is in the hand from now on."""
 
     def goal() -> EditGoal:
@@ -27,14 +28,10 @@ def attach(context: TreeContext, board: FetchBoard) -> Edit:
             edit=SceneEdit.ATTACH,
             item=board.item,
             side=board.chosen_side(),
-            item_in_tool=board.chosen_grasp().item_in_tool,
+            item_in_tool=board.item_in_tool(),
         )
 
-    def note(_: EditResult) -> None:
-        board.sides = (board.chosen_side(),)
-        board.forget_tries()
-
-    return _edit("attach", context, goal, note)
+    return _edit(board.node("attach"), context, goal, board.attached)
 
 
 def detach(context: TreeContext, board: FetchBoard) -> Edit:
@@ -73,7 +70,7 @@ def select(context: TreeContext, board: FetchBoard) -> Edit:
     )
 
 
-def _nothing(_: EditResult) -> None:
+def _nothing() -> None:
     """Note nothing."""
 
 
@@ -81,14 +78,14 @@ def _edit(
     name: str,
     context: TreeContext,
     goal: Callable[[], EditGoal],
-    note: Callable[[EditResult], None] = _nothing,
+    note: Callable[[], None] = _nothing,
 ) -> Edit:
     def believed(result: EditResult) -> bool:
         world = context.knowledge.world
         return world is not None and world.version >= result.version
 
-    def judge(result: EditResult) -> Failure | None:
-        note(result)
+    def judge(_: EditResult) -> Failure | None:
+        note()
         return None
 
     return Act(name, context, EDIT, goal, believed=believed, judge=judge)

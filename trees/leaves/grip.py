@@ -7,20 +7,22 @@ from collections.abc import Callable
 from tandem.skills.ports.actions.gripper import GripFeedback, GripGoal, GripResult, grip
 from tandem.skills.ports.failure import Failure
 from tandem.trees.behaviours.act import Act, accept
-from tandem.trees.board import FetchBoard
 from tandem.trees.context import TreeContext
+from tandem.trees.hand_task import HandTask
+
+Gripping = Act[GripGoal, GripFeedback, GripResult]
 
 
 def grip_with(
-    name: str,
+    what: str,
     context: TreeContext,
-    board: FetchBoard,
+    board: HandTask,
     goal: Callable[[], GripGoal],
     judge: Callable[[GripResult], Failure | None] = accept,
-) -> Act[GripGoal, GripFeedback, GripResult]:
-    """Return the leaf; which hand it is, is known only when it starts."""
+) -> Gripping:
+    """Return the leaf that does ``what``; which hand it is, may be known only when it starts."""
     return Act(
-        name,
+        board.node(what),
         context,
         lambda: grip(board.chosen_side()),
         goal,

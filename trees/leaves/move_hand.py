@@ -7,21 +7,23 @@ from collections.abc import Callable
 from tandem.skills.ports.actions.arm import MoveFeedback, MoveGoal, MoveResult, move
 from tandem.skills.ports.failure import Failure
 from tandem.trees.behaviours.act import Act, accept
-from tandem.trees.board import FetchBoard
 from tandem.trees.conditions.arm_tucked import at_rest
 from tandem.trees.context import TreeContext
+from tandem.trees.hand_task import HandTask
+
+Move = Act[MoveGoal, MoveFeedback, MoveResult]
 
 
 def move_hand(
-    name: str,
+    what: str,
     context: TreeContext,
-    board: FetchBoard,
+    board: HandTask,
     goal: Callable[[], MoveGoal | Failure],
     judge: Callable[[MoveResult], Failure | None] = accept,
-) -> Act[MoveGoal, MoveFeedback, MoveResult]:
-    """Return the leaf; which arm it is, is known only when it starts."""
+) -> Move:
+    """Return the leaf that does ``what``; which arm it is, may be known only when it starts."""
     return Act(
-        name,
+        board.node(what),
         context,
         lambda: move(f"arm_{board.chosen_side()}"),
         goal,

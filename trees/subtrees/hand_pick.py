@@ -20,8 +20,8 @@ from tandem.trees.behaviours.remember import afterwards
 from tandem.trees.behaviours.wait_for import WaitFor
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
+from tandem.trees.leaves.edit_scene import attach
 from tandem.trees.leaves.hand.approach import approach_item
-from tandem.trees.leaves.hand.attach_item import attach_item
 from tandem.trees.leaves.hand.go_safe import go_safe
 from tandem.trees.leaves.hand.grip_item import close_on_item, hand_is_full, open_for_item
 from tandem.trees.leaves.hand.lift_item import lift_item
@@ -120,7 +120,7 @@ def _grasp(context: TreeContext, board: HandBoard, *, follows: bool) -> Sequence
         children=[
             reach_item(context, board, follows=follows),
             close_on_item(context, board),
-            attach_item(context, board),
+            attach(context, board),
             lift_item(context, board),
             hand_is_full(context, board),
         ],

@@ -16,7 +16,7 @@ from tandem.trees.behaviours.check import Check
 from tandem.trees.behaviours.note import Note
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
-from tandem.trees.leaves.hand.hand_move import hand_move
+from tandem.trees.leaves.move_hand import move_hand
 
 RISE: Final = 0.12
 """Metres: a hand that grasps at the middle of a cube of 7 cm is well above it then."""
@@ -42,7 +42,7 @@ def rise(context: TreeContext, board: HandBoard, where: str) -> Behaviour:
         memory=True,
         children=[
             Check(f"{who}: nothing unseen?", nothing_unseen),
-            hand_move(f"{where}: rise", context, board, lambda: MoveGoal(up=RISE)),
+            move_hand(f"{where}: rise", context, board, lambda: MoveGoal(up=RISE)),
             Note(f"{who}: go as it is", lambda: "there is no way up"),
         ],
     )

@@ -10,7 +10,7 @@ from tandem.skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
 from tandem.skills.ports.failure import Failure
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
-from tandem.trees.leaves.hand.hand_move import Move, hand_move
+from tandem.trees.leaves.move_hand import Move, move_hand
 
 HEADINGS: Final = tuple(math.radians(angle) for angle in (30.0, 60.0, 0.0, 90.0))
 """By how much a hand that holds something points inwards there, in the order in which they are tried."""
@@ -30,7 +30,7 @@ def go_safe(what: str, context: TreeContext, board: HandBoard) -> Move:
         board.safe = True
         return None
 
-    return hand_move(what, context, board, goal, judge)
+    return move_hand(what, context, board, goal, judge)
 
 
 def _holding(context: TreeContext, board: HandBoard) -> tuple[Candidate, ...]:

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
-from tandem.skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
+from tandem.skills.ports.actions.gripper import Grip, GripGoal, GripResult
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.trees.behaviours.act import Act, accept
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
-
-Gripping = Act[GripGoal, GripFeedback, GripResult]
+from tandem.trees.leaves.grip import Gripping, grip_with
 
 
 def open_for_item(context: TreeContext, board: HandBoard) -> Gripping:
@@ -20,13 +16,13 @@ def open_for_item(context: TreeContext, board: HandBoard) -> Gripping:
         width = board.open_width(context)
         return GripGoal(grip=Grip.OPEN, width=width) if width > 0.0 else GripGoal(grip=Grip.CLOSE)
 
-    return _grip("ready hand", context, board, goal)
+    return grip_with("ready hand", context, board, goal)
 
 
 def close_on_item(context: TreeContext, board: HandBoard) -> Gripping:
     """Return the leaf."""
     width = board.site_item(context).size[1]
-    return _grip("close", context, board, lambda: GripGoal(grip=Grip.GRASP, width=width))
+    return grip_with("close", context, board, lambda: GripGoal(grip=Grip.GRASP, width=width))
 
 
 def hand_is_full(context: TreeContext, board: HandBoard) -> Gripping:
@@ -42,26 +38,9 @@ def hand_is_full(context: TreeContext, board: HandBoard) -> Gripping:
             evidence={"width_m": result.width, "force_n": result.force},
         )
 
-    return _grip("hand is full?", context, board, lambda: GripGoal(grip=Grip.CHECK, width=width), judge)
+    return grip_with("hand is full?", context, board, lambda: GripGoal(grip=Grip.CHECK, width=width), judge)
 
 
 def let_go(what: str, context: TreeContext, board: HandBoard) -> Gripping:
     """Return the leaf: all the way open."""
-    return _grip(what, context, board, lambda: GripGoal(grip=Grip.OPEN))
-
-
-def _grip(
-    what: str,
-    context: TreeContext,
-    board: HandBoard,
-    goal: Callable[[], GripGoal],
-    judge: Callable[[GripResult], Failure | None] = accept,
-) -> Gripping:
-    return Act(
-        f"{board.who}: {what}",
-        context,
-        grip(board.side),
-        goal,
-        resources=(f"gripper_{board.side}",),
-        judge=judge,
-    )
+    return grip_with(what, context, board, lambda: GripGoal(grip=Grip.OPEN))

@@ -10,7 +10,7 @@ from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
-from tandem.trees.leaves.hand.hand_move import Move, hand_move
+from tandem.trees.leaves.move_hand import Move, move_hand
 
 AWAYS: Final = (0.10, 0.05, 0.0)
 """Metres by which it is drawn back while it rises by 10 cm, in the order in which they are tried."""
@@ -30,4 +30,4 @@ def lift_item(context: TreeContext, board: HandBoard) -> Move:
             touch_support=True,
         )
 
-    return hand_move("lift", context, board, goal)
+    return move_hand("lift", context, board, goal)

@@ -11,7 +11,7 @@ from tandem.skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
 from tandem.skills.ports.failure import Failure
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
-from tandem.trees.leaves.hand.hand_move import Move, hand_move
+from tandem.trees.leaves.move_hand import Move, move_hand
 
 MOVED: Final = 0.01
 """Metres by which the item may be found elsewhere on the last centimetres: fingers have 8 mm of room."""
@@ -43,7 +43,7 @@ def reach_item(context: TreeContext, board: HandBoard, what: str = "grasp", *, f
             follow_tolerance=MOVED,
         )
 
-    return hand_move(what, context, board, goal)
+    return move_hand(what, context, board, goal)
 
 
 def plan_before_item(
@@ -77,4 +77,4 @@ def plan_before_item(
         board.choose(result.candidate)
         return None
 
-    return hand_move(what, context, board, goal, judge)
+    return move_hand(what, context, board, goal, judge)
