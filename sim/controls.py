@@ -50,7 +50,7 @@ class MoveRequest(Message):
 
 
 class RemoveRequest(Message):
-    """Take a body away, by its name (``item_29``, or an obstacle's)."""
+    """Remove a body, by its name (``item_29``, or an obstacle's)."""
 
     name: Name
 

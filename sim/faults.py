@@ -136,7 +136,7 @@ class OdometryJump(_Once):
 
 
 class JointStall(_Lasting):
-    """Motors stop following: they hold their joint where it is or, ``limp``, exert nothing."""
+    """Motors stop following: they hold their joint or, if ``limp``, exert no force."""
 
     kind: Literal["joint_stall"] = "joint_stall"
     group: Name | None = None
@@ -206,7 +206,7 @@ class Place(Message):
 
 
 class ItemMoves(_Once):
-    """Somebody moves an item: by a step in map, or ``to`` a place. Without a tag: the event's item."""
+    """A person moves an item: by a step in map, or ``to`` a place. Without a tag: the event's item."""
 
     kind: Literal["item_moves"] = "item_moves"
     tag: Tag | None = None
@@ -236,7 +236,7 @@ class ItemGone(_Once):
 
 
 class ObstacleAppears(_Lasting):
-    """A thing without a tag is put at x and y in map, or ``ahead`` of the base. In the end it goes away."""
+    """An object without a tag appears at x and y in map, or ``ahead`` of the base, until its end."""
 
     kind: Literal["obstacle_appears"] = "obstacle_appears"
     name: Name = "intruder"
@@ -266,7 +266,7 @@ class ObstacleAppears(_Lasting):
 class DepotTaken(_Lasting):
     """A slot of a depot is taken: by an item with a tag, or by a parcel without one.
 
-    With ``lasts`` the parcel is taken away in the end; an item stays.
+    With ``lasts``, the parcel is removed at the end; an item stays.
     """
 
     kind: Literal["depot_taken"] = "depot_taken"

@@ -20,7 +20,7 @@ LYING_TOLERANCE: Final = 0.01
 
 
 class TrueBody(Message):
-    """Where a body's centre is in map; ``tag`` for items."""
+    """Pose of a body's centre in map; ``tag`` for items."""
 
     name: str
     pose: Pose
@@ -28,7 +28,7 @@ class TrueBody(Message):
 
 
 class TrueContact(Message):
-    """Two things that touch, as ``robot/<link>`` or a body's name, and the normal forces' sum in N."""
+    """Two touching bodies, as ``robot/<link>`` or a body's name, and the sum of the normal forces in N."""
 
     first: str
     second: str
@@ -36,7 +36,7 @@ class TrueContact(Message):
 
 
 class Truth(Message):
-    """The true state of the world at one moment; ``bodies`` are those that can move."""
+    """The true state of the world; ``bodies`` are those that can move."""
 
     stamp: RobotTime
     base_in_map: Pose

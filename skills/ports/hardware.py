@@ -205,8 +205,8 @@ class RobotDescription(Message):
 class Clock(Message):
     """The hardware's clock, once a period.
 
-    ``tick`` counts the periods. With ``waits`` the hardware goes on only when all who registered as
-    followers have said that they are through with this tick (simulated time faster than real time).
+    ``tick`` counts the periods. With ``waits`` the hardware continues only after all registered
+    followers have finished this tick (simulated time faster than real time).
     """
 
     stamp: RobotTime
@@ -250,9 +250,9 @@ class TrajectoryGoal(Leased):
     The group aborts when a joint strays from the path by more than ``path_tolerance`` or is not within
     ``goal_tolerance`` of the end ``goal_time`` seconds after the last point (rad or m).
 
-    ``keeper`` is the announced name of who watches over the motion. While its process does not go on, the
-    group stands on its path; it goes on along it when the keeper does. When the name is gone the goal ABORTS.
-    Empty: nobody watches.
+    ``keeper`` is the announced name of the process that supervises the motion. While this process stalls, the
+    group halts on its path; it continues with the process. If the name disappears, the goal ABORTS. Empty: no
+    supervision.
     """
 
     id: str

@@ -73,7 +73,7 @@ class Claim:
 
 
 class Lease(Message):
-    """What a command shows: its sender was the ``epoch``-th to play ``role`` in the hardware's ``boot``."""
+    """A command's lease: its sender was the ``epoch``-th process in ``role`` in the hardware's ``boot``."""
 
     role: RoleName
     boot: str
@@ -94,7 +94,7 @@ class LeaseRequest(Message):
 
 
 class LeaseAnswer(Message):
-    """The lease, or why not: then ``holder`` is the claim that has it."""
+    """The lease, or the reason for a refusal: then ``holder`` is the claim that has it."""
 
     lease: Lease | None = None
     holder: str = ""

@@ -42,7 +42,7 @@ class Problem(Message):
     expected: str
     found: str = ""
     code: str = ""
-    """For programs, where there is something to be done about it: ``QUEUE_FULL``, ``NOT_KEPT``."""
+    """For programs, if they can react to it: ``QUEUE_FULL``, ``NOT_KEPT``."""
 
 
 def problems_of(error: ValidationError, *, most: int = MAX_PROBLEMS) -> tuple[Problem, ...]:

@@ -44,7 +44,7 @@ _UNENDED: Final = frozenset(
 
 
 class Question(Message):
-    """What a task asks an operator; ``task/answer`` takes one of the choices."""
+    """A question to an operator; ``task/answer`` takes one of the choices."""
 
     node: str
     """The node of the tree that asks."""
@@ -59,7 +59,7 @@ class TaskAnswer(Message):
     task: str = ""
     problems: tuple[Problem, ...] = ()
     client_id: str = ""
-    """The ``id`` of the request's document, if it had one: so a client that only puts knows its answer."""
+    """The request's ``id``, if it had one, so that a client that only puts recognises its answer."""
 
 
 class Progress(Message):
@@ -79,7 +79,7 @@ class Attempt(Message):
     times: Count = 0
     """How often that recovery has been tried, including this time."""
     picture: str = ""
-    """Number of the camera's picture of that moment, asked for with ``task/picture``; empty without."""
+    """Number of the camera picture of that moment, for ``task/picture``; empty if there is none."""
 
 
 class TaskStatus(Message):
@@ -128,7 +128,7 @@ class AskTasks(Message):
     """Query the tasks that the executive has in memory, starting with the newest."""
 
     before: Place = 0
-    """Only older ones than the place that an answer's ``more`` told; 0: from the newest."""
+    """Only tasks older than the ``more`` of the previous answer; 0: start with the newest."""
     limit: Annotated[int, Field(ge=1, le=PAGE)] = PAGE
 
 
@@ -137,7 +137,7 @@ class TaskList(Message):
 
     tasks: tuple[TaskStatus, ...]
     more: Place = 0
-    """Where the next question goes on with older ones (``before``); 0 when there are none."""
+    """Pass it as ``before`` to get the next page; 0 if there are no older ones."""
 
 
 class NameTask(Message):
@@ -195,7 +195,7 @@ class AskHistory(Message):
     task: str = ""
     """Only the task with this id."""
     before: Place = 0
-    """Only older ones than the place in the ledger that an answer's ``more`` told; 0: from the newest."""
+    """Only tasks older than the ``more`` of the previous answer; 0: start with the newest."""
     limit: Annotated[int, Field(ge=1, le=PAGE)] = PAGE
 
 
@@ -204,7 +204,7 @@ class History(Message):
 
     tasks: tuple[TaskStatus, ...]
     more: Place = 0
-    """Where the next question goes on (``before``); 0 when there are no more."""
+    """Pass it as ``before`` to get the next page; 0 if there are no more."""
 
 
 class AskPicture(Message):

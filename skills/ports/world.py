@@ -99,7 +99,7 @@ class PlanningScene(Message):
 
 
 class ItemFact(Message):
-    """What is believed of an item. ``size``: full edges (m) in the item's frame, whose z is up at rest."""
+    """Beliefs about an item. ``size``: full edges (m) in the item's frame, whose z is up at rest."""
 
     item: Count
     size: tuple[Size, Size, Size]

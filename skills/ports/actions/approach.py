@@ -20,10 +20,10 @@ GOAL_RADIUS: Final = 0.10
 class ApproachGoal(Message):
     """Bring the hand to the proximity pose of ``item``, wherever it is by then.
 
-    ``grasps`` are tool poses at the grasp, told in the item's own frame (its centre, z up at rest), the
-    preferred one first; so they move with the item. The proximity pose lies ``radius`` metres before a grasp,
-    against the tool's x. The first grasp that the arm can reach is taken, and may change while the
-    item moves.
+    ``grasps`` are tool poses at the grasp in the item's frame (its centre, z up at rest), in order of
+    preference, so they move with the item. The proximity pose is ``radius`` metres in front of a grasp,
+    against the tool's x. The approach takes the first grasp that the arm can reach, and may change it while
+    the item moves.
     """
 
     item: Annotated[int, Field(ge=0, le=MOST)]

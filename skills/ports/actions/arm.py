@@ -41,20 +41,20 @@ class Candidate(Message):
 
 
 class MoveGoal(Message):
-    """Where the group shall go; exactly one of ``joints``, ``posture``, ``candidates``, ``by``, ``up``.
+    """Move a group; exactly one of ``joints``, ``posture``, ``candidates``, ``by``, ``up``.
 
-    Candidates are tried in order: the first that has a collision-free position and path is taken. With
+    Takes the first of the candidates that has a collision-free position and path. With
     ``straight`` the tool moves in a straight line. In straight lines the hand may touch
     ``touch_item``, and, with ``touch_support``, what it holds may touch what it stands on.
 
-    ``by`` is a retreat from whatever the hand is at: straight ways of the tool from where it stands, in
+    ``by`` retreats from whatever the hand is at. It lists straight motions of the tool, in
     metres in its own frame ((-0.1, 0, 0) draws the hand back), tried in order; then 10 cm straight up in the
-    map; then the longest part of any of them, of 2 cm at the least. On it the hand may touch every item, what
-    it holds may touch what it stands on, and contacts in which it begins, however deep, may go on as long as
-    they get no deeper. The result's ``candidate`` is the way's number (``len(by)``: up), and its error is
-    against where the way, or its part, ended. ``up`` is a retreat with one way: so many metres straight up in
-    the map, clear of what may stand unseen beside the hand. Neither needs ``frame``, ``straight``, or a robot
-    that knows where it is.
+    map; then the longest part of any of them, at least 2 cm. During the retreat the hand may touch every item,
+    what it holds may touch its support, and initial contacts, however deep, may remain as long as
+    they get no deeper. The result's ``candidate`` is the number of the motion (``len(by)``: up), and its error
+    refers to the end of the motion or its part. ``up`` retreats straight up in the map by so many metres,
+    away from anything unseen next to the hand. Neither needs ``frame``, ``straight``, or a localised
+    robot.
     """
 
     joints: tuple[float, ...] | None = None
@@ -118,7 +118,7 @@ class MoveResult(Message):
 
 
 class SurveyGoal(Message):
-    """From which of ``bases`` could the hand do one of ``candidates`` (in the map)? Moves nothing.
+    """Find the ``bases`` from which the hand can reach one of ``candidates`` (in the map). Moves nothing.
 
     Ends when ``enough`` have been found. Contacts and the hand's width are as in ``MoveGoal``.
     """

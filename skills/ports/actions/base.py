@@ -34,7 +34,7 @@ class BaseStatus(Message):
 
 
 class DriveGoal(Message):
-    """Drive to the first of ``poses`` (in the map) that has a free way; planned and checked before driving.
+    """Drive to the first of ``poses`` (in the map) with a free path; planned and checked before driving.
 
     ``serves_item`` says for which item, if any (order-picking paper, III-B).
     """
@@ -84,7 +84,7 @@ class RotateResult(Message):
 
 
 class LocaliseGoal(Message):
-    """Find out where the robot is, from the laser; near ``hint`` when there is one, else anywhere."""
+    """Localise the robot with the laser; near ``hint`` if given, else anywhere."""
 
     hint: FloorPose | None = None
 

@@ -79,9 +79,9 @@ ORDER_LOST_AFTER: Final = 0.5
 class CoordinateGoal(Message):
     """Coordinate both arms until cancelled (two-arm thesis, Algorithm 3). Ends by a cancel only, at rest.
 
-    ``faithful``: the arm that has stepped back goes on when the leader has picked and is back in its safe
-    place. ``eager``: arms whose announced ways come near each other do not wait for a risk: one goes as far
-    as it stays out of the other's way, and on as soon as the true clearance along its own allows.
+    ``faithful``: the arm that backed up continues when the leader has picked and is back in its safe
+    place. ``eager``: if the announced paths come close, the arms don't wait for a risk. One goes as far as it
+    stays out of the other's path, and continues as soon as the true clearance along its own path allows.
     """
 
     mode: Literal["faithful", "eager"] = "eager"

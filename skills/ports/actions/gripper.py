@@ -41,7 +41,7 @@ class GripFeedback(Message):
 
 
 class GripResult(Message):
-    """How the hand is now. ``full``: something of about the expected width is held."""
+    """The hand at the end. ``full``: it holds something of about the expected width."""
 
     width: float
     force: float

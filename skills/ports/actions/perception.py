@@ -15,9 +15,9 @@ class LookGoal(Message):
     """Point the head, take pictures, and report what is there.
 
     Looks at ``at`` (a point in the map) or else through the ``tilts`` (radians, down is negative), straight
-    ahead. Ends early once ``item`` has been seen. With ``clutter``, what is untagged is measured from the
-    depth image and goes into the planning scene; with ``around`` too, on all furniture that is near, for an
-    arm must know what it may meet.
+    ahead. Ends early once ``item`` has been seen. With ``clutter``, untagged objects are measured from the
+    depth image and added to the planning scene; with ``around``, also on all nearby furniture, because an
+    arm must know what it may hit.
     """
 
     item: Count | None = None
@@ -49,11 +49,11 @@ class LookResult(Message):
 
 
 class TrackGoal(Message):
-    """Tell the tags of ``items`` (all of them unless given) from each picture, until cancelled.
+    """Report the tags of ``items`` (default: all) in each picture, until cancelled.
 
-    What an arm hides is not told to be gone (two-arm thesis, Algorithm 1). The head follows what stands of
-    ``gaze``, and looks for what is gone of it; between its motions only, pictures are read. Without, it stays
-    as it stands.
+    An item hidden by an arm is not reported as gone (two-arm thesis, Algorithm 1). The head follows the
+    visible items of ``gaze`` and searches the lost ones; pictures are read only between its motions. Without
+    ``gaze``, the head doesn't move.
     """
 
     items: tuple[Annotated[int, Field(ge=0, le=MOST)], ...] = ()

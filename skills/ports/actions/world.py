@@ -27,10 +27,9 @@ class EditGoal(Message):
     ADD: the item, where it was last seen, becomes an obstacle. ATTACH: it is now in the hand of
     ``side``, at ``item_in_tool``.
     DETACH: it was put down at ``item_in_map``, into ``slot`` of ``depot`` if that is given.
-    REMOVE: it is no obstacle any more.
-    FORGET: where it stands is not believed any more, until it is seen again; what is in a hand can't be
-    forgotten.
-    SELECT: of several things with that number, the one that stands nearest to ``near`` is the item.
+    REMOVE: it is no longer an obstacle.
+    FORGET: its place is unknown until it is seen again; an item in a hand can't be forgotten.
+    SELECT: of several objects with that number, the one nearest to ``near`` is the item.
     """
 
     edit: SceneEdit
