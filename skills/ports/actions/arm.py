@@ -49,9 +49,9 @@ class MoveGoal(Message):
 
     ``by`` retreats from whatever the hand is at. It lists straight motions of the tool, in
     metres in its own frame ((-0.1, 0, 0) draws the hand back), tried in order; then 10 cm straight up in the
-    map; then the longest part of any of them, at least 2 cm. During the retreat the hand may touch every item,
+    map; then the longest part of any of them, at least 2 cm. The hand may touch every item meanwhile,
     what it holds may touch its support, and initial contacts, however deep, may remain as long as
-    they get no deeper. The result's ``candidate`` is the number of the motion (``len(by)``: up), and its error
+    they get no deeper. The result's ``candidate`` is the number of the motion (``len(by)``: up); its error
     refers to the end of the motion or its part. ``up`` retreats straight up in the map by so many metres,
     away from anything unseen next to the hand. Neither needs ``frame``, ``straight``, or a localised
     robot.
