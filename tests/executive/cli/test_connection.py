@@ -72,7 +72,7 @@ def test_no_command_makes_its_own_idea_of_where_the_robot_is() -> None:
     """BusOptions come from ``arguments`` alone, so a new command that connects has the shared set."""
     makers = {
         path.name
-        for path in CLI.glob("*.py")
+        for path in CLI.rglob("*.py")
         for node in ast.walk(ast.parse(path.read_text("utf-8")))
         if isinstance(node, ast.Call) and ast.unparse(node.func) in {"BusOptions", "bus_options"}
     }
