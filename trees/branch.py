@@ -2,48 +2,32 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
-from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.tasks import Attempt
 from tandem.trees.context import TreeContext
+from tandem.trees.failure_log import BranchFailures
 
 
 @dataclass(eq=False, kw_only=True)
 class Branch(TreeContext):
     """A task's surroundings as one of its branches sees them.
 
-    Clients, knowledge, clock and resources are the task's. A failure is kept here and told to the task; but
-    ``last_failure`` is the last one of this branch.
+    Clients, knowledge, clock and resources are the task's. So are its notes, for no goal of
+    a node may have the number of one before a restart. Failures are the branch's own, and told to the task.
     """
 
     parent: TreeContext
     name: str
     """Who it is, in words: "left arm"."""
-    _told: Attempt | None = field(default=None, init=False)
+
+    def __post_init__(self) -> None:
+        """Keep its own failures, and tell them to the task."""
+        self.failures = BranchFailures(self.clocks, parent=self.parent.failures)
 
     @property
     def seconds(self) -> float:
         """The task's robot seconds."""
         return self.parent.seconds
-
-    def failed(self, failure: Failure) -> None:
-        """Keep a leaf's failure, here and in the task."""
-        super().failed(failure)
-        self.parent.failed(failure)
-
-    def attempted(self, failure: Failure) -> None:
-        """Note what went wrong, here and in the task."""
-        super().attempted(failure)
-        self.parent.attempted(failure)
-        self._told = self.parent.attempts[-1]
-
-    def recovering(self, recovery: str, times: int) -> None:
-        """Note which recovery takes it; others may have told the task of theirs since."""
-        super().recovering(recovery, times)
-        now = self.attempts[-1]
-        self.parent.attempts = [now if each is self._told else each for each in self.parent.attempts]
-        self._told = now
 
     def enter(self, phase: str, fraction: float) -> None:
         """Say which phase the task is in; it never runs backwards."""
@@ -58,6 +42,7 @@ def branch(context: TreeContext, name: str) -> Branch:
         knowledge=context.knowledge,
         clocks=context.clocks,
         resources=context.resources,
+        notes=context.notes,
         parent=context,
         name=name,
     )

@@ -134,7 +134,7 @@ class Gates:
         node.feedback_message = "forced"
         if status is Status.FAILURE:
             text = "the node was forced to fail, for a test"
-            self.context.failed(Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=node.name))
+            self.context.failures.add(Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=node.name))
         node.status = status
 
 

@@ -30,14 +30,14 @@ def closes(context: TreeContext, board: FetchBoard) -> None:
     x, y, z = compose(grasp.grasp, grasp.item_in_tool).position
     bottom = (x, y, z - board.site_item(context).size[2] / 2.0)
     board.origin = Slot(position=bottom, facing=board.facing or 0.0)
-    context.keep(NAME, FetchNotes(closed=board.chosen_side(), origin=board.origin))
+    context.notes.keep(NAME, FetchNotes(closed=board.chosen_side(), origin=board.origin))
 
 
 def lets_go(context: TreeContext, board: FetchBoard) -> None:
     """Note that the hand is about to let go of the item."""
-    context.keep(NAME, FetchNotes(origin=board.origin))
+    context.notes.keep(NAME, FetchNotes(origin=board.origin))
 
 
 def recall(context: TreeContext) -> FetchNotes:
     """Return what is noted, by this tree or by the one of before a restart."""
-    return context.kept(NAME, FetchNotes) or FetchNotes()
+    return context.notes.kept(NAME, FetchNotes) or FetchNotes()

@@ -53,8 +53,10 @@ from tandem.skills.ports.tasks import (
 )
 from tandem.trees.clients import Clients
 from tandem.trees.context import TreeContext
+from tandem.trees.dialogue import Dialogue
 from tandem.trees.knowledge import Knowledge
 from tandem.trees.task import TaskType
+from tandem.trees.task_notes import TaskNotes
 
 NAME: Final = "executive"
 """What it is announced as; goals of skills come to rest when this name is gone."""
@@ -312,9 +314,8 @@ class Executive:
             self.clients,
             self.knowledge,
             self._clocks,
-            goals_before=self._ledger.attempts(task),
-            notes=dict(memory.notes),
-            answers_before=dict(memory.answers),
+            notes=TaskNotes(dict(memory.notes), self._ledger.attempts(task)),
+            dialogue=Dialogue(before=dict(memory.answers)),
         )
         status = self.book.get(task)
         context.enter("", 0.0 if status is None else status.progress.fraction)

@@ -86,7 +86,7 @@ class WaitForWorld(Behaviour):
         if version == 3:
             raise RuntimeError("a mistake")
         if version == 2:
-            self.context.failed(Failure(kind=FailureKind.GRASP_EMPTY, message="closed on nothing"))
+            self.context.failures.add(Failure(kind=FailureKind.GRASP_EMPTY, message="closed on nothing"))
         return {0: Status.RUNNING, 1: Status.SUCCESS}.get(version, Status.FAILURE)
 
 
@@ -101,7 +101,7 @@ class Nudge(Behaviour):
     def initialise(self) -> None:
         client = self.context.clients.of(NUDGE)
         self.handle = client.start(
-            Empty(), f"{self.context.task}/{self.name}/{self.context.next_attempt(self.name)}"
+            Empty(), f"{self.context.task}/{self.name}/{self.context.notes.next_attempt(self.name)}"
         )
 
     def update(self) -> Status:

@@ -72,6 +72,6 @@ def test_a_tree_that_turns_to_something_else_asks_no_longer() -> None:
     context = TreeBench(load("lab"), items={}).context
     node = ask(context)
     node.tick_once()
-    assert context.question is not None
+    assert context.dialogue.question is not None
     node.stop(Status.INVALID)
-    assert context.question is None
+    assert context.dialogue.question is None

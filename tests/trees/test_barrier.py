@@ -35,7 +35,7 @@ class Script(Behaviour):
         self.ticks += 1
         status = {"S": S, "F": F, "R": R}[self._left.pop(0) if len(self._left) > 1 else self._left[0]]
         if status is F:
-            self._context.failed(Failure(kind=self._kind, message=f"{self.name} failed"))
+            self._context.failures.add(Failure(kind=self._kind, message=f"{self.name} failed"))
         return status
 
     def terminate(self, new_status: Status) -> None:
@@ -99,7 +99,7 @@ def test_one_that_fails_before_lets_the_other_go_with_that_failure(
     play(two.root)
     assert two.root.status is F
     assert two.after[waits].ticks == 0, "it must not go on alone"
-    told = bench.context.last_failure()
+    told = bench.context.failures.last()
     assert (told.kind, told.evidence["failed"]) == (K.NO_IK, f"{LEFT} and {RIGHT}")
     assert told.message == f"{who}: before failed"
     (other,) = [each for each in told.chain() if each.kind is K.OTHER_ARM_FAILED]
@@ -111,7 +111,7 @@ def test_one_that_fails_after_leaves_the_other_to_its_end(bench: TreeBench) -> N
     play(two.root)
     assert two.root.status is F
     assert two.after[RIGHT].ticks == 4
-    assert bench.context.last_failure().evidence["failed"] == LEFT
+    assert bench.context.failures.last().evidence["failed"] == LEFT
 
 
 def test_one_that_has_nothing_to_wait_for_is_not_waited_for(bench: TreeBench) -> None:
@@ -179,7 +179,7 @@ def test_things_side_by_side_all_come_to_their_end(bench: TreeBench) -> None:
     root = SideBySide("both", bench.context, tuple(zip(branches.values(), scripts, strict=True)))
     assert play(root) == 4
     assert (root.status, scripts[1].stopped) == (F, False)
-    assert bench.context.last_failure().message == "left arm failed"
+    assert bench.context.failures.last().message == "left arm failed"
     root.stop(GONE)
     root.tick_once()
     assert [script.ticks for script in scripts] == [2, 5], "it begins anew"

@@ -39,7 +39,7 @@ class Script(Behaviour):
         self.ticks += 1
         status = self._statuses.pop(0) if len(self._statuses) > 1 else self._statuses[0]
         if status is F:
-            self._context.failed(Failure(kind=self._kind, message=self.name))
+            self._context.failures.add(Failure(kind=self._kind, message=self.name))
         return status
 
 
@@ -76,7 +76,7 @@ def test_recovery_asks_the_cheap_step_first_and_the_dear_one_when_that_is_used_u
         context, main, RecoveryStep("cheap", always, 2, cheap), RecoveryStep("dear", always, 1, dear)
     )
     assert play(bench, tree)[-1] is S
-    assert [(each.recovery, each.times) for each in context.attempts] == [
+    assert [(each.recovery, each.times) for each in context.failures.attempts] == [
         ("cheap", 1),
         ("cheap", 2),
         ("dear", 1),
@@ -89,7 +89,7 @@ def test_recovery_gives_up_when_all_is_used_up(bench: TreeBench) -> None:
         context, Script("main", context, F), RecoveryStep("step", always, 2, Note("repair", lambda: ""))
     )
     assert play(bench, tree)[-1] is F
-    assert [each.recovery for each in context.attempts] == ["step", "step", ""]
+    assert [each.recovery for each in context.failures.attempts] == ["step", "step", ""]
 
 
 def test_recovery_hands_over_to_the_next_step_when_a_repair_fails(bench: TreeBench) -> None:
@@ -146,7 +146,7 @@ def test_guarded_stops_its_child_and_fails_with_the_reason(bench: TreeBench) -> 
     holds[0] = False
     assert play(bench, tree, most=3) == [F]
     assert child.status is Status.INVALID
-    assert context.last_failure().kind is K.GRASP_LOST
+    assert context.failures.last().kind is K.GRASP_LOST
 
 
 def test_a_failure_is_told_as_the_recovery_concludes_it(bench: TreeBench) -> None:
@@ -160,7 +160,7 @@ def test_a_failure_is_told_as_the_recovery_concludes_it(bench: TreeBench) -> Non
         conclude=lambda failure: Failure(kind=K.ITEM_UNREACHABLE, message="", causes=(failure,)),
     )
     assert play(bench, tree) == [F]
-    assert [each.kind for each in context.last_failure().chain()] == [K.ITEM_UNREACHABLE, K.NO_IK]
+    assert [each.kind for each in context.failures.last().chain()] == [K.ITEM_UNREACHABLE, K.NO_IK]
 
 
 class AtWork(Script):
@@ -260,4 +260,4 @@ def test_pause_takes_its_time(bench: TreeBench) -> None:
 def test_give_up_says_why(bench: TreeBench) -> None:
     tree = GiveUp("give up", bench.context, lambda: Failure(kind=K.ITEM_NOT_FOUND, message="nowhere"))
     assert play(bench, tree) == [F]
-    assert bench.context.last_failure().where == "give up"
+    assert bench.context.failures.last().where == "give up"

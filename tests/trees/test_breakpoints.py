@@ -105,7 +105,7 @@ def test_a_forced_node_ends_without_having_worked(
     gates.force(steps["b"], status)
     assert tick(gates) is end
     assert steps["b"].begun == 0
-    told = [failure.where for failure in gates.context.failures]
+    told = [failure.where for failure in gates.context.failures.all]
     assert told == ([] if status is Status.SUCCESS else ["b"])
 
 
@@ -169,4 +169,4 @@ def test_the_bench_holds_a_fetch_before_it_closes_the_hand() -> None:
 def test_the_bench_forces_a_leaf_of_a_fetch() -> None:
     bench, status = in_a_fetch(lambda bench: bench.force("close", Status.FAILURE))
     assert status is Status.FAILURE
-    assert bench.context.failures[-1].kind is FailureKind.SKILL_CRASHED or bench.failure() is not None
+    assert bench.context.failures.all[-1].kind is FailureKind.SKILL_CRASHED or bench.failure() is not None

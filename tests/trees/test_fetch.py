@@ -174,7 +174,7 @@ def test_a_full_depot_is_said_before_anything_moves() -> None:
     slots = range(len(SITE.depots[0].slots))
     it.robot.believe(placed=tuple(Placed(item=100 + slot, depot="depot", slot=slot) for slot in slots))
     assert it.run("fetch", {"item": 29}) is Status.FAILURE
-    assert [failure.kind for failure in it.context.failures] == [K.DESTINATION_FULL]
+    assert [failure.kind for failure in it.context.failures.all] == [K.DESTINATION_FULL]
     assert it.robot.calls == []
 
 
@@ -182,7 +182,7 @@ def test_full_hands_are_said_before_anything_moves() -> None:
     it = bench(localised=True)
     it.robot.believe(held=(HeldItem(side="left", item=42, item_in_tool=IDENTITY),))
     assert it.run("fetch", {"item": 29, "arm": "left"}) is Status.FAILURE
-    assert [failure.kind for failure in it.context.failures] == [K.HAND_FULL]
+    assert [failure.kind for failure in it.context.failures.all] == [K.HAND_FULL]
     assert it.robot.calls == []
 
 
@@ -307,6 +307,6 @@ def test_the_one_of_two_that_the_request_locates_is_fetched() -> None:
 def test_one_that_is_in_view_elsewhere_is_not_the_one_that_is_located() -> None:
     it = bench()
     assert it.run("fetch", {"item": 29, "near": (-1.0, 2.7)}) is Status.FAILURE
-    assert it.context.failures[0].kind is FailureKind.ITEM_NOT_FOUND
-    assert "not within 0.5 m" in it.context.failures[0].message
+    assert it.context.failures.all[0].kind is FailureKind.ITEM_NOT_FOUND
+    assert "not within 0.5 m" in it.context.failures.all[0].message
     assert it.robot.calls_of("gripper_left/grip") == 0

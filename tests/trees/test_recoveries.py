@@ -117,7 +117,7 @@ def test_every_kind_has_a_row() -> None:
 def test_what_strikes_once_is_mended(row: Row) -> None:
     bench, status = run((row.leaf, 1), row.kind)
     assert status is Status.SUCCESS
-    assert [(each.failure.kind, each.recovery, each.times) for each in bench.context.attempts] == [
+    assert [(each.failure.kind, each.recovery, each.times) for each in bench.context.failures.attempts] == [
         (row.kind, row.recovery, 1)
     ]
     assert bench.robot.base == bench.context.site.home
@@ -145,7 +145,7 @@ def test_what_strikes_always_ends_the_task_with_its_reason(row: Row) -> None:
 @pytest.mark.parametrize("row", [row for row in ROWS if not row.recovery and row.always], ids=str)
 def test_what_nothing_helps_is_not_tried_again(row: Row) -> None:
     bench, _ = run(row.leaf, row.kind)
-    assert [each.recovery for each in bench.context.attempts] == [""]
+    assert [each.recovery for each in bench.context.failures.attempts] == [""]
     assert RECOVERIES[row.kind] == ""
 
 
@@ -163,7 +163,7 @@ def test_a_failed_task_says_where_everything_is(row: Row) -> None:
 def test_the_arms_recovery_is_the_papers() -> None:
     """Order-picking paper, III-A.4: HOME, search, estimate anew, retry; at most twice; then unreachable."""
     bench, _ = run("pre-grasp", K.NO_IK)
-    tried = [each.recovery for each in bench.context.attempts]
+    tried = [each.recovery for each in bench.context.failures.attempts]
     assert tried == [GRASP, GRASP, "get: go home and search again", "get: go home and search again", ""]
     assert bench.robot.calls_of("base/drive") >= 2
     failure = bench.failure()
@@ -184,7 +184,7 @@ def test_a_dropped_item_is_fetched_again() -> None:
     while (status := bench.step()) is Status.RUNNING:
         pass
     assert status is Status.SUCCESS
-    assert [(each.failure.kind, each.recovery) for each in bench.context.attempts] == [
+    assert [(each.failure.kind, each.recovery) for each in bench.context.failures.attempts] == [
         (K.GRASP_LOST, "fetch it again")
     ]
 
@@ -199,5 +199,5 @@ def test_a_taken_slot_is_left_alone() -> None:
 def test_a_repeat_is_bounded_in_time_too() -> None:
     """A camera that is silent for good costs a task's patience, not its day."""
     bench, _ = run("look here", K.CAMERA_SILENT)
-    assert bench.context.attempts[-1].recovery == ""
+    assert bench.context.failures.attempts[-1].recovery == ""
     assert bench.clocks.seconds < 60.0

@@ -83,7 +83,7 @@ class Act(Behaviour, Generic[G, F, R]):
     def initialise(self) -> None:
         """Begin a new attempt."""
         self._handle, self.failure, self._ended_at = None, None, None
-        self._attempt = self._context.next_attempt(self.name)
+        self._attempt = self._context.notes.next_attempt(self.name)
         self.feedback_message = ""
 
     def update(self) -> Status:
@@ -142,7 +142,7 @@ class Act(Behaviour, Generic[G, F, R]):
 
     def _fail(self, failure: Failure) -> Status:
         self.failure = failure.model_copy(update={"where": f"{self.name}: {failure.where or self._skill}"})
-        self._context.failed(self.failure)
+        self._context.failures.add(self.failure)
         self.feedback_message = f"{failure.kind}: {failure.message}"
         return Status.FAILURE
 

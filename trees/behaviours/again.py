@@ -47,6 +47,6 @@ class Again(Decorator):
             return status
         self._done += 1
         self.feedback_message = f"{self._done} of {self._times}"
-        if self._done < self._times and self._goes_on(self._context.last_failure()):
+        if self._done < self._times and self._goes_on(self._context.failures.last()):
             return Status.RUNNING
         return Status.FAILURE

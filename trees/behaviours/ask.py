@@ -39,15 +39,15 @@ class Ask(Behaviour):
 
     def initialise(self) -> None:
         """Begin without an answer."""
-        self._context.answers.pop(self.name, None)
+        self._context.dialogue.answers.pop(self.name, None)
 
     def update(self) -> Status:
         """Ask when nobody else does; take the answer."""
-        before = self._context.answers_before.pop(self.name, None)
-        answer = self._context.answers.pop(self.name, before)
+        before = self._context.dialogue.before.pop(self.name, None)
+        answer = self._context.dialogue.answers.pop(self.name, before)
         if answer not in self._question.choices:
-            if self._context.question is None:
-                self._context.question = self._question
+            if self._context.dialogue.question is None:
+                self._context.dialogue.question = self._question
             self.feedback_message = f"asks: {self._question.text}"
             return Status.RUNNING
         self._withdraw()
@@ -55,7 +55,7 @@ class Ask(Behaviour):
         failure = self._take(answer)
         if failure is None:
             return Status.SUCCESS
-        self._context.failed(failure.model_copy(update={"where": self.name}))
+        self._context.failures.add(failure.model_copy(update={"where": self.name}))
         return Status.FAILURE
 
     def terminate(self, new_status: Status) -> None:
@@ -64,5 +64,5 @@ class Ask(Behaviour):
             self._withdraw()
 
     def _withdraw(self) -> None:
-        if self._context.question is self._question:
-            self._context.question = None
+        if self._context.dialogue.question is self._question:
+            self._context.dialogue.question = None

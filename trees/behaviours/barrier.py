@@ -83,7 +83,7 @@ class Meet(Behaviour):
             self.feedback_message = f"waits for the {' and the '.join(barrier.missing())}"
             return Status.RUNNING
         failure = self._other_failed(*lost)
-        self._context.failed(failure)
+        self._context.failures.add(failure)
         self.feedback_message = failure.message
         return Status.FAILURE
 
@@ -120,7 +120,7 @@ class Member(Decorator):
         status: Status = self.decorated.status
         self.feedback_message = self.decorated.feedback_message
         if status is Status.FAILURE:
-            self._barrier.lose(self._party, self._context.last_failure())
+            self._barrier.lose(self._party, self._context.failures.last())
         elif status is Status.SUCCESS:
             self._barrier.arrive(self._party)
         return status

@@ -32,6 +32,6 @@ class Decide(Behaviour):
             self.failure, self.feedback_message = None, decided
             return Status.SUCCESS
         self.failure = decided.model_copy(update={"where": f"{self.name}: {decided.where}".rstrip(": ")})
-        self._context.failed(self.failure)
+        self._context.failures.add(self.failure)
         self.feedback_message = f"{decided.kind}: {decided.message}"
         return Status.FAILURE

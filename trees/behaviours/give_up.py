@@ -27,6 +27,6 @@ class GiveUp(Behaviour):
     def update(self) -> Status:
         """Say why."""
         reason = self._reason()
-        self._context.failed(reason.model_copy(update={"where": reason.where or self.name}))
+        self._context.failures.add(reason.model_copy(update={"where": reason.where or self.name}))
         self.feedback_message = f"{reason.kind}: {reason.message}"
         return Status.FAILURE

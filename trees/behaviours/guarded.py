@@ -45,7 +45,7 @@ class Guarded(Decorator):
             return
         if not self._broken:
             self._broken = True
-            self._context.failed(self._told())
+            self._context.failures.add(self._told())
             self.decorated.stop(Status.INVALID)
         if self._context.quiet:
             self.stop(Status.FAILURE)

@@ -50,7 +50,7 @@ class Allowance(Behaviour):
             self.feedback_message = f"tried {self.taken} times"
             return Status.FAILURE
         self.taken += 1
-        self._context.recovering(self._step, self.taken)
+        self._context.failures.recovering(self._step, self.taken)
         self.feedback_message = f"{self.taken} of {self._times}"
         return Status.SUCCESS
 
@@ -130,9 +130,9 @@ class Recovery(Composite):
         if status is Status.SUCCESS:
             self.feedback_message = ""
             return status
-        self._failure = self._context.last_failure()
+        self._failure = self._context.failures.last()
         self.feedback_message = f"{self._failure.kind}: {self._failure.message}"
-        self._context.attempted(self._failure)
+        self._context.failures.attempted(self._failure)
         if self._context.seconds - self._since > self._within:
             return self._give_up(self._failure)
         return self._next()
@@ -146,13 +146,13 @@ class Recovery(Composite):
 
     def _give_up(self, failure: Failure) -> Status:
         given_up = self._conclude(failure)
-        self._context.failed(given_up)
-        self._context.exhausted = (given_up, self._helps)
+        self._context.failures.add(given_up)
+        self._context.failures.exhausted = (given_up, self._helps)
         return Status.FAILURE
 
     def _step(self, step: RecoveryStep, allowance: Allowance) -> Behaviour:
         def takes() -> bool:
-            failure, (given_up, exhausted) = self._failure, self._context.exhausted
+            failure, (given_up, exhausted) = self._failure, self._context.failures.exhausted
             # What a recovery below has given up is not tried here in the same way once more.
             tried = failure is given_up and step.helps in exhausted
             return failure is not None and not tried and step.helps(failure)

@@ -30,7 +30,7 @@ class Remember(Decorator):
             return Status.RUNNING
         self.verdict = self.decorated.status
         if self.verdict is Status.FAILURE:
-            self._context.verdict = self._context.last_failure()
+            self._context.failures.verdict = self._context.failures.last()
         return Status.SUCCESS
 
 

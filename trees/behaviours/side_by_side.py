@@ -42,7 +42,9 @@ class SideBySide(Composite):
             yield from child.tick()
             if child.status is not Status.RUNNING:
                 failed = child.status is Status.FAILURE
-                self._ended[branch.name] = (branch.verdict or branch.last_failure()) if failed else None
+                self._ended[branch.name] = (
+                    (branch.failures.verdict or branch.failures.last()) if failed else None
+                )
         if len(self._ended) < len(self._branches):
             self.status = Status.RUNNING
         else:
@@ -67,6 +69,6 @@ class SideBySide(Composite):
         causes = (*why.causes, *(other for _, other in others))
         message = why.message if who in why.message else f"{who}: {why.message}"
         told = why.model_copy(update={"evidence": evidence, "causes": causes, "message": message})
-        self._context.failed(told)
+        self._context.failures.add(told)
         self.feedback_message = f"{told.kind}: {told.message}"
         return Status.FAILURE

@@ -51,7 +51,7 @@ class WaitFor(Behaviour):
         self.feedback_message = self.failure.message
         if waited < max(self._patience, self._at_least) or self._host_may_be_late():
             return Status.RUNNING
-        self._context.failed(self.failure)
+        self._context.failures.add(self.failure)
         return Status.FAILURE
 
     def _host_may_be_late(self) -> bool:

@@ -100,7 +100,7 @@ def _around(context: TreeContext, board: FetchBoard, where: str) -> Behaviour:
 
 def _only_unseen(where: str, context: TreeContext) -> Check:
     """Return the condition that lets a search go on: a silent camera sees it nowhere."""
-    return Check(f"only not seen {where}?", lambda: unseen(context.last_failure()))
+    return Check(f"only not seen {where}?", lambda: unseen(context.failures.last()))
 
 
 def _next_spot(context: TreeContext, board: FetchBoard) -> Note:
@@ -123,7 +123,7 @@ def _not_found(context: TreeContext, board: FetchBoard) -> GiveUp:
     spots = len(context.site.spots)
 
     def reason() -> Failure:
-        last = context.last_failure()
+        last = context.failures.last()
         if not unseen(last):
             return last
         return Failure(

@@ -56,7 +56,7 @@ class Turn:
         elif how != "go on":
             self.run.pause()
         if how == "ask":
-            self.run.context.question = QUESTION
+            self.run.context.dialogue.question = QUESTION
 
     def _restore(self, memory: TaskMemory) -> None:
         run, gates = self.run, self.run.gates
@@ -79,8 +79,8 @@ class Turn:
         run, context = self.run, self.run.context
         ending = run.ending
         update: dict[str, object] = {
-            "notes": dict(context.notes),
-            "answers": {**context.answers_before, **context.answers},
+            "notes": dict(context.notes.all),
+            "answers": {**context.dialogue.before, **context.dialogue.answers},
             "step": run.stepping,
             "go_on": run.told_to_go_on and run.ticks == 0,
             "winding": run.winding,
@@ -102,14 +102,17 @@ class Turn:
         facts: dict[str, object] = {
             "progress": run.progress,
             "running": run.running,
-            "question": run.context.question,
+            "question": run.context.dialogue.question,
             "time_left": self.expectation.left(now),
             "started": status.started or self.clocks.robot(),
         }
         if status.state is not run.state or status.progress.phase != run.progress.phase:
             return self.book.change(self.task, run.state, **facts)
         told = (status.running, status.question)
-        if _worth_telling(status.progress, run.progress) or told != (run.running, run.context.question):
+        if _worth_telling(status.progress, run.progress) or told != (
+            run.running,
+            run.context.dialogue.question,
+        ):
             return self.book.note(self.task, **facts)
         return None
 

@@ -106,7 +106,7 @@ class Tries:
     def step(self) -> bool:
         """Look for new attempts and pictures; return whether ``tried`` has changed."""
         arrived = self._take_picture()
-        now = self.context.attempts
+        now = self.context.failures.attempts
         same = len(now) == len(self._seen) and all(a is b for a, b in zip(now, self._seen, strict=True))
         if same and not arrived:
             return False

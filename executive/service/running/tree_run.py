@@ -212,7 +212,7 @@ class Run:
         why = self.held_up_by()
         if not why and self._hold.free:
             why = "the task is not paused"
-        if not why and self.context.question is not None and self.ticks == 0:
+        if not why and self.context.dialogue.question is not None and self.ticks == 0:
             why = "the task asks whether to continue; answer the question first"
         if not why:
             self._go_on_from_gate()
@@ -225,7 +225,7 @@ class Run:
         if not why and self._hold.state is not TaskState.PAUSED:
             pausing = self._hold.state is TaskState.PAUSING
             why = "the skills are still coming to rest" if pausing else "the task is not paused"
-        if not why and self.context.question is not None and self.ticks == 0:
+        if not why and self.context.dialogue.question is not None and self.ticks == 0:
             why = "the task asks whether to continue; answer the question first"
         if not why:
             self._go_on_from_gate()
@@ -327,9 +327,9 @@ class Run:
 
     def _told(self) -> Failure | None:
         """Return the failure that the tree has told; one from before the wind-down is not its own."""
-        failures = self.context.failures
+        failures = self.context.failures.all
         if self._winding is None:
-            return self.context.failure()
+            return self.context.failures.summary()
         return failures[-1] if failures and failures[-1] is not self._before_winding else None
 
     def _as_failed(self, failure: Failure) -> Ending:
@@ -376,7 +376,7 @@ class Run:
             self._end_with(Ending(ending.state, kept_from_winding_down(tree.name, stop.by)))
             return False
         self.winding = "begun"
-        self._before_winding = self.context.failures[-1] if self.context.failures else None
+        self._before_winding = self.context.failures.all[-1] if self.context.failures.all else None
         self._winding, self._ending = Elapsed(self._clocks), None
         self._root, self._view, self._shown = tree, TreeView(tree), None
         self.gates = Gates(tree, self.context)
@@ -420,7 +420,7 @@ class Run:
             return failure
 
     def _last_failure(self) -> Failure | None:
-        return self.context.failure() if self._ending is None else self._ending.failure
+        return self.context.failures.summary() if self._ending is None else self._ending.failure
 
     def _note_progress(self) -> None:
         told = self.context.progress

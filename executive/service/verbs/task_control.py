@@ -108,14 +108,14 @@ class Control:
         if isinstance(turn, ControlAnswer):
             return turn
         context = turn.run.context
-        question = context.question
+        question = context.dialogue.question
         if question is None or turn.run.ending is not None:
             return _refused("the task is not asking anything")
         if asked.answer not in question.choices:
             return _refused(f"expected one of {', '.join(question.choices)}; found {asked.answer!r}")
-        context.question = None
+        context.dialogue.question = None
         if question is not QUESTION:
-            context.answers[question.node] = asked.answer
+            context.dialogue.answers[question.node] = asked.answer
             turn.run.look_again()
         elif asked.answer == GO_ON:
             turn.run.told_to_go_on = True

@@ -150,7 +150,7 @@ class TreeBench:
 
     def failure(self) -> Failure | None:
         """Return why the task failed, and where everything is, as the executive tells it."""
-        failure = self.context.failure()
+        failure = self.context.failures.summary()
         return None if failure is None else self.context.with_places(failure)
 
     def path(self) -> tuple[str, ...]:

@@ -31,7 +31,7 @@ def camera(here: Surroundings) -> Desk:
 def go_wrong(here: Surroundings, message: str = "empty") -> Attempt:
     failure = Failure(kind=FailureKind.GRASP_EMPTY, message=message)
     attempt = Attempt(at=here.clocks.robot(), failure=failure)
-    here.executive.running.context.attempts.append(attempt)
+    here.executive.running.context.failures.attempts.append(attempt)
     here.step()
     return attempt
 
@@ -57,7 +57,9 @@ def test_an_attempt_told_anew_with_its_recovery_keeps_its_picture(here: Surround
     attempt = go_wrong(here)
     camera.drain()[0].reply(b"jpeg")
     here.step()
-    here.executive.running.context.attempts[0] = attempt.model_copy(update={"recovery": "again", "times": 1})
+    here.executive.running.context.failures.attempts[0] = attempt.model_copy(
+        update={"recovery": "again", "times": 1}
+    )
     here.step()
     (told,) = here.told()[-1].tried
     assert (told.recovery, told.picture) == ("again", "1")
@@ -77,7 +79,7 @@ def test_a_camera_that_does_not_answer_holds_nothing_up(here: Surroundings, came
 
 
 def test_a_picture_that_comes_after_the_end_is_in_the_list(here: Surroundings, camera: Desk) -> None:
-    here.executive.running.context.attempts.append(
+    here.executive.running.context.failures.attempts.append(
         Attempt(at=None, failure=Failure(kind=FailureKind.GRASP_EMPTY, message="empty"))
     )
     here.world(2)

@@ -45,7 +45,7 @@ class Fails(Behaviour):
     def update(self) -> Status:
         if self.context.knowledge.robot_localised:
             return Status.SUCCESS
-        self.context.failed(Failure(kind=FailureKind(self.kind), message="nothing helps"))
+        self.context.failures.add(Failure(kind=FailureKind(self.kind), message="nothing helps"))
         return Status.FAILURE
 
 
