@@ -1,1 +1,9 @@
-"""What to do: behaviours, subtrees and tasks."""
+"""What to do: tasks in ``tasks/``, made of ``subtrees/``, ``leaves/``, ``conditions/`` and ``behaviours/``.
+
+Tasks: task, registry, hand_requests.
+A task's surroundings: context, branch, knowledge, clients, client, resources, elapsed, failure_log,
+task_notes, dialogue.
+What leaves hand to each other: board, hand_board, hand_task, fetch_notes.
+Failures: recovery_kinds, item_failures, closing.
+A tree as data: snapshot, possible, breakpoints.
+"""

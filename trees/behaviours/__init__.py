@@ -1,1 +1,7 @@
-"""Kinds of behaviours that leaves and subtrees are made of."""
+"""Kinds of behaviours that leaves and subtrees are made of.
+
+Leaves: act, check, decide, note, give_up, pause, wait_for, ask.
+Again and otherwise: again, each, recovery, remember.
+While something goes on: guarded, interruptible, meanwhile, phase.
+Beside each other: side_by_side, barrier, take_turns.
+"""
