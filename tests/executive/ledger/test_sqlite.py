@@ -42,9 +42,9 @@ def test_it_is_written_as_it_must_be_to_survive_a_power_cut(tmp_path: Path) -> N
 def test_what_was_not_committed_is_gone_with_the_process(tmp_path: Path) -> None:
     code = f"""
 import os, sys
-sys.path.insert(0, {str(Path(__file__).parents[1])!r})
+sys.path.insert(0, {str(Path(__file__).parent)!r})
 from pathlib import Path
-from test_ledger_file import SqliteLedger, entry
+from test_sqlite import SqliteLedger, entry
 ledger = SqliteLedger(Path({str(tmp_path)!r}))
 ledger.enter(entry(1))
 ledger.commit()
