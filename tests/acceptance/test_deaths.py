@@ -183,7 +183,7 @@ def test_a_process_that_can_not_start_is_named_with_its_last_words(tmp_path: Pat
     scenario.write_text("name: wrong\nstart: {x: 0.0, y: 0.0, yaw: 0.0}\n")
     system = ProcessSystem(RunOptions(bus=own_bus(), scenario=str(scenario)))
     scenario.write_text("name: wrong\nstart: nowhere\n")  # after it was checked: the hardware finds it so
-    with pytest.raises(SystemFailure, match=r"the hardware process ended \(exit code 1\); its last words"):
+    with pytest.raises(SystemFailure, match=r"the hardware process ended \(exit code 1\); last output"):
         system.__enter__()
 
 
