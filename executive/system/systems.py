@@ -17,7 +17,7 @@ from tandem.executive.system.free_endpoint import TakenError, require_vacant
 from tandem.executive.system.hung_processes import HUNG_AFTER, Hung
 from tandem.executive.system.processes import RESTARTED, Death, Supervisor
 from tandem.executive.system.roles.observer import NAME as OBSERVER
-from tandem.executive.system.roles.registry import names
+from tandem.executive.system.roles.registry import names, role_of
 from tandem.executive.telemetry.log_files import UserLog
 from tandem.executive.telemetry.relay import LogRelay
 from tandem.sim.chatter import unheard
@@ -341,9 +341,12 @@ class ProcessSystem:
 
         Not the hardware: what it simulates would begin anew, and a robot's own is not ours to kill.
         """
-        names = {f"process/{child.role}": child for child in self.supervisor.children}
-        restarted = {name for name in names if name.removeprefix("process/") in {*RESTARTED} - {"hardware"}}
-        for name in self._hung.look(restarted & self.bus.alive(), self.bus.awake()):
+        names = {
+            f"process/{child.role}": child
+            for child in self.supervisor.children
+            if role_of(child.settings).kind in RESTARTED - {"hardware"}
+        }
+        for name in self._hung.look(names.keys() & self.bus.alive(), self.bus.awake()):
             self._say(f"the {names[name].role} process hangs; killing it")
             names[name].process.kill()
 

@@ -84,6 +84,6 @@ def test_every_block_of_figures_is_made_by_make_figures(page: Path) -> None:
 
 @pytest.mark.parametrize("name", ["campaign_command", "experiment_command", "restart_command"])
 def test_no_campaign_writes_a_report_past_the_shared_form(name: str) -> None:
-    source = (ROOT / "executive" / "cli" / f"{name}.py").read_text("utf-8")
+    source = (ROOT / "executive" / "cli" / "commands" / f"{name}.py").read_text("utf-8")
     assert "told(console, report" in source
     assert "report.write_text" not in source

@@ -75,7 +75,7 @@ def test_the_command_lists_the_benchmarks(capfd: pytest.CaptureFixture[str]) -> 
 def test_without_a_checkout_the_command_says_that_it_needs_one(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    elsewhere = tmp_path / "site-packages" / "executive" / "cli" / "bench_command.py"
+    elsewhere = tmp_path / "site-packages" / "executive" / "cli" / "commands" / "bench_command.py"
     elsewhere.parent.mkdir(parents=True)
     shutil.copy(bench_command.__file__, elsewhere)
     monkeypatch.setattr(bench_command, "__file__", str(elsewhere))
