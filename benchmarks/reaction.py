@@ -36,7 +36,7 @@ REQUESTS: Final = 100
 PINGS: Final = 400
 SKILL_SECONDS: Final = 0.03
 PATIENCE: Final = 10.0
-"""Seconds that one request is waited for: beside as many burners as cores it took up to 2 s."""
+"""Seconds that one request is waited for: beside as many burners as cores 2 s were too few at times."""
 LOADED_FOR: Final = 120.0
 """Seconds after which the burners end by themselves."""
 

@@ -27,7 +27,7 @@ def tables() -> dict[str, str]:
 
 
 def fill(page: str) -> str:
-    """Return the page with its tables made anew.
+    """Return the page with fresh tables.
 
     Raises:
         KeyError: naming a marked table that there is none of.

@@ -68,7 +68,7 @@ def new_id() -> str:
 
 @dataclass(frozen=True)
 class Questions:
-    """Whoever is asked raises what ``tandem.executive.client.errors`` says.
+    """All calls raise the errors of ``tandem.executive.client.errors``.
 
     Args:
         talks: asks until there is an answer.

@@ -31,8 +31,8 @@ OPERATORS: Final = MappingProxyType(
             "Check the robot's power and its link, restart it, then send the request again."
         ),
         FailureKind.HARDWARE_STOPPED: (
-            "Find out why the stop was set, and make sure that nobody is in reach. Run `tandem release`. "
-            "Then send the request again."
+            "Find out why the stop was set and keep everybody out of the robot's reach. "
+            "Then run `tandem release` and send the request again."
         ),
         FailureKind.ITEM_NOT_FOUND: (
             "Put the item in view of a search spot, with its tag uncovered. Then send the request again."

@@ -136,7 +136,7 @@ class Bus(Protocol):
         ...
 
     def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
-        """Ask whoever serves the key. ``timeout`` is in seconds of the host's monotonic clock."""
+        """Query the process that serves the key. ``timeout`` is in seconds of the host's monotonic clock."""
         ...
 
     def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:

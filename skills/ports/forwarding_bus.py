@@ -32,7 +32,7 @@ class ForwardingBus:
         return self._inner.subscribe(key, depth=depth)
 
     def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
-        """Ask whoever serves the key."""
+        """Query the process that serves the key."""
         return self._inner.query(key, payload, timeout=timeout)
 
     def serve(self, key: str, *, limit: int = MAX_REQUEST_BYTES) -> Desk:

@@ -33,8 +33,8 @@ BACK_WITHIN: Final = 5.0
 before it goes on without a lease; it still asks for one."""
 
 GONE_WITHIN: Final = 10.0
-"""Host seconds in which the hardware notices that a holder is gone whom the router no longer knows. It takes
-10 ms, and the second for which ``lease.KEPT_UNSEEN`` spares a holder that has just been granted its lease."""
+"""Host seconds in which the hardware must notice that a holder is gone which the router no longer knows. Well
+above the second for which ``lease.KEPT_UNSEEN`` spares a holder that has just been granted its lease."""
 
 _LOG = logging.getLogger(__name__)
 

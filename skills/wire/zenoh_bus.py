@@ -152,7 +152,7 @@ class ZenohBus:
         return inbox
 
     def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
-        """Ask whoever serves the key."""
+        """Query the process that serves the key."""
         pending = ZenohPending(self.waker)
         self._session.get(
             f"{self._prefix}/{key}",

@@ -9,6 +9,7 @@ from py_trees.common import Status
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.executive.trials.exploration.worlds import fetch_worlds
+from tandem.skills.ports.actions.base import DriveGoal
 from tandem.skills.ports.actions.gripper import Grip, GripGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.testing.mock_skill import Fault
@@ -121,6 +122,15 @@ def test_what_strikes_once_is_mended(row: Row) -> None:
         (row.kind, row.recovery, 1)
     ]
     assert bench.robot.base == bench.context.site.home
+
+
+def test_an_item_that_is_hidden_is_looked_at_from_another_stand() -> None:
+    """From the same stand it would be hidden again: that the robot tries once more is not enough."""
+    hidden, _ = run(("look closely at item", 1), K.ITEM_HIDDEN)
+    plain, _ = run(("look closely at item", 1000), K.ITEM_HIDDEN)
+    assert hidden.robot.calls_of("base/drive") == plain.robot.calls_of("base/drive") + 1
+    driven = [goal.poses[0] for _, goal in hidden.robot.calls if isinstance(goal, DriveGoal)]
+    assert driven[0] != driven[1]
 
 
 def test_a_hand_that_has_let_go_is_not_told_to_once_more() -> None:

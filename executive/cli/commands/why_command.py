@@ -73,7 +73,7 @@ def why(
 
 
 def _picture(connection: Connection, status: TaskStatus, path: Path) -> str:
-    """Save the picture; return what there is to be told of it."""
+    """Save the picture and return a sentence about it."""
     from tandem.executive.render.failure_words import last_picture  # noqa: PLC0415
     from tandem.skills.ports.tasks import TASK_PICTURE, AskPicture  # noqa: PLC0415
 

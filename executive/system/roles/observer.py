@@ -1,4 +1,4 @@
-"""The observer: hears what all tell, and serves metrics and traces. Nothing needs it."""
+"""The observer: subscribes to everything and serves metrics and traces. No other process needs it."""
 
 from __future__ import annotations
 

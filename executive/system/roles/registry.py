@@ -49,16 +49,9 @@ def names(*, on_request: bool = False) -> tuple[str, ...]:
     return tuple(role.name for role in shipped().values() if on_request or not role.on_request)
 
 
-def skill_roles(description: RobotDescription | None = None) -> tuple[Role, ...]:
-    """Return the roles of skills, in the order in which lockstep steps them.
-
-    With a description, only those that such a robot needs.
-    """
-    return tuple(
-        role
-        for role in shipped().values()
-        if role.kind == "skills" and (description is None or role.needed(description))
-    )
+def skill_roles(description: RobotDescription) -> tuple[Role, ...]:
+    """Return the roles of skills that a robot needs, in the order in which lockstep steps them."""
+    return tuple(role for role in shipped().values() if role.kind == "skills" and role.needed(description))
 
 
 def role_of(settings: WorkerSettings) -> Role:
@@ -67,15 +60,19 @@ def role_of(settings: WorkerSettings) -> Role:
     Raises:
         LookupError: naming the roles that there are.
     """
-    declared = settings.played_by or settings.role
     if not settings.played_by and settings.role in shipped():
         return shipped()[settings.role]
-    for entry in entry_points(group=GROUP, name=declared):
+    return _declared(settings.played_by or settings.role)
+
+
+@cache  # a supervisor asks each time it looks at its processes, and entry points are read from files
+def _declared(name: str) -> Role:
+    for entry in entry_points(group=GROUP, name=name):
         loaded = entry.load()
         if isinstance(loaded, Role):
             return loaded
     known = ", ".join((*names(on_request=True), *sorted(entry_points(group=GROUP).names)))
-    raise LookupError(f"role {declared!r}: expected one of {known}")
+    raise LookupError(f"role {name!r}: expected one of {known}")
 
 
 def part_of(role: Role) -> Part:

@@ -46,7 +46,7 @@ class FetchRun(Message):
     slot: int | None
     """The slot of the depot in which the item is reported to lie."""
     wrong: tuple[str, ...]
-    """What is wrong in truth; see ``tandem.executive.trials.campaigns.oracle``."""
+    """What the ground truth contradicts: see ``executive.trials.campaigns.oracle``."""
     right: bool
     failure: Failure | None
     robot_seconds: float
@@ -79,7 +79,7 @@ def run_fetch(scenario: Scenario, seed: int, run: int) -> FetchRun:
 
 def draw_run(site: Site, scenario: Scenario, rng: Generator) -> Draw:
     """Draw a fetch over all that the robot reaches of the scenario's surfaces."""
-    from tandem.sim.robot import compose_robot  # noqa: PLC0415 - only here, and it is made anew for each run
+    from tandem.sim.robot import compose_robot  # noqa: PLC0415 - loads pybullet; used only here
 
     description = compose_robot().description
     reachable = Reachable(description, site)

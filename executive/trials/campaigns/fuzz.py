@@ -13,7 +13,6 @@ from collections import Counter
 from collections.abc import Callable
 from typing import Final
 
-from hypothesis import HealthCheck, Phase, given, seed, settings
 from jsonschema import Draft202012Validator
 from pydantic import JsonValue
 
@@ -21,7 +20,7 @@ from tandem.executive.interface.entries import entries
 from tandem.executive.interface.schemas import separate_schemas
 from tandem.executive.service.executive import Executive
 from tandem.executive.trials.campaigns.fuzz_all import AllCounts
-from tandem.executive.trials.campaigns.fuzz_inputs import TASK_HERE, Input, inputs
+from tandem.executive.trials.campaigns.fuzz_inputs import TASK_HERE, Input, feed_drawn, inputs
 from tandem.skills.ports.endpoint import Refusal
 from tandem.skills.ports.keys import Service
 from tandem.skills.ports.message import Message
@@ -163,15 +162,6 @@ def _chunk(target: Target, count: int, start: int) -> tuple[int, str]:
     """Feed one executive; return how many inputs it had, and what went wrong."""
     fed = 0
 
-    @seed(start)
-    @settings(
-        max_examples=count,
-        database=None,
-        deadline=None,
-        phases=[Phase.generate],
-        suppress_health_check=list(HealthCheck),
-    )
-    @given(inputs(target.kinds))
     def feed(each: Input) -> None:
         nonlocal fed
         fed += 1
@@ -181,7 +171,7 @@ def _chunk(target: Target, count: int, start: int) -> tuple[int, str]:
             raise BrokenError(each, error) from error
 
     try:
-        feed()
+        feed_drawn(inputs(target.kinds), count, start, feed)
     except BrokenError as broken:
         return fed, str(broken)
     return fed, ""

@@ -13,10 +13,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from hypothesis import HealthCheck, Phase, given, seed, settings
-
 from tandem.executive.system.lockstep import Lockstep
-from tandem.executive.trials.campaigns.fuzz_inputs import Input
+from tandem.executive.trials.campaigns.fuzz_inputs import Input, feed_drawn
 from tandem.executive.trials.campaigns.fuzz_keys import IDS, inputs_of, service_of, services
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.action import command_service
@@ -179,15 +177,6 @@ def _chunk(target: Everything, count: int, start: int) -> tuple[int, str]:
     """Feed one system; return how many inputs it had, and what went wrong."""
     fed, last = 0, list[Input]()
 
-    @seed(start)
-    @settings(
-        max_examples=count,
-        database=None,
-        deadline=None,
-        phases=[Phase.generate],
-        suppress_health_check=list(HealthCheck),
-    )
-    @given(inputs_of(target.served))
     def feed(each: Input) -> None:
         nonlocal fed
         fed += 1
@@ -196,7 +185,7 @@ def _chunk(target: Everything, count: int, start: int) -> tuple[int, str]:
         target.feed(each)
 
     try:
-        feed()
+        feed_drawn(inputs_of(target.served), count, start, feed)
         target.flush()
     except Exception as error:  # noqa: BLE001 - whatever it is, it is what was looked for
         shown = "; ".join(f"{each.key} {each.payload[:300]!r}" for each in last)

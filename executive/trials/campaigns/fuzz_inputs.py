@@ -6,10 +6,11 @@ Needs hypothesis, which comes with ``tandem-executive[dev]``.
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Final
 
+from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis import strategies as st
 from pydantic import JsonValue, TypeAdapter
 
@@ -63,6 +64,23 @@ class Input:
 
     key: str
     payload: bytes
+
+
+def feed_drawn(
+    drawn: st.SearchStrategy[Input], count: int, start: int, feed: Callable[[Input], None]
+) -> None:
+    """Feed so many inputs, the same ones for the same seed ``start``; an error of ``feed`` ends it.
+
+    Nothing is shrunk: an input that breaks a process may take a new process each time.
+    """
+    generated = settings(
+        max_examples=count,
+        database=None,
+        deadline=None,
+        phases=[Phase.generate],
+        suppress_health_check=list(HealthCheck),
+    )
+    seed(start)(generated(given(drawn)(feed)))()
 
 
 def inputs(kinds: Mapping[str, TaskType[Message]]) -> st.SearchStrategy[Input]:

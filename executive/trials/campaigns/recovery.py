@@ -47,7 +47,7 @@ class RecoveryRun(Message):
     """Faults that never struck, or were refused: the run has shown nothing about them."""
     state: str
     wrong: tuple[str, ...]
-    """What is wrong in truth; see ``tandem.executive.trials.campaigns.oracle``."""
+    """What the ground truth contradicts: see ``executive.trials.campaigns.oracle``."""
     right: bool
     failure: Failure | None
     tried: tuple[Attempt, ...]

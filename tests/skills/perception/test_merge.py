@@ -94,8 +94,8 @@ def test_the_gate_grows_with_the_sigmas(sigma: float, *, averaged: bool) -> None
 
 
 def test_where_no_two_have_room_there_is_one() -> None:
-    """A user saw: a cube 2 m away showed two faces, 4 cm from each other, and was refused as ambiguous."""
-    front, side = tag(0.60, 0.5, math.pi), tag(0.67, 0.47, -math.pi / 2)
+    """A campaign saw: two faces of a cube gave middles 26 mm apart, and it was refused as ambiguous."""
+    front, side = tag(0.60, 0.5, math.pi), tag(0.656, 0.47, -math.pi / 2)
     (one,) = merge([seen(front, 1, quality=0.9), seen(side, 1, quality=0.3)], SIZES)
     assert one.tag_in_map == front
 

@@ -1,0 +1,43 @@
+"""Roles are found by being there, and a robot has those that its description needs."""
+
+from __future__ import annotations
+
+import pytest
+
+from tandem.executive.config.process_settings import RefusalError, WorkerSettings
+from tandem.executive.system.playing import play
+from tandem.executive.system.roles.registry import names, role_of, shipped, skill_roles
+from tandem.skills.testing.mock_description import mock_description
+
+SETTINGS = WorkerSettings(role="base", endpoint="tcp/127.0.0.1:1", prefix="lab/roles", site="lab")
+
+
+def test_a_whole_system_starts_the_router_first_and_the_executive_last() -> None:
+    assert names()[:2] == ("router", "hardware")
+    assert names()[-1] == "executive"
+    assert set(names(on_request=True)) - set(names()) == {"observer"}
+
+
+@pytest.mark.parametrize("role", shipped().values(), ids=lambda role: role.name)
+def test_a_role_is_played_in_one_way(role: object) -> None:
+    ways = [getattr(role, way) for way in ("nodes", "play", "route")]
+    assert sum(way is not None for way in ways) == 1
+
+
+def test_a_robot_with_one_hand_needs_neither_the_other_arm_nor_what_takes_two() -> None:
+    both = mock_description()
+    left = both.model_copy(update={"end_effectors": (both.end_effector("left"),)})
+    needed, all_of_them = ({role.name for role in skill_roles(each)} for each in (left, both))
+    assert all_of_them - needed == {"arm_right", "bimanual"}
+
+
+def test_what_ships_knows_no_mock_and_an_entry_point_declares_it() -> None:
+    assert "mock" not in shipped()
+    assert role_of(SETTINGS.model_copy(update={"role": "mock"})).kind == "hardware"
+    crashing = role_of(SETTINGS.model_copy(update={"role": "executive", "played_by": "crashing_executive"}))
+    assert (crashing.name, crashing is shipped()["executive"]) == ("executive", False)
+
+
+def test_a_role_that_nobody_declares_is_refused_with_those_that_there_are() -> None:
+    with pytest.raises(RefusalError, match=r"'cook': expected one of router, hardware, .*, observer, .*mock"):
+        play(SETTINGS.model_copy(update={"role": "cook"}), lambda: True)
