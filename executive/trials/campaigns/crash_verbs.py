@@ -143,10 +143,21 @@ class Scene:
             self.begin_anew()
         raise StuckError("each fetch had ended before it could be paused")
 
-    def held(self, node: str, **more: JsonValue) -> str:
-        """Return a fetch that stands before a node."""
-        task = self.paused(**more)
-        self.must(TASK_BREAKPOINT, Breakpoint(task=task, node=node))
+    def paused_early(self, **more: JsonValue) -> str:
+        """Return a fetch that stands before ``IN_HAND``: a breakpoint there is still to come."""
+        for _ in range(TRIES):
+            task = self.paused(**more)
+            if self.truth().untouched:
+                return task
+            self.say(TASK_CANCEL, CancelTask(task=task))
+            self.until(task, *ENDS)
+            self.begin_anew()
+        raise StuckError("each fetch had the item in a hand before it could be paused")
+
+    def held(self, **more: JsonValue) -> str:
+        """Return a fetch that stands before ``IN_HAND``."""
+        task = self.paused_early(**more)
+        self.must(TASK_BREAKPOINT, Breakpoint(task=task, node=IN_HAND))
         self.must(TASK_RESUME, NameTask(task=task))
         self.expect(task, S.PAUSED)
         return task
@@ -168,9 +179,13 @@ class Scene:
         if begun:
             self.wrong.append(f"{begun} goals began although the task is to stand")
 
+    def truth(self) -> Truth:
+        """Return what is so in the mocked world."""
+        return Truth.model_validate_json((self.rig.folder / TRUTH).read_text("utf-8"))
+
     def hands(self, *, full: bool) -> None:
         """See whether the item is in a hand."""
-        truth = Truth.model_validate_json((self.rig.folder / TRUTH).read_text("utf-8"))
+        truth = self.truth()
         if (ITEM in {truth.left, truth.right}) is not full:
             self.wrong.append(
                 f"the item should {'' if full else 'not '}be in a hand: {truth.left} {truth.right}"
@@ -204,7 +219,7 @@ class Case:
 
 
 def _cancel_before(at: Scene) -> None:
-    at.held(IN_HAND, on_cancel="put_down")
+    at.held(on_cancel="put_down")
 
 
 def _cancel(at: Scene) -> None:
@@ -272,6 +287,10 @@ def _step_after(at: Scene) -> None:
     if at.expect(at.tasks[0], S.PAUSED).state is S.PAUSED:
         at.must(TASK_RESUME, NameTask(task=at.tasks[0]))
         at.expect(at.tasks[0], S.SUCCEEDED)
+
+
+def _paused_early(at: Scene) -> None:
+    at.paused_early()
 
 
 def _break(at: Scene) -> None:
@@ -363,7 +382,7 @@ CASES: Final = (
     Case("pause", TASK_PAUSE.key, _pause_before, _pause, _pause_after),
     Case("resume", TASK_RESUME.key, _paused, _resume, _succeeds),
     Case("step", TASK_STEP.key, _paused, _step, _step_after),
-    Case("breakpoint", TASK_BREAKPOINT.key, _paused, _break, _break_after),
+    Case("breakpoint", TASK_BREAKPOINT.key, _paused_early, _break, _break_after),
     Case("force", TASK_FORCE.key, _test_run, _force, _force_after),
     Case("reprioritise", TASK_REPRIORITISE.key, _three, _rank, _rank_after),
     Case("answer", TASK_ANSWER.key, _asked, _answer, _answered),

@@ -58,6 +58,11 @@ class Truth(Message):
     right: int | None
     world: WorldState
 
+    @property
+    def untouched(self) -> bool:
+        """Whether the item is where it was at first."""
+        return ITEM not in {self.left, self.right} and all(each.item != ITEM for each in self.world.placed)
+
 
 class Deed(Message):
     """A line of what the robot did."""
