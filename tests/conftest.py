@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
+
+from tests.fakes.packages import Installed
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -20,3 +23,11 @@ def ctrl_c_is_heard() -> Iterator[None]:
         signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
+
+
+@pytest.fixture
+def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Installed]:
+    """A folder of installed packages, to which a test adds its own."""
+    packages = Installed(tmp_path / "site-packages", monkeypatch)
+    yield packages
+    packages.forget()

@@ -7,4 +7,5 @@ Protocols: bus, forwarding_bus, clocks, compute, node, skill.
 Serving and hearing: serving, endpoint, limits, hearing, checks, refusals.
 Who commands: lease, fencing.
 Robot descriptions: packages, urdf_check.
+What other packages add: plugins.
 """

@@ -1,0 +1,190 @@
+"""What other packages add: the one loader of entry points, and what becomes of a plug-in that is broken.
+
+A package declares a plug-in in its ``pyproject.toml`` under ``[project.entry-points."tandem.tasks"]`` and the
+like. A plug-in that raises, hangs at import, is of the wrong kind or claims a taken name is left out and
+named with its error; the others are loaded. See docs/plugins.md.
+"""
+
+from __future__ import annotations
+
+import re
+import signal
+import threading
+import traceback
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from enum import StrEnum
+from importlib.metadata import EntryPoint, entry_points
+from types import FrameType, MappingProxyType
+from typing import Final, Generic, Never, TypeVar
+
+Value = TypeVar("Value")
+
+LOADS_WITHIN: Final = 10.0
+"""Seconds that the import of one plug-in may take. The heaviest libraries in use (torch) take about 4 on a
+slow computer; a plug-in should import such a library where it uses it."""
+NAME: Final = re.compile(r"[a-z][a-z0-9_]{0,63}")
+"""A plug-in's name: it becomes a word of commands, of keys on the bus and of file names."""
+OURS: Final = "tandem-executive"
+"""The package whose entry points are Tandem's own."""
+
+
+class Group(StrEnum):
+    """What there may be plug-ins of; the entry points stand under ``tandem.<group>``."""
+
+    TASKS = "tasks"
+    ROLES = "roles"
+    SKILLS = "skills"
+    ROBOTS = "robots"
+    SITES = "sites"
+    NODES = "nodes"
+    DETECTORS = "detectors"
+
+    @property
+    def entry_points(self) -> str:
+        """Return the name of the group in a ``pyproject.toml``."""
+        return f"tandem.{self.value}"
+
+
+@dataclass(frozen=True, order=True)
+class Plugin:
+    """An entry point that a package declares."""
+
+    group: Group
+    name: str
+    package: str
+    version: str
+    target: str
+    """The object that it names: ``module:attribute``."""
+
+    @property
+    def key(self) -> str:
+        """Return what names it in settings: ``group/name@package``."""
+        return f"{self.group.value}/{self.name}@{self.package}"
+
+    def __str__(self) -> str:
+        """Return it in words: ``tasks/count (my-app 0.1.0)``."""
+        return f"{self.group.value}/{self.name} ({self.package} {self.version})"
+
+    def load(self) -> object:
+        """Import it and return its object; whatever the plug-in raises comes through."""
+        loaded: object = EntryPoint(self.name, self.target, self.group.entry_points).load()
+        return loaded
+
+
+@dataclass(frozen=True)
+class Broken:
+    """A plug-in that was left out, and why, in one line."""
+
+    plugin: Plugin
+    error: str
+
+    def __str__(self) -> str:
+        """Return both."""
+        return f"plug-in {self.plugin} is left out: {self.error}"
+
+
+@dataclass(frozen=True)
+class Loaded(Generic[Value]):
+    """The plug-ins of a group: by name those that work, and those that don't."""
+
+    found: Mapping[str, Value]
+    broken: tuple[Broken, ...]
+    origins: Mapping[str, Plugin]
+    """Where those that work come from, by name."""
+
+
+def installed(group: Group) -> tuple[Plugin, ...]:
+    """Return what packages declare in a group, in the order of names. Imports nothing of theirs."""
+    found = []
+    for entry in entry_points(group=group.entry_points):
+        package = "unknown" if entry.dist is None else entry.dist.name
+        version = "" if entry.dist is None else entry.dist.version
+        found.append(Plugin(group, entry.name, package, version, entry.value))
+    return tuple(sorted(found))
+
+
+def load(
+    group: Group,
+    checked: Callable[[str, object], Value],
+    *,
+    taken: Collection[str] = (),
+    left_out: Mapping[str, str] = MappingProxyType({}),
+    within: float = LOADS_WITHIN,
+) -> Loaded[Value]:
+    """Load the plug-ins of a group. Never raises for what a plug-in does.
+
+    Args:
+        group: which.
+        checked: takes the name and the object of an entry point, and returns the object when it is of the
+            right kind; ``TypeError`` says what was expected. It calls nothing of the plug-in's.
+        taken: names that the group has without plug-ins.
+        left_out: errors by ``Plugin.key`` of those that are known not to load; they are not tried again.
+        within: seconds for the import of one. Only the main thread can keep it.
+    """
+    found: dict[str, Value] = {}
+    broken, origins = list[Broken](), dict[str, Plugin]()
+    for plugin in installed(group):
+        error = left_out.get(plugin.key) or _misnamed(plugin, taken, origins)
+        if not error:
+            try:
+                with _time_limit(within):
+                    value = plugin.load()
+                found[plugin.name] = checked(plugin.name, value)
+                origins[plugin.name] = plugin
+            except KeyboardInterrupt:
+                raise
+            except BaseException as raised:  # noqa: BLE001 - it may raise SystemExit and worse
+                error = in_words(raised)
+        if error:
+            broken.append(Broken(plugin, error))
+    return Loaded(MappingProxyType(found), tuple(broken), MappingProxyType(origins))
+
+
+def _misnamed(plugin: Plugin, taken: Collection[str], origins: Mapping[str, Plugin]) -> str:
+    """Return what is wrong with a plug-in's name; nothing when nothing is."""
+    if NAME.fullmatch(plugin.name) is None:
+        return "expected a name of small letters, digits and _, that begins with a letter"
+    if plugin.name in taken:
+        return f"the name {plugin.name!r} is taken: Tandem's own; choose another one"
+    if plugin.name in origins:
+        other = origins[plugin.name]
+        return f"the name {plugin.name!r} is taken: by {other.package} {other.version}"
+    return ""
+
+
+class _TooLongError(BaseException):
+    """The import takes too long. No ``Exception``: a plug-in that catches these goes on hanging."""
+
+
+def in_words(raised: BaseException) -> str:
+    """Return an error of a plug-in in one line, with the place in its code."""
+    if isinstance(raised, _TooLongError):
+        return str(raised)
+    words = " ".join(str(raised).split())
+    said = f"{type(raised).__name__}: {words}" if words else type(raised).__name__
+    frames = traceback.extract_tb(raised.__traceback__)
+    last = frames[-1] if frames else None
+    ours = last is None or last.filename == __file__ or last.filename.startswith("<frozen")
+    place = "" if ours or last is None else f" ({last.filename}:{last.lineno})"
+    return f"{said}{place}"
+
+
+@contextmanager
+def _time_limit(seconds: float) -> Iterator[None]:
+    """Raise in the code within when it takes longer. Loops in C don't hear it."""
+    if threading.current_thread() is not threading.main_thread() or signal.getitimer(signal.ITIMER_REAL)[0]:
+        yield
+        return
+
+    def end(_number: int, _frame: FrameType | None) -> Never:
+        raise _TooLongError(f"its import took longer than {seconds:g} s")
+
+    before = signal.signal(signal.SIGALRM, end)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
