@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 
+from tandem.executive.render.folded import note_of
 from tandem.executive.render.signs import EDGES, FILLS, KIND_SIGNS
 from tandem.skills.ports.tasks import TreeNode
 
@@ -23,7 +24,8 @@ def dot(root: TreeNode) -> str:
 
 
 def _nodes(node: TreeNode) -> Iterator[str]:
-    label = _quoted(f"{KIND_SIGNS[node.kind]} {node.name}")
+    note = note_of(node)
+    label = _quoted(f"{KIND_SIGNS[node.kind]} {node.name}" + (f"\n{note}" if note else ""))
     fill, edge = _quoted(FILLS[node.shown]), _quoted(EDGES[node.kind])
     yield f"  {_quoted(node.path)} [label={label}, fillcolor={fill}, color={edge}];"
     for child in node.children:

@@ -11,16 +11,21 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Final
 
+from tandem.executive.render.folded import note_of
 from tandem.skills.ports.tasks import TreeNode
 
 BOX_HEIGHT: Final = 24.0
-ROW: Final = 32.0
-"""Pixels between the centres of neighbours."""
-GAP: Final = 36.0
+NOTED_HEIGHT: Final = 36.0
+"""Pixels of a box with a second line, which says what is left out."""
+BETWEEN: Final = 8.0
+"""Pixels between a box and the one below."""
+GAP: Final = 26.0
 """Pixels between two columns, for the edges."""
 MARGIN: Final = 16.0
 CHARACTER: Final = 6.6
 """Pixels that a character takes, about, at a size of 12."""
+NOTE_CHARACTER: Final = 5.5
+"""Pixels that a character takes, about, at a size of 10."""
 PADDING: Final = 34.0
 """Pixels of a box beside its name: the sign of the kind, and room."""
 
@@ -33,6 +38,11 @@ class PlacedNode:
     x: float
     y: float
     width: float
+
+    @property
+    def height(self) -> float:
+        """Its height; that of a box with a note is larger."""
+        return NOTED_HEIGHT if note_of(self.node) else BOX_HEIGHT
 
 
 @dataclass(frozen=True)
@@ -63,10 +73,11 @@ def lay_out(root: TreeNode) -> Layout:
     lefts = [MARGIN]
     for width in widths[:-1]:
         lefts.append(lefts[-1] + width + GAP)
-    first_row = MARGIN + BOX_HEIGHT / 2.0 - min(shape.top) * ROW
-    drawing = _Drawing(lefts, [], [])
+    box = NOTED_HEIGHT if _has_notes(root) else BOX_HEIGHT
+    first_row = MARGIN + box / 2.0 - min(shape.top) * (box + BETWEEN)
+    drawing = _Drawing(lefts, box + BETWEEN, [], [])
     drawing.place(shape, 0, first_row)
-    height = first_row + max(shape.bottom) * ROW + BOX_HEIGHT / 2.0 + MARGIN
+    height = first_row + max(shape.bottom) * drawing.row + box / 2.0 + MARGIN
     return Layout(tuple(drawing.boxes), tuple(drawing.edges), lefts[-1] + widths[-1] + MARGIN, height)
 
 
@@ -100,15 +111,20 @@ def _measure(node: TreeNode, depth: int, widths: list[float]) -> None:
 
 
 def box_width(node: TreeNode) -> float:
-    """Return the pixels that a node's box needs for its name."""
-    return len(node.name) * CHARACTER + PADDING
+    """Return the pixels that a node's box needs for its name and its note."""
+    return max(len(node.name) * CHARACTER, len(note_of(node)) * NOTE_CHARACTER) + PADDING
+
+
+def _has_notes(node: TreeNode) -> bool:
+    return bool(note_of(node)) or any(_has_notes(child) for child in node.children)
 
 
 @dataclass
 class _Drawing:
-    """The boxes and edges so far, and the left edge of each column."""
+    """The boxes and edges so far, the left edge of each column, and pixels between centres of neighbours."""
 
     lefts: list[float]
+    row: float
     boxes: list[PlacedNode]
     edges: list[tuple[int, int]]
 
@@ -117,7 +133,7 @@ class _Drawing:
         self.boxes.append(PlacedNode(shape.node, self.lefts[depth], y, box_width(shape.node)))
         for offset, child in shape.children:
             self.edges.append((here, len(self.boxes)))
-            self.place(child, depth + 1, y + offset * ROW)
+            self.place(child, depth + 1, y + offset * self.row)
 
 
 def overlaps(layout: Layout) -> list[tuple[str, str]]:
@@ -126,5 +142,5 @@ def overlaps(layout: Layout) -> list[tuple[str, str]]:
     return [
         (above.node.path, below.node.path)
         for above, below in pairwise(ordered)
-        if above.x == below.x and below.y - above.y < BOX_HEIGHT
+        if above.x == below.x and below.y - above.y < (above.height + below.height) / 2.0
     ]

@@ -8,12 +8,16 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tandem.executive.render.layout import BOX_HEIGHT, Layout, PlacedNode, lay_out
+from tandem.executive.render.folded import note_of
+from tandem.executive.render.layout import BOX_HEIGHT, GAP, Layout, PlacedNode, lay_out
 from tandem.executive.render.signs import EDGES, FILLS, KIND_SIGNS_ASCII
 from tandem.skills.ports.tasks import TreeNode
 
 SCALE: Final = 2.0
 """Pixels of the picture for one of the layout."""
+NAME_SIZE: Final = 0.38
+NOTE_SIZE: Final = 0.32
+"""Scales of OpenCV's font: about 12 and 10 pixels of the layout."""
 _SHIFT: Final = 4
 """Bits behind the point in OpenCV's coordinates."""
 Picture = NDArray[np.uint8]
@@ -39,7 +43,7 @@ def _draw_edges(picture: Picture, layout: Layout) -> None:
     eased = share * share * (3.0 - 2.0 * share)
     for parent, child in layout.edges:
         a, b = layout.boxes[parent], layout.boxes[child]
-        xs = np.concatenate(([a.x + a.width], b.x - 36.0 + 36.0 * share))
+        xs = np.concatenate(([a.x + a.width], b.x - GAP + GAP * share))
         ys = np.concatenate(([a.y], a.y + (b.y - a.y) * eased))
         points = np.rint(np.stack((xs, ys), axis=1) * SCALE * (1 << _SHIFT)).astype(np.int32)
         cv2.polylines(
@@ -52,25 +56,29 @@ def _draw_box(picture: Picture, box: PlacedNode) -> None:
     node = box.node
     edge = _colour(EDGES[node.kind])
     corner = {"condition": BOX_HEIGHT / 2.0, "action": 3.0}.get(node.kind, 7.0)
-    outline = _rounded(box.x, box.y - BOX_HEIGHT / 2.0, box.width, corner)
+    outline = _rounded(box, corner)
     cv2.fillPoly(picture, [outline], _colour(FILLS[node.shown]), lineType=cv2.LINE_AA, shift=_SHIFT)
     cv2.polylines(
         picture, [outline], isClosed=True, color=edge, thickness=2, lineType=cv2.LINE_AA, shift=_SHIFT
     )
-    baseline = box.y + 4.5
+    note = note_of(node)
+    baseline = box.y + (-1.5 if note else 4.5)
     _write(picture, KIND_SIGNS_ASCII[node.kind], (box.x + 6.0, baseline), edge, 18.0)
     name = node.name.encode("ascii", "replace").decode()
     _write(picture, name, (box.x + 26.0, baseline), (34, 34, 34), box.width - 30.0)
+    if note:
+        _write(picture, note, (box.x + 26.0, baseline + 13.0), (90, 95, 95), box.width - 30.0, size=NOTE_SIZE)
 
 
-def _rounded(left: float, top: float, width: float, radius: float) -> NDArray[np.int32]:
+def _rounded(box: PlacedNode, radius: float) -> NDArray[np.int32]:
     """Return a box with round corners as a polygon, clockwise from its upper left."""
+    left, top, width = box.x, box.y - box.height / 2.0, box.width
     turn = np.linspace(0.0, np.pi / 2.0, 8)
     centres = (
         (left + radius, top + radius, np.pi),
         (left + width - radius, top + radius, 1.5 * np.pi),
-        (left + width - radius, top + BOX_HEIGHT - radius, 0.0),
-        (left + radius, top + BOX_HEIGHT - radius, 0.5 * np.pi),
+        (left + width - radius, top + box.height - radius, 0.0),
+        (left + radius, top + box.height - radius, 0.5 * np.pi),
     )
     corners = [
         np.stack((x + radius * np.cos(start + turn), y + radius * np.sin(start + turn)), axis=1)
@@ -80,9 +88,17 @@ def _rounded(left: float, top: float, width: float, radius: float) -> NDArray[np
     return outline
 
 
-def _write(picture: Picture, text: str, at: tuple[float, float], colour: Colour, room: float) -> None:
+def _write(
+    picture: Picture,
+    text: str,
+    at: tuple[float, float],
+    colour: Colour,
+    room: float,
+    *,
+    size: float = NAME_SIZE,
+) -> None:
     """Write from the lower left corner ``at``, smaller where the text would be wider than ``room``."""
-    size = 0.38 * SCALE
+    size *= SCALE
     (wide, _), _ = cv2.getTextSize(text, cv2.FONT_HERSHEY_SIMPLEX, size, 1)
     size *= min(1.0, room * SCALE / max(wide, 1))
     corner = (round(at[0] * SCALE), round(at[1] * SCALE))

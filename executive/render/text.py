@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from tandem.executive.render.folded import FoldedNode, note_of
+from tandem.executive.render.outline import to_depth, whole, without_guards, without_recoveries
 from tandem.executive.render.signs import (
     KIND_SIGNS,
     KIND_SIGNS_ASCII,
@@ -17,7 +19,7 @@ from tandem.skills.ports.tasks import NodeStatus, TreeNode
 
 @dataclass(frozen=True)
 class Line:
-    """One node: what stands before it, itself, and what it says; ``folded`` nodes below are not shown."""
+    """One node: what stands before it, itself, and what it says; ``note`` says what is not shown of it."""
 
     lead: str
     sign: str
@@ -27,11 +29,11 @@ class Line:
     """How it stands, or ended last."""
     past: bool = False
     """Whether its parent has set it back since."""
-    folded: int = 0
+    note: str = ""
 
     def __str__(self) -> str:
         """Return it as text."""
-        below = f" (+{self.folded})" if self.folded else ""
+        below = f" ({self.note})" if self.note else ""
         said = f": {self.message}" if self.message else ""
         return f"{self.lead}{self.sign} {self.name}{below}{said}"
 
@@ -47,36 +49,41 @@ def ascii_text(root: TreeNode) -> str:
     return text.encode("ascii", "replace").decode("ascii")
 
 
-def lines(root: TreeNode, *, ascii_only: bool = False, height: int | None = None) -> list[Line]:
-    """Return the tree's lines, from the root down.
+def lines(root: TreeNode, *, ascii_only: bool = False) -> list[Line]:
+    """Return the tree's lines, from the root down; without statuses while none has been ticked."""
+    return list(_walk(root, "", "", ascii_only=ascii_only, with_status=has_run(root)))
 
-    Args:
-        root: the tree.
-        ascii_only: no other signs.
-        height: lines there are; if the tree has more, subtrees without a running node are folded, the
-            deepest first.
+
+def lines_within(root: TreeNode, height: int) -> list[Line]:
+    """Return at most ``height`` lines of the tree, with what runs innermost among them.
+
+    What does not run is folded as far as needed: recoveries, then guards, then subtrees, the deepest first.
+    What is still too high is cut to the lines around the innermost node that runs.
     """
-    with_status = has_run(root)
-    depth = _depth(root)
-    while True:
-        made = list(_walk(root, "", "", ascii_only=ascii_only, with_status=with_status, fold_below=depth))
-        if height is None or len(made) <= height or depth <= 1:
-            return made if height is None else made[:height]
-        depth -= 1
+    made: list[Line] = []
+    for smaller in _smaller(whole(root)):
+        made = lines(smaller)
+        if len(made) <= height:
+            return made
+    runs = max((at for at, line in enumerate(made) if line.status is NodeStatus.RUNNING), default=0)
+    first = min(max(0, runs - height // 2), len(made) - height)
+    return made[first : first + height]
 
 
-def _walk(
-    node: TreeNode, lead: str, below: str, *, ascii_only: bool, with_status: bool, fold_below: int
-) -> Iterator[Line]:
+def _smaller(root: FoldedNode) -> Iterator[FoldedNode]:
+    yield root
+    yield (fewer := without_recoveries(root))
+    yield (small := without_guards(fewer))
+    yield from (to_depth(small, depth) for depth in range(_depth(small), -1, -1))
+
+
+def _walk(node: TreeNode, lead: str, below: str, *, ascii_only: bool, with_status: bool) -> Iterator[Line]:
     kinds = KIND_SIGNS_ASCII if ascii_only else KIND_SIGNS
     statuses = STATUS_SIGNS_ASCII if ascii_only else STATUS_SIGNS
     tee, corner, bar = ("|- ", "`- ", "|  ") if ascii_only else ("├─ ", "└─ ", "│  ")
-    fold = fold_below <= 0 and bool(node.children) and not _runs(node)
     sign = f"{statuses[node.shown]} {kinds[node.kind]}" if with_status else kinds[node.kind]
     past = node.shown is not node.status
-    yield Line(lead, sign, node.name, node.message, node.shown, past, _count(node) - 1 if fold else 0)
-    if fold:
-        return
+    yield Line(lead, sign, node.name, node.message, node.shown, past, note_of(node))
     for index, child in enumerate(node.children):
         last = index == len(node.children) - 1
         yield from _walk(
@@ -85,16 +92,7 @@ def _walk(
             below + ("   " if last else bar),
             ascii_only=ascii_only,
             with_status=with_status,
-            fold_below=fold_below - 1,
         )
-
-
-def _runs(node: TreeNode) -> bool:
-    return node.status is NodeStatus.RUNNING
-
-
-def _count(node: TreeNode) -> int:
-    return 1 + sum(_count(child) for child in node.children)
 
 
 def _depth(node: TreeNode) -> int:

@@ -31,6 +31,23 @@ class Format(StrEnum):
     JSON = "json"
 
 
+class Hide(StrEnum):
+    """What can be left out of a picture; the names of ``tandem.executive.render.outline.HIDES``."""
+
+    RECOVERIES = "recoveries"
+    GUARDS = "guards"
+
+
+Hidden = Annotated[
+    list[Hide] | None,
+    typer.Option(
+        "--hide",
+        help="Leave these out and say how many they are: the steps of recoveries; conditions beside the work "
+        "that they may save. Repeat for both.",
+    ),
+]
+
+
 def add_to(app: typer.Typer) -> None:
     """Add the commands."""
     group = typer.Typer(help="Draw and check the behaviour trees of the tasks.", no_args_is_help=True)
@@ -68,11 +85,25 @@ def render(
     request: Annotated[
         str, typer.Option("--request", metavar="JSON", help="Draw the tree for this request.")
     ] = "",
+    depth: Annotated[
+        int | None,
+        typer.Option("--depth", min=0, help="Levels below the root, or below the node of --focus; 0: all."),
+    ] = None,
+    hide: Hidden = None,
+    focus: Annotated[
+        str, typer.Option("--focus", metavar="NODE", help="Draw from this node on: its name or its path.")
+    ] = "",
+    everything: Annotated[bool, typer.Option("--all", help="Draw every node.")] = False,
     site: SiteFile = DEFAULT_SITE,
     bus: BusOptions,
 ) -> None:
-    """Draw the tree of a task, or with --live the running tree and its statuses."""
+    """Draw the tree of a task, or with --live the running tree and its statuses.
+
+    Without --depth, --hide and --all the picture fits a page: phases and their steps, with the number of
+    nodes and recoveries that each folded node stands for. JSON then has every node.
+    """
     from tandem.executive.render.formats import BINARY, FORMATS  # noqa: PLC0415
+    from tandem.executive.render.view import NoSuchNodeError, View  # noqa: PLC0415
 
     if live:
         root = _running(bus)
@@ -80,7 +111,12 @@ def render(
         root = _built(task, request, site)
     else:
         raise CommandError("expected a TASK or --live; see `tandem tree list`")
-    content = FORMATS[form.value](root)
+    chosen = everything or (form is Format.JSON and depth is None and not hide)
+    view = View(chosen, depth, tuple(each.value for each in hide or ()), focus)
+    try:
+        content = FORMATS[form.value](view.of(root))
+    except NoSuchNodeError as error:
+        raise CommandError(f"--focus: {error}") from error
     if output is not None:
         try:
             output.write_bytes(content)

@@ -63,13 +63,13 @@ def picture(view: View, *, height: int) -> Group:
     from rich.text import Text  # noqa: PLC0415
 
     from tandem.executive.render.signs import STATUS_STYLES  # noqa: PLC0415
-    from tandem.executive.render.text import lines  # noqa: PLC0415
+    from tandem.executive.render.text import lines_within  # noqa: PLC0415
 
     parts = [Text(head(view), style="bold")]
     if view.status is not None and view.status.failure is not None:
         parts.append(Text(f"{view.status.failure.kind}: {view.status.failure.message}", style="red"))
     if view.tree is not None and view.tree.task:
-        for line in lines(view.tree.root, height=max(4, height - len(parts) - 1)):
+        for line in lines_within(view.tree.root, max(4, height - len(parts) - 1)):
             text = Text(line.lead, style="dim", no_wrap=True, overflow="ellipsis")
             style = f"dim {STATUS_STYLES[line.status]}" if line.past else STATUS_STYLES[line.status]
             parts.append(text.append(str(line)[len(line.lead) :], style=style))

@@ -1,4 +1,4 @@
-"""``tandem tree coverage`` and ``tandem tree properties``."""
+"""``tandem tree``: pictures, coverage and properties."""
 
 import pytest
 import typer
@@ -7,6 +7,8 @@ from typer.testing import CliRunner
 from tandem.executive.cli.commands import tree_commands
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.render.outline import HIDES
+from tandem.skills.ports.tasks import TreeNode
 
 
 @pytest.fixture
@@ -34,3 +36,47 @@ def test_an_unknown_task_is_named(app: typer.Typer, command: str) -> None:
     done = CliRunner().invoke(app, ["tree", command, "dance"])
     assert isinstance(done.exception, CommandError)
     assert "'dance'" in str(done.exception)
+
+
+def test_the_command_offers_everything_that_can_be_hidden() -> None:
+    assert [each.value for each in tree_commands.Hide] == list(HIDES)
+
+
+@pytest.mark.parametrize(
+    ("options", "first", "at_most"),
+    [
+        ([], "→ fetch", 40),
+        (["--depth", "1"], "→ fetch", 3),
+        (
+            ["--focus", "pick item", "--hide", "recoveries", "--hide", "guards", "--depth", "1"],
+            "→ pick item",
+            11,
+        ),
+        (["--focus", "fetch/request"], "δ request", 20),
+    ],
+)
+def test_a_picture_is_as_large_as_is_asked_for(
+    app: typer.Typer, options: list[str], first: str, at_most: int
+) -> None:
+    done = CliRunner().invoke(app, ["tree", "render", "fetch", *options])
+    lines = done.stdout.splitlines()
+    assert lines[0] == first
+    assert len(lines) <= at_most
+
+
+@pytest.mark.parametrize("options", [["--all"], ["--depth", "0"], ["--format", "json"]])
+def test_every_node_is_there_on_request(app: typer.Typer, options: list[str]) -> None:
+    done = CliRunner().invoke(app, ["tree", "render", "fetch", *options])
+    assert "which one is meant?" in done.stdout
+    assert "place: note the slot is taken" in done.stdout
+
+
+def test_json_of_a_part_is_a_tree(app: typer.Typer) -> None:
+    done = CliRunner().invoke(app, ["tree", "render", "fetch", "--format", "json", "--focus", "pick item"])
+    assert TreeNode.model_validate_json(done.stdout).name == "pick item"
+
+
+def test_an_unknown_focus_is_named(app: typer.Typer) -> None:
+    done = CliRunner().invoke(app, ["tree", "render", "fetch", "--focus", "pik item"])
+    assert isinstance(done.exception, CommandError)
+    assert "similar: 'pick item'" in str(done.exception)
