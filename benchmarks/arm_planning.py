@@ -19,7 +19,7 @@ import numpy as np
 
 from benchmarks.arm_problems import Drawing, Problem, held, states
 from benchmarks.rows import Row, quantile
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
 from tandem.sim.scenario import load_scenario
 from tandem.skills.arm.plan_move import MovePlanner, Steps
 from tandem.skills.arm.planning.settings import PlannerSettings
@@ -146,7 +146,7 @@ def _timed(steps: Steps, slices: list[float]) -> Plan | Failure:
 def demo() -> Drawing:
     """Return the drawing of problems in the Demo's world."""
     scenario = load_scenario("Demo")
-    return Drawing(compose_robot().description, load(scenario.site), scenario)
+    return Drawing(robot_model("tiago_dual").description, load(scenario.site), scenario)
 
 
 def rows(*, quick: bool = False) -> list[Row]:

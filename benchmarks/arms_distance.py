@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from benchmarks.rows import Row, spread
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
 from tandem.skills.kinematics.clearance import ArmsClearance
 from tandem.skills.kinematics.described import home_positions, load_hulls
 from tandem.skills.ports.hardware import JointStates
@@ -24,7 +24,7 @@ AIM = 0.5
 
 def rows(*, quick: bool = False) -> list[Row]:
     """Measure at configurations drawn evenly within the joints' limits."""
-    description = compose_robot().description
+    description = robot_model("tiago_dual").description
     hulls, positions = load_hulls(description), dict(home_positions(description))
     for hand in description.end_effectors:
         positions |= dict.fromkeys(hand.gripper.joints, 0.0)

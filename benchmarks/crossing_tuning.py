@@ -10,7 +10,7 @@ import argparse
 
 import numpy as np
 
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.reflex.tuning import Tuned, judge, judge_described, sample, tune
 
@@ -21,7 +21,7 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=300, help="configurations of each arm")
     parser.add_argument("--seed", type=int, default=1)
     given = parser.parse_args()
-    description = compose_robot().description
+    description = robot_model("tiago_dual").description
     hulls, how = load_hulls(description), description.arms_crossing
     first, second = (
         sample(hulls, description, np.random.default_rng([given.seed, which]), given.count)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import time
 
 from benchmarks.rows import Row, spread
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
 from tandem.skills.arm.field.ends import End, Ends
 from tandem.skills.arm.field.field_controller import FieldController
 from tandem.skills.arm.field.live import Live
@@ -139,7 +139,7 @@ def rows(*, quick: bool = False) -> list[Row]:
         for out in ((-1.0, 0.0, 0.0), (-0.7071067811865476, 0.7071067811865476, 0.0))
     )
     goal = ApproachGoal(item=0, grasps=grasps, hand_width=0.09)
-    description, seconds = compose_robot().description, list[float]()
+    description, seconds = robot_model("tiago_dual").description, list[float]()
     for _ in range(1 if quick else 8):
         seconds += _approach(_Table(description), goal)
     return spread("field, one period of an arm, 10 obstacles, CPU", seconds, aim=1.0)

@@ -9,7 +9,7 @@ import numpy as np
 from tandem.sim.body import RobotBody
 from tandem.sim.hardware import Hardware
 from tandem.sim.physics import Physics
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
 from tandem.sim.scenario import Noise
 from tandem.skills.ports import keys
 from tandem.skills.ports.hardware import (
@@ -72,7 +72,7 @@ class Rig:
             top = z - size / 2.0
             self.physics.add_box((0.2, 0.4, top), 0.0, (x + 0.06, y, top / 2.0), friction=0.6)
             self.item = self.physics.add_box((size, size, size), mass, (x, y, z), friction=friction)
-        self.model = compose_robot()
+        self.model = robot_model("tiago_dual")
         description = self.model.description
         groups = {p.group: p.positions for p in description.postures if p.name == "home"}
         groups |= {"arm_left": PREGRASP, "torso": (TORSO,)} | (start or {})

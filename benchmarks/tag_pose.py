@@ -15,10 +15,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from benchmarks.rows import Row, quantile
-from tandem.sim.camera import HORIZONTAL_FOV, camera_header, camera_sensor
+from tandem.sim.camera import camera_header
 from tandem.sim.render import Job, Painter, PainterSettings, Scene
 from tandem.sim.render_world import Snapshot, View, looking_at
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
+from tandem.sim.robots.sensors import CAMERA_FIELD, camera_sensor
 from tandem.sim.scenario import Noise, load_scenario
 from tandem.sim.scene import SceneBody, build_scene, item_name
 from tandem.sim.tags import tags_in_item
@@ -59,7 +60,9 @@ class Room:
         label = self.item.label
         assert label is not None
         self.sizes = {ITEM: label.tag_size}
-        self.painter = Painter(PainterSettings(urdf=compose_robot().physics_urdf, hardware=not tiny))
+        self.painter = Painter(
+            PainterSettings(urdf=robot_model("tiago_dual").physics_urdf, hardware=not tiny)
+        )
         self._painted = 0
 
     def picture(self, camera_in_map: Pose) -> RgbdImage:
@@ -70,7 +73,7 @@ class Room:
             number=self._painted,
             scene=Scene(1, self.bodies if self._painted == 1 else None),
             snapshot=Snapshot(base_in_map=Pose(position=(-2.5, 2.5, 0.0)), joints=(), bodies=()),
-            view=View(camera_in_map, header.width, header.height, HORIZONTAL_FOV),
+            view=View(camera_in_map, header.width, header.height, CAMERA_FIELD),
             header=header,
             noise=self.noise,
             noise_key=(1, self._painted),

@@ -28,16 +28,10 @@ if TYPE_CHECKING:
     from tandem.skills.ports.bus import Bus
     from tandem.skills.ports.message import RobotTime, Vector3
 
-WIDTH: Final = 1280
-HEIGHT: Final = 720
-HORIZONTAL_FOV: Final = math.radians(60.0)
+PHOTO_FIELD: Final = math.radians(60.0)
+"""Horizontal field of photographs for people."""
 LATENCY: Final = 0.06
 """Robot seconds from exposure to message: what such a camera and its driver take."""
-
-
-def camera_sensor(frame: str) -> CameraSensor:
-    """Return what the robot's description says of the camera."""
-    return CameraSensor(name="head", frame=frame, width=WIDTH, height=HEIGHT, horizontal_fov=HORIZONTAL_FOV)
 
 
 def camera_header(sensor: CameraSensor, stamp: RobotTime) -> RgbdHeader:
@@ -141,7 +135,7 @@ class Studio:
 
     def order_photograph(self, eye: Vector3, target: Vector3, width: int, height: int) -> int:
         """Have a photograph made for people, from any place in map; its result is a PNG."""
-        return self.order(View(looking_at(eye, target), width, height, HORIZONTAL_FOV))
+        return self.order(View(looking_at(eye, target), width, height, PHOTO_FIELD))
 
     def close(self) -> None:
         """End the renderer."""

@@ -2,38 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from tandem.sim.physics import Group
-from tandem.skills.ports.hardware import LaserSensor
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from tandem.sim.body import RobotBody
-
-BEAMS: Final = 541
-FIELD: Final = math.radians(270.0)
-RANGE: Final = (0.05, 10.0)
-PERIOD: Final = 0.1
+    from tandem.skills.ports.hardware import LaserSensor
 
 SEEN: Final = Group.THING | Group.FIXED
-
-
-def laser_sensor(frame: str) -> LaserSensor:
-    """Return what the robot's description says of the laser."""
-    return LaserSensor(
-        frame=frame,
-        angle_min=-FIELD / 2,
-        angle_step=FIELD / (BEAMS - 1),
-        beams=BEAMS,
-        range_min=RANGE[0],
-        range_max=RANGE[1],
-        period=PERIOD,
-    )
 
 
 class Laser:

@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-from tandem.sim.footprint import FOOTPRINT_RADIUS, HEIGHT
 from tandem.sim.plan import Plan, gap, plan_of
 from tandem.sim.things import BoxShape, CylinderShape
 
@@ -17,6 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from tandem.sim.scene import SceneBody
+    from tandem.skills.ports.hardware import RobotDescription
     from tandem.skills.ports.pose import FloorPose
 
 TOUCH: Final = 0.0005
@@ -29,6 +29,7 @@ def clashes(
     items: Sequence[SceneBody],
     obstacles: Sequence[SceneBody],
     start: FloorPose,
+    robot: RobotDescription,
 ) -> Iterator[tuple[str, str]]:
     """Give the path in a scenario of each thing that starts inside another, and which."""
     placed = [
@@ -40,14 +41,16 @@ def clashes(
         if other := inside(body, before):
             yield where, f"{body.name} is in one place with {other}"
         before.append(body)
-    robot = Plan(((start.x, start.y),), FOOTPRINT_RADIUS)
+    disc = Plan(((start.x, start.y),), robot.footprint_radius)
     if hit := [
-        body.name for body in before if _span(body)[0] < HEIGHT and gap(robot, plan_of(_shrunk(body))) <= 0.0
+        body.name
+        for body in before
+        if _span(body)[0] < robot.height and gap(disc, plan_of(_shrunk(body))) <= 0.0
     ]:
         at = f"({start.x:g}, {start.y:g})"
         yield (
             "start",
-            f"the robot at {at} takes {FOOTPRINT_RADIUS} m around it and is inside {', '.join(hit)}",
+            f"the robot at {at} takes {robot.footprint_radius} m around it and is inside {', '.join(hit)}",
         )
 
 

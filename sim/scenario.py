@@ -20,6 +20,8 @@ from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.sources import DocumentError, Source
 from tandem.skills.yaml_file import parse_document, read_document, validate
 
+ROBOT: Final = "tiago_dual"
+"""The robot of a scenario that names none."""
 SUFFIXES: Final = (".yaml", ".yml")
 
 
@@ -71,6 +73,8 @@ class Scenario(Message):
 
     name: Annotated[str, Field(min_length=1, max_length=60)]
     site: Name = "lab"
+    robot: Name = ROBOT
+    """The robot in it: a file of ``sim/robots/``, or an entry point under ``tandem.robots``."""
     start: FloorPose
     items: tuple[TrueItem, ...] = ()
     obstacles: tuple[Obstacle, ...] = ()

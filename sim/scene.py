@@ -13,6 +13,7 @@ from typing import Final
 
 from tandem.sim import placing
 from tandem.sim.faults import DepotTaken, Fault, ItemMoves, ObstacleAppears, Place
+from tandem.sim.robots import registry
 from tandem.sim.scenario import Scenario, ScenarioError
 from tandem.sim.things import FLOOR, BoxShape, CylinderShape, Obstacle, TrueItem
 from tandem.skills.geometry.floor_plan import box_in_map
@@ -69,7 +70,9 @@ def build_scene(site: Site, scenario: Scenario, source: Source | None = None) ->
     furniture = furniture_bodies(site)
     items = tuple(item_body(site, item) for item in scenario.items)
     obstacles = tuple(obstacle_body(site, obstacle) for obstacle in scenario.obstacles)
-    clashes = placing.clashes(furniture, items, obstacles, scenario.start)
+    clashes = placing.clashes(
+        furniture, items, obstacles, scenario.start, registry.robot_model(scenario.robot).description
+    )
     if told := [f"{source.at(where)}: {reason}" for where, reason in clashes]:
         raise ScenarioError("\n".join(told))
     return (*furniture, *items, *obstacles)
@@ -159,6 +162,9 @@ def _covers(box: SiteBox, x: float, y: float) -> bool:
 def _problems(site: Site, scenario: Scenario, source: Source) -> list[str]:
     """Return a line for each thing in the scenario that the site has no place or no name for."""
     found: list[str] = []
+    if scenario.robot not in registry.names():
+        known = ", ".join(registry.names())
+        found.append(f"{source.at('robot')}: expected one of {known}, found {scenario.robot}")
     taken = {item_name(item.tag) for item in scenario.items}
     for index, item in enumerate(scenario.items):
         if site.item(item.tag) is None:

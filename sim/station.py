@@ -20,7 +20,7 @@ from tandem.sim.model import RobotModel
 from tandem.sim.parts import LaserSensorNode
 from tandem.sim.physics import Physics
 from tandem.sim.render import InlineRenderer, PainterSettings, Renderer, WorkerRenderer
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots import registry
 from tandem.sim.room import Room
 from tandem.sim.scenario import Scenario, ScenarioError
 from tandem.sim.scene import build_scene
@@ -67,9 +67,10 @@ class Station:
         self._link = FaultyLink(bus)
         self._boots = 0
         self.physics = Physics(gui=settings.gui)
-        self.model: RobotModel = compose_robot()
-        self.scenario = scenario
+        self._robot = scenario.robot
         self._check(scenario)
+        self.model: RobotModel = registry.robot_model(scenario.robot)
+        self.scenario = scenario
         self.world, self.body = self._fill(scenario)
         painter = PainterSettings(urdf=self.model.physics_urdf)
         renderer: Renderer = WorkerRenderer(painter) if settings.beside else InlineRenderer(painter)
@@ -150,8 +151,12 @@ class Station:
         if scenario.site != self._site.name:
             expected = f"expected {self._site.name}, found {scenario.site}"
             raise ScenarioError(f"{scenario.name}: site: {expected}; another site needs another start")
+        if scenario.robot != self._robot:
+            expected = f"expected {self._robot}, found {scenario.robot}"
+            raise ScenarioError(f"{scenario.name}: robot: {expected}; another robot needs another start")
         build_scene(self._site, scenario)
-        check_faults(scenario.faults, self.model.description, source=Source(scenario.name))
+        robot = registry.robot_model(scenario.robot).description
+        check_faults(scenario.faults, robot, source=Source(scenario.name))
 
     def _fill(self, scenario: Scenario) -> tuple[World, RobotBody]:
         world = spawn(self.physics, self._site, scenario)

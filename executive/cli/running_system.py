@@ -126,7 +126,7 @@ def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
     build_scene(site, scenario, source=source)
     if options.faults is None:
         return scenario, site, None
-    more = check_faults(options.faults, site)
+    more = check_faults(options.faults, site, scenario.robot)
     return scenario.with_faults(more.faults), site, more.bus
 
 

@@ -37,8 +37,8 @@ def _read(path: str | Path) -> tuple[FaultFile, Source]:
     return validate(data, source, FaultFile), source
 
 
-def check_faults(path: str | Path, site: Site) -> FaultFile:
-    """Return what a file says, when its faults fit the site and the robot.
+def check_faults(path: str | Path, site: Site, robot: str) -> FaultFile:
+    """Return what a file says, when its faults fit the site and the robot of that name.
 
     Raises:
         DocumentError: as ``load_faults``.
@@ -49,7 +49,7 @@ def check_faults(path: str | Path, site: Site) -> FaultFile:
     if any(isinstance(fault, JointStall) for fault in file.faults):
         # Only what names joints needs the robot, which takes a moment to be put together.
         from tandem.sim.defects import check_faults as check_joints  # noqa: PLC0415
-        from tandem.sim.robot import compose_robot  # noqa: PLC0415
+        from tandem.sim.robots.registry import robot_model  # noqa: PLC0415
 
-        check_joints(file.faults, compose_robot().description, source=source)
+        check_joints(file.faults, robot_model(robot).description, source=source)
     return file

@@ -5,14 +5,14 @@ from __future__ import annotations
 import pytest
 
 from benchmarks.standing import STILL, Motion
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
 from tandem.skills.ports.hardware import BaseVelocity, JointStates, Odometry
 from tandem.skills.ports.keys import BASE_VELOCITY, JOINT_STATES, ODOMETRY
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.wire.memory import MemoryBus
 
-DESCRIPTION = compose_robot().description
+DESCRIPTION = robot_model("tiago_dual").description
 LIMIT = DESCRIPTION.group("arm_left").limits[0]
 
 

@@ -8,7 +8,7 @@ from typing import Protocol
 from tandem.sim.body import RobotBody
 from tandem.sim.model import RobotModel
 from tandem.sim.physics import Physics
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
 from tandem.sim.scenario import Scenario, load_scenario
 from tandem.sim.world import World, spawn
 from tandem.skills.ports.message import RobotTime
@@ -36,7 +36,7 @@ class MakeRoom(Protocol):
 
 
 def make_room(name: str = "Demo", start: FloorPose | None = None) -> Room:
-    site, scenario, physics, model = load("lab"), load_scenario(name), Physics(), compose_robot()
+    site, scenario, physics, model = load("lab"), load_scenario(name), Physics(), robot_model("tiago_dual")
     world = spawn(physics, site, scenario)
     description = model.description
     positions: dict[str, float] = {}

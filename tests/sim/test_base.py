@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tandem.sim.base import BaseController, Odometer
-from tandem.sim.robot import DRIVE, WHEELS
+from tandem.sim.robots.pmb2 import DRIVE, WHEELS
 from tandem.sim.scenario import Noise
 from tandem.skills.ports.hardware import BaseVelocity
 

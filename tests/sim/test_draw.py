@@ -9,8 +9,8 @@ import pybullet
 import pytest
 
 from tandem.sim.draw import FINGER_GAP, FLOOR_MARGIN, Draw, draw_fetch
-from tandem.sim.footprint import FOOTPRINT_RADIUS
 from tandem.sim.physics import Physics
+from tandem.sim.robots.tiago_dual import FOOTPRINT_RADIUS
 from tandem.sim.scenario import Scenario, ScenarioError, SpawnSurface, load_scenario
 from tandem.sim.things import BoxShape, Obstacle
 from tandem.sim.world import spawn

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from tandem.sim.render_world import RenderWorld, View, looking_at
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
 from tandem.sim.scene import Label, SceneBody
 from tandem.sim.tags import tags_in_item
 from tandem.sim.things import BoxShape
@@ -26,7 +26,7 @@ AT = (0.5, 0.3, 0.8)
 @pytest.fixture(scope="module", params=[True, False], ids=["egl", "tiny"])
 def twin(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[RenderWorld]:
     made = RenderWorld(
-        compose_robot().physics_urdf, Path(tmp_path_factory.mktemp("twin")), hardware=request.param
+        robot_model("tiago_dual").physics_urdf, Path(tmp_path_factory.mktemp("twin")), hardware=request.param
     )
     yield made
     made.close()

@@ -79,4 +79,4 @@ def checked_faults(path: Path, scenario: Scenario) -> FaultFile:
     from tandem.executive.config.fault_file import check_faults  # noqa: PLC0415
     from tandem.skills.site import load  # noqa: PLC0415
 
-    return check_faults(path, load(scenario.site))
+    return check_faults(path, load(scenario.site), scenario.robot)

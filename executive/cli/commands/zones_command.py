@@ -44,10 +44,11 @@ def draw(
 ) -> None:
     """Draw where the left hand, the right hand, both or neither can grasp. Takes a few seconds."""
     from tandem.executive.render.zones import png_zones, svg_zones, unicode_zones  # noqa: PLC0415
-    from tandem.sim.robot import compose_robot  # noqa: PLC0415
+    from tandem.sim.robots.registry import robot_model  # noqa: PLC0415
+    from tandem.sim.scenario import ROBOT  # noqa: PLC0415
     from tandem.skills.bimanual.zones import ZonesAsk, zones  # noqa: PLC0415
 
-    found = zones(ZonesAsk(compose_robot().description.model_dump_json(), height, torso))
+    found = zones(ZonesAsk(robot_model(ROBOT).description.model_dump_json(), height, torso))
     if form is ZonesFormat.PNG:
         content = png_zones(found)
     else:

@@ -79,9 +79,9 @@ def run_fetch(scenario: Scenario, seed: int, run: int) -> FetchRun:
 
 def draw_run(site: Site, scenario: Scenario, rng: Generator) -> Draw:
     """Draw a fetch over all that the robot reaches of the scenario's surfaces."""
-    from tandem.sim.robot import compose_robot  # noqa: PLC0415 - loads pybullet; used only here
+    from tandem.sim.robots.registry import robot_model  # noqa: PLC0415 - loads pybullet; used only here
 
-    description = compose_robot().description
+    description = robot_model(scenario.robot).description
     reachable = Reachable(description, site)
     return draw_fetch(site, scenario, rng, description.footprint_radius + ARM_MARGIN, reachable.why_not)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
 from tandem.skills.kinematics.described import home_positions, load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.hardware import JointStates, RobotDescription
@@ -19,7 +19,7 @@ ASIDE = (-0.16, 1.49, 1.70, 2.28, -0.72, -0.78, -1.97)
 @cache
 def robot() -> tuple[RobotDescription, RobotHulls]:
     """Return TIAGo++ and its bodies."""
-    description = compose_robot().description
+    description = robot_model("tiago_dual").description
     return description, load_hulls(description)
 
 

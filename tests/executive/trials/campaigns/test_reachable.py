@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tandem.executive.trials.campaigns.reachable import Reachable
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
 from tandem.sim.scenario import Scenario, load_scenario
 from tandem.sim.things import BoxShape, Obstacle
 from tandem.skills.site import load
@@ -15,7 +15,7 @@ DEMO = load_scenario("Demo").model_copy(update={"obstacles": (), "items": (load_
 
 @pytest.fixture(scope="module")
 def reachable() -> Reachable:
-    return Reachable(compose_robot().description, load("lab"))
+    return Reachable(robot_model("tiago_dual").description, load("lab"))
 
 
 def at(x: float, y: float, *walls: Obstacle) -> Scenario:

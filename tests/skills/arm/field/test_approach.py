@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
 from tandem.skills.arm.field.episode import Episode
 from tandem.skills.arm.field.ride import Why
 from tandem.skills.geometry.poses import compose, distance
@@ -29,7 +29,7 @@ ITEM = 29
 
 @pytest.fixture(scope="module")
 def robot() -> RobotDescription:
-    return compose_robot().description
+    return robot_model("tiago_dual").description
 
 
 @pytest.fixture(scope="module")

@@ -7,9 +7,9 @@ import pinocchio
 import pytest
 
 from benchmarks.rig import Rig
-from tandem.sim.robot import compose_robot
+from tandem.sim.robots.registry import robot_model
 
-MODEL = compose_robot()
+MODEL = robot_model("tiago_dual")
 
 
 def test_pinocchio_and_pybullet_agree_where_the_hand_is() -> None:

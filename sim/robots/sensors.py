@@ -1,0 +1,38 @@
+"""The sensors that the shipped robots carry."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+from tandem.skills.ports.hardware import CameraSensor, LaserSensor
+
+CAMERA_WIDTH: Final = 1280
+CAMERA_HEIGHT: Final = 720
+CAMERA_FIELD: Final = math.radians(60.0)
+"""Horizontal."""
+
+LASER_BEAMS: Final = 541
+LASER_FIELD: Final = math.radians(270.0)
+LASER_RANGE: Final = (0.05, 10.0)
+LASER_PERIOD: Final = 0.1
+
+
+def camera_sensor(frame: str) -> CameraSensor:
+    """Return what a robot's description says of its camera."""
+    return CameraSensor(
+        name="head", frame=frame, width=CAMERA_WIDTH, height=CAMERA_HEIGHT, horizontal_fov=CAMERA_FIELD
+    )
+
+
+def laser_sensor(frame: str) -> LaserSensor:
+    """Return what a robot's description says of its laser."""
+    return LaserSensor(
+        frame=frame,
+        angle_min=-LASER_FIELD / 2,
+        angle_step=LASER_FIELD / (LASER_BEAMS - 1),
+        beams=LASER_BEAMS,
+        range_min=LASER_RANGE[0],
+        range_max=LASER_RANGE[1],
+        period=LASER_PERIOD,
+    )
