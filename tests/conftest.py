@@ -12,6 +12,14 @@ from tests.fakes.packages import Installed
 
 
 @pytest.fixture(scope="session", autouse=True)
+def no_ledger_of_the_users(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Keep away from the ledgers that whoever runs the tests has at home."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_STATE_HOME", str(tmp_path_factory.mktemp("state")))
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
 def ctrl_c_is_heard() -> Iterator[None]:
     """Hear SIGINT, and so let the programs that tests start hear it.
 

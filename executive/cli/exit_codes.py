@@ -24,7 +24,8 @@ MEANINGS: Final = MappingProxyType(
     {
         ExitCode.OK: "success",
         ExitCode.TASK_FAILED: "a task failed or was cancelled, a process died, or a run missed its target",
-        ExitCode.BAD_INPUT: "an argument, a file or a request is invalid; the message says where",
+        ExitCode.BAD_INPUT: "an argument, a file or a request is invalid, or an extra is missing; "
+        "the message says which",
         ExitCode.NOBODY_THERE: "no router, robot or executive answered within three seconds",
         ExitCode.REFUSED: "refused: a second executive, sim or router for this robot, an endpoint or ledger "
         "in use, or a key that does not allow the command",

@@ -35,6 +35,7 @@ from tandem.executive.cli.commands import doctor_command as doctor
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
 from tandem.executive.cli.logs import LogOptions
+from tandem.executive.config.extras import words_on_module
 from tandem.executive.config.log_format import LogFormat
 from tandem.executive.system.isolation import isolate_children
 from tandem.executive.system.quiet_screen import Screen
@@ -100,10 +101,7 @@ def main(argv: Sequence[str], screen: Screen | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return int(ExitCode.OK)
     except Exception as error:  # noqa: BLE001 - the last one who can say it in words
-        _LOG.exception("the command failed with an unexpected error")
-        _say(f"error: {type(error).__name__}: {error}\nThis is a bug in tandem; for the traceback run "
-             "`tandem -v ...` or `tandem --log FILE ...`.")  # fmt: skip
-        return int(ExitCode.BUG)
+        return int(_tell_of(error))
     return int(ExitCode.OK)
 
 
@@ -141,6 +139,19 @@ def _common(
     if screen is not None:
         screen.lead_to(log, verbose=verbose)
     context.obj = logs
+
+
+def _tell_of(error: Exception) -> ExitCode:
+    """Say what nobody expected: that an extra is missing, or that there is a bug."""
+    lacks = words_on_module(error, "this command") if isinstance(error, ModuleNotFoundError) else ""
+    if lacks:
+        _LOG.error("%s", lacks)
+        _say(f"error: {lacks}")
+        return ExitCode.BAD_INPUT
+    _LOG.error("the command failed with an unexpected error", exc_info=error)
+    _say(f"error: {type(error).__name__}: {error}\nThis is a bug in tandem; for the traceback run "
+         "`tandem -v ...` or `tandem --log FILE ...`.")  # fmt: skip
+    return ExitCode.BUG
 
 
 def _say(text: str) -> None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from tandem.executive.cli.arguments import ENDPOINT, TLS
 from tandem.executive.cli.errors import CommandError
+from tandem.executive.config.extras import Extra, words_on
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity, refuse_other_hosts, robot_in
@@ -75,3 +76,24 @@ def checked_roles(only: str | None) -> tuple[str, ...]:
     if unknown:
         raise CommandError(f"--only: expected some of {', '.join(known)}; found {unknown[0]!r}")
     return tuple(role for role in known if role in named)
+
+
+def refuse_without_extras(roles: Sequence[str]) -> None:
+    """Say which extras the roles need that are not installed, before anything is started.
+
+    Raises:
+        CommandError: naming role, packages and the command that installs them.
+    """
+    from tandem.executive.system.roles.registry import shipped  # noqa: PLC0415 - `tandem --help` is quick
+
+    wanted: dict[Extra, list[str]] = {}
+    for role in roles:
+        extra = shipped()[role].extra
+        if extra is not None:
+            wanted.setdefault(extra, []).append(role)
+    lacks = [
+        words_on(extra, f"the role {named[0]}" if len(named) == 1 else f"the roles {', '.join(named)}")
+        for extra, named in wanted.items()
+    ]
+    if any(lacks):
+        raise CommandError("\n".join(line for line in lacks if line))

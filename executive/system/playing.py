@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tandem.executive.config.extras import words_on
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
 from tandem.executive.system.roles.registry import part_of, role_of, shipped
 from tandem.executive.system.roles.role import Role, Stage
@@ -30,13 +31,16 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
     """Play a role until ``stopped`` says so.
 
     Raises:
-        RefusalError: there is no such role, another process plays it already, or the hardware does not
-            tell who it is.
+        RefusalError: there is no such role, what it needs is not installed, another process plays it already,
+            or the hardware does not tell who it is.
     """
     try:
         role = role_of(settings)
     except LookupError as error:
         raise RefusalError(str(error.args[0])) from error
+    lacks = "" if role.extra is None else words_on(role.extra, f"the role {role.name}")
+    if lacks:
+        raise RefusalError(lacks)
     if role.route is not None:
         role.route(settings, stopped)
         return

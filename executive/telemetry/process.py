@@ -6,6 +6,7 @@ import logging
 from collections.abc import Callable
 from contextlib import ExitStack
 
+from tandem.executive.config.extras import words_on_module
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
 from tandem.executive.telemetry.observer import Observer, Record
 from tandem.skills.ports.clocks import Clocks
@@ -64,9 +65,7 @@ def _metrics(address: str, until: ExitStack) -> Record:
 def _traces(endpoint: str, robot: str, clocks: Clocks) -> Record:
     try:
         from tandem.executive.telemetry.traces import Traces, batching_provider, otlp_exporter  # noqa: PLC0415
-    except ImportError as error:
-        raise RefusalError(
-            f"traces need the extra: pip install 'tandem-executive[otel]' ({error.name} is missing)"
-        ) from error
+    except ModuleNotFoundError as error:
+        raise RefusalError(words_on_module(error, "what sends traces") or str(error)) from error
     _LOG.info("traces go to %s", endpoint)
     return Traces(batching_provider(otlp_exporter(endpoint), robot), clocks)

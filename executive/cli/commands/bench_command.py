@@ -42,6 +42,10 @@ def bench(
     markdown: Page = None,
 ) -> None:
     """Run the benchmarks and print the results with their targets. Needs a checkout."""
+    from tandem.executive.cli.opening import checked_roles, refuse_without_extras  # noqa: PLC0415
+
+    if not list_them:
+        refuse_without_extras(checked_roles(None))
     files = {"--report": report, "--markdown": markdown}
     options = [part for option, path in files.items() if path for part in (option, str(path.resolve()))]
     flags = [flag for flag, on in (("--list", list_them), ("--quick", quick)) if on]

@@ -155,13 +155,9 @@ def fuzz(
 
     Half of them go to the request interface of an executive, half to all topics of a system in lockstep.
     """
-    try:
-        from tandem.executive.trials.campaigns.fuzz import fuzz as run_fuzz  # noqa: PLC0415
-        from tandem.executive.trials.campaigns.fuzz_all import fuzz_all  # noqa: PLC0415
-    except ModuleNotFoundError as error:
-        raise CommandError(
-            f"fuzzing needs {error.name} from the development tools: pip install 'tandem-executive[dev]'"
-        ) from error
+    from tandem.executive.trials.campaigns.fuzz import fuzz as run_fuzz  # noqa: PLC0415
+    from tandem.executive.trials.campaigns.fuzz_all import fuzz_all  # noqa: PLC0415
+
     console = Console(highlight=False, soft_wrap=True)
     half = (inputs + 1) // 2
     counts = run_fuzz(half, seed, lambda fed: console.print(f"{fed} of {inputs}", end="\r"))

@@ -15,22 +15,17 @@ from tandem.executive.cli.arguments import connects
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.cli.start import unsupported
+from tandem.executive.config.extras import DEV, EXTRAS, PACKAGE, SIM, Extra, absent, command, is_begun
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.system.isolation import isolated, python
 
-PACKAGES: Final = (
+BARE: Final = (
     ("eclipse-zenoh", "zenoh", "the bus between processes"),
     ("pydantic", "pydantic", "messages"),
     ("py-trees", "py_trees", "behaviour trees"),
-    ("numpy", "numpy", "arrays"),
-    ("opencv-python-headless", "cv2", "tags in pictures"),
-    ("ompl", "ompl", "planning of arm motions"),
-    ("pin", "pinocchio", "kinematics"),
-    ("coal", "coal", "collision checks"),
-    ("ruckig", "ruckig", "jerk-limited motion"),
-    ("pybullet" if sys.version_info < (3, 12) else "pybullet-arm64", "pybullet", "the simulated robot"),
     ("pyyaml", "yaml", "site and scenario files"),
 )
+"""What every host has: distribution, module, purpose."""
 ROBOT_FILE: Final = "package://example-robot-data/robots/tiago_description/robots/tiago_dual.urdf"
 
 LOADED: Final = "eglRenderer loads"
@@ -92,14 +87,32 @@ def _packages() -> list[Finding]:
 
     from tandem.executive.trials.provenance import installed  # noqa: PLC0415
 
-    found = [Finding("tandem", True, installed("tandem-executive") or "not installed, run from its folder")]
-    for distribution, module, purpose in PACKAGES:
+    found = [Finding("tandem", True, installed(PACKAGE) or "not installed, run from its folder")]
+    for distribution, module, purpose in BARE:
         there = importlib.util.find_spec(module) is not None
         text = f"{installed(distribution) or 'version unknown'} ({purpose})"
-        missing = f"not installed ({purpose}); `make setup` installs it"
+        missing = f"not installed ({purpose}); pip install {PACKAGE}"
         found.append(Finding(distribution, there, text if there else missing))
-    found.append(_robot_files())
+    found.extend(_extra(extra) for extra in EXTRAS if extra is not DEV)
+    if is_begun(SIM):
+        found.append(_robot_files())
     return found
+
+
+def _extra(extra: Extra) -> Finding:
+    """Tell of an extra: a host may do without one, but not with half of it."""
+    from tandem.executive.trials.provenance import installed  # noqa: PLC0415
+
+    missing = absent(extra)
+    if missing:
+        which = f"without {', '.join(missing)}" if is_begun(extra) else "not installed"
+        text = f"{which} (for {extra.purpose}): {command(extra.name)}"
+        return Finding(f"extra {extra.name}", False, text, vital=is_begun(extra))
+    versions = ", ".join(
+        f"{distribution} {installed(distribution) or 'of an unknown version'}"
+        for distribution, _, _ in extra.packages
+    )
+    return Finding(f"extra {extra.name}", True, versions)
 
 
 def _robot_files() -> Finding:
@@ -124,6 +137,8 @@ def _files() -> list[Finding]:
 
 def _renderer() -> list[Finding]:
     """Try the fast renderer where it may crash without harm: in a process of its own."""
+    if not is_begun(SIM):
+        return []
     import subprocess  # noqa: PLC0415
 
     try:

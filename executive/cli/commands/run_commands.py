@@ -127,8 +127,11 @@ def demo(
     robot: OwnRobot = DEFAULT_ROBOT,
 ) -> None:
     """Start a simulated robot, fetch an item and stop. Exits 0 only if the item really is in the depot."""
+    from tandem.executive.cli.opening import checked_roles, refuse_without_extras  # noqa: PLC0415
+
     logs = _logs(context)
     _require_window(gui=gui, lockstep=lockstep)
+    refuse_without_extras(checked_roles(None))
     options = RunOptions(
         bus=bus_options(connect, site_key, robot),
         scenario=_scenario(scenario, faults),
@@ -169,7 +172,12 @@ def up(
     bus: BusOptions,
 ) -> None:
     """Start the router, simulated robot, skills and executive, and keep them running until Ctrl-C."""
-    from tandem.executive.cli.opening import checked_endpoints, checked_roles, owner_of  # noqa: PLC0415
+    from tandem.executive.cli.opening import (  # noqa: PLC0415
+        checked_endpoints,
+        checked_roles,
+        owner_of,
+        refuse_without_extras,
+    )
 
     logs = _logs(context)
     if lockstep:
@@ -179,6 +187,7 @@ def up(
         )
     _require_window(gui=gui, lockstep=False)
     bus, roles = owner_of(bus, by_environment=_by_environment(context)), checked_roles(only)
+    refuse_without_extras(roles)
     options = RunOptions(
         bus=bus,
         data=data or default_data(bus, os.environ),

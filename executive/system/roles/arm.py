@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
+from tandem.executive.config.extras import SKILLS
 from tandem.executive.system.roles.role import Role, Surroundings, skill_rights
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
@@ -39,6 +40,7 @@ ROLES = tuple(
         name=f"arm_{side}",
         starts=60 + place,
         kind="skills",
+        extra=SKILLS,
         needed=partial(_needed, side),
         nodes=partial(_nodes, side),
         rights=skill_rights(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from tandem.executive.config.extras import SKILLS
 from tandem.executive.system.roles.role import Role, Surroundings, skill_rights
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
@@ -38,6 +39,7 @@ ROLES = (
         name="bimanual",
         starts=50,
         kind="skills",
+        extra=SKILLS,
         needed=_needed,
         nodes=_nodes,
         rights=skill_rights(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import uuid
 
+from tandem.executive.config.extras import SIM
 from tandem.executive.security.rights import Rights
 from tandem.executive.system.roles.role import Role, Stage, process_rights
 
@@ -44,6 +45,7 @@ ROLES = (
         name="hardware",
         starts=10,
         kind="hardware",
+        extra=SIM,
         play=_play,
         rights=process_rights(
             Rights(

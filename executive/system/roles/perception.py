@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from tandem.executive.config.extras import SKILLS
 from tandem.executive.system.roles.role import Role, Surroundings, skill_rights
 from tandem.skills.ports.node import Node
 
@@ -19,6 +20,7 @@ ROLES = (
         name="perception",
         starts=30,
         kind="skills",
+        extra=SKILLS,
         nodes=_nodes,
         rights=skill_rights(tells=("world/**",), asks=("hw/group/*/goal", "hw/group/*/cancel")),
     ),

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, Literal
 
+from tandem.executive.config.extras import Extra
 from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.security.rights import Rights
 from tandem.skills.ports.bus import Bus
@@ -75,6 +76,8 @@ class Role:
     kind: Kind
     rights: Rights = field(default_factory=Rights)
     """What it may do on the bus; roles of one kind share a certificate, which allows what any of them may."""
+    extra: Extra | None = None
+    """What has to be installed where it is played, besides the bare package."""
     needed: Callable[[RobotDescription], bool] = always
     """Whether a robot of this description has use for it."""
     nodes: Callable[[Surroundings], Sequence[Node]] | None = None
