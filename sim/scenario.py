@@ -18,6 +18,7 @@ from tandem.sim.things import Angle, Coordinate, Name, Obstacle, TrueItem
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.sources import DocumentError, Source
+from tandem.skills.site import locate
 from tandem.skills.yaml_file import parse_document, read_document, validate
 
 ROBOT: Final = "tiago_dual"
@@ -72,7 +73,8 @@ class Scenario(Message):
     """The initial state of a run, except the seed."""
 
     name: Annotated[str, Field(min_length=1, max_length=60)]
-    site: Name = "lab"
+    site: Annotated[str, Field(min_length=1, max_length=4096)] = "lab"
+    """Name of a site, or the path of a site file, relative to the scenario's."""
     robot: Name = ROBOT
     """The robot in it: a file of ``sim/robots/``, or an entry point under ``tandem.robots``."""
     start: FloorPose
@@ -148,13 +150,25 @@ def read_scenario(name_or_path: str | Path) -> tuple[Scenario, Source]:
     data, source = _document(name_or_path)
     if not isinstance(data, dict):
         raise ScenarioError(f"{source.name}: expected a mapping with name, start, items, ...")
-    return validate(data, source, Scenario), source
+    scenario, path = validate(data, source, Scenario), _path(name_or_path)
+    try:
+        site = locate(scenario.site, beside=path)
+    except DocumentError as error:
+        raise ScenarioError(f"{source.at('site')}: {error}") from None
+    return scenario.model_copy(update={"site": site}), source
+
+
+def _path(name_or_path: str | Path) -> Path | None:
+    """Return the path of a scenario's file; None for the name of one that comes with the sim."""
+    text = str(name_or_path)
+    named = not isinstance(name_or_path, Path) and not text.endswith(SUFFIXES) and "/" not in text
+    return None if named else Path(text)
 
 
 def _document(name_or_path: str | Path) -> tuple[JsonValue, Source]:
-    text = str(name_or_path)
-    if isinstance(name_or_path, Path) or text.endswith(SUFFIXES) or "/" in text:
-        return read_document(Path(text))
+    text, path = str(name_or_path), _path(name_or_path)
+    if path is not None:
+        return read_document(path)
     if text not in scenario_names():
         known = ", ".join(scenario_names())
         raise ScenarioError(f"no scenario '{text}'; expected {known}, or the path of a .yaml file")

@@ -64,6 +64,7 @@ class Station:
 
     def __init__(self, bus: Bus, site: Site, scenario: Scenario, settings: StationSettings) -> None:
         self._site, self._settings = site, settings
+        self._sites = {site.name, scenario.site}  # what the site may be called: a file's path with it
         self._link = FaultyLink(bus)
         self._boots = 0
         self.physics = Physics(gui=settings.gui)
@@ -148,7 +149,7 @@ class Station:
         self.physics.close()
 
     def _check(self, scenario: Scenario) -> None:
-        if scenario.site != self._site.name:
+        if scenario.site not in self._sites:
             expected = f"expected {self._site.name}, found {scenario.site}"
             raise ScenarioError(f"{scenario.name}: site: {expected}; another site needs another start")
         if scenario.robot != self._robot:

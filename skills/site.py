@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from importlib import resources
 from pathlib import Path
+from typing import Final
 
 from tandem.skills.geometry.floor_plan import FloorPlan
+from tandem.skills.ports.plugins import NONE, Group, Loaded
+from tandem.skills.ports.plugins import load as load_plugins
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.sources import DocumentError
 from tandem.skills.yaml_file import parse_document, read_document, validate
+
+SUFFIXES: Final = (".yaml", ".yml")
 
 
 def names() -> tuple[str, ...]:
@@ -21,22 +26,51 @@ def names() -> tuple[str, ...]:
     )
 
 
+def plugged(left_out: Mapping[str, str] = NONE) -> Loaded[Path]:
+    """Return the site files of other packages: an entry point under ``tandem.sites`` names a ``Path``.
+
+    Args:
+        left_out: plug-ins that are known not to load (``tandem.skills.ports.plugins.load``).
+    """
+    return load_plugins(Group.SITES, _checked_path, taken=names(), left_out=left_out)
+
+
+def locate(name_or_path: str, beside: Path | None = None) -> str:
+    """Return what ``load`` takes in any folder: the name of a site that ships, or a file's full path.
+
+    Args:
+        name_or_path: of a site that ships or is plugged in; or a path of a .yaml file.
+        beside: the file that names it, to which a path is relative; None: the current folder.
+
+    Raises:
+        DocumentError: when there is no such site.
+    """
+    path = Path(name_or_path)
+    if path.suffix in SUFFIXES:
+        return str((path if beside is None else beside.parent / path).absolute())
+    if name_or_path in names():
+        return name_or_path
+    loaded = plugged()
+    if name_or_path in loaded.found:
+        return str(loaded.found[name_or_path])
+    known = ", ".join((*names(), *loaded.found))
+    why = "".join(f"; {each}" for each in loaded.broken if each.plugin.name == name_or_path)
+    raise DocumentError(f"no site {name_or_path!r}; expected {known}, or the path of a .yaml file{why}")
+
+
 def load(name_or_path: str) -> Site:
     """Return a site by its name, or by the path of a file.
 
     Raises:
         DocumentError: when there is no such site, or when it is wrong.
     """
-    path = Path(name_or_path)
-    if path.suffix in {".yaml", ".yml"}:
-        data, source = read_document(path)
-    elif name_or_path in names():
+    if name_or_path in names():
         packaged = resources.files("tandem.skills") / "sites" / f"{name_or_path}.yaml"
         data, source = parse_document(packaged.read_text("utf-8"), f"{name_or_path}.yaml")
+    elif Path(name_or_path).suffix in SUFFIXES:
+        data, source = read_document(Path(name_or_path))
     else:
-        raise DocumentError(
-            f"no site {name_or_path!r}; expected {', '.join(names())}, or the path of a .yaml file"
-        )
+        data, source = read_document(Path(locate(name_or_path)))
     site = validate(data, source, Site)
     if misplaced := [f"{source.at(where)}: {reason}" for where, reason in _misplaced(site)]:
         raise DocumentError("\n".join(misplaced))
@@ -55,3 +89,12 @@ def _misplaced(site: Site) -> Iterator[tuple[str, str]]:
     for where, pose in stands:
         if plan.room(pose.x, pose.y) <= 0.0:
             yield where, f"({pose.x:g}, {pose.y:g}) is inside furniture or outside the bounds"
+
+
+def _checked_path(_: str, value: object) -> Path:
+    path = Path(value) if isinstance(value, str | Path) else None
+    if path is None or path.suffix not in SUFFIXES:
+        raise TypeError(f"expected the pathlib.Path of a .yaml file; found {value!r}")
+    if not path.is_file():
+        raise TypeError(f"expected a file; there is none at {path}")
+    return path.absolute()

@@ -68,6 +68,10 @@ Output = Annotated[
     Path | None, typer.Option("--output", "-o", help="Write to this file instead of standard output.")
 ]
 SiteFile = Annotated[str, typer.Option("--site", metavar="NAME|FILE", help="Site to use: a name or a file.")]
+OtherSite = Annotated[
+    str,
+    typer.Option("--site", metavar="NAME|FILE", help="Site to use instead of the scenario's."),
+]
 
 
 TLS: Final = "tls/"

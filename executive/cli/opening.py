@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from tandem.executive.cli.arguments import ENDPOINT, TLS
@@ -11,6 +11,7 @@ from tandem.executive.config.extras import Extra, words_on
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity, refuse_other_hosts, robot_in
+from tandem.skills.ports.plugins import NONE
 from tandem.skills.wire.endpoints import is_loopback
 
 
@@ -60,8 +61,12 @@ def checked_endpoints(bus: BusOptions, listen: Sequence[str], *, insecure: bool)
     return tuple(listen)
 
 
-def checked_roles(only: str | None) -> tuple[str, ...]:
+def checked_roles(only: str | None, left_out: Mapping[str, str] = NONE) -> tuple[str, ...]:
     """Return the roles named, in the order in which they are started; all when none is named.
+
+    Args:
+        only: names, with commas between them.
+        left_out: plug-ins that can't be loaded.
 
     Raises:
         CommandError: naming those that there are.
@@ -69,8 +74,8 @@ def checked_roles(only: str | None) -> tuple[str, ...]:
     from tandem.executive.system.roles.registry import names  # noqa: PLC0415 - `tandem --help` is quick
 
     if only is None:
-        return names()
-    known = names(on_request=True)
+        return names(left_out=left_out)
+    known = names(on_request=True, left_out=left_out)
     named = [each.strip() for each in only.split(",")]
     unknown = [each for each in named if each not in known]
     if unknown:
@@ -88,7 +93,7 @@ def refuse_without_extras(roles: Sequence[str]) -> None:
 
     wanted: dict[Extra, list[str]] = {}
     for role in roles:
-        extra = shipped()[role].extra
+        extra = shipped()[role].extra if role in shipped() else None
         if extra is not None:
             wanted.setdefault(extra, []).append(role)
     lacks = [

@@ -36,7 +36,7 @@ from tandem.sim.truth import Truth, lies_on
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.sources import DocumentError
-from tandem.skills.site import load
+from tandem.skills.site import load, locate
 from tandem.skills.testing.faulty_bus import BusFaults
 
 DEMO_REQUEST: Final[dict[str, JsonValue]] = {"task": "fetch", "item": 29, "to": "depot"}
@@ -87,7 +87,7 @@ def _taken_up(options: RunOptions) -> tuple[str, ...]:
         RefusedError: when another process has the ledger.
         LedgerFailure: when it can't be read.
     """
-    if options.data is None or "executive" not in (options.only or role_names()):
+    if options.data is None or "executive" not in (options.only or role_names(left_out=options.left_out)):
         return ()
     try:
         return taking_up.lines(taking_up.open_tasks(options.data), options.on_restart)
@@ -122,6 +122,8 @@ def _ended(work: Callable[[Console], ExitCode]) -> ExitCode:
 
 def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
     scenario, source = read_scenario(options.scenario)
+    if options.site:
+        scenario = scenario.model_copy(update={"site": locate(options.site)})
     site = load(scenario.site)
     build_scene(site, scenario, source=source)
     if options.faults is None:
@@ -139,18 +141,22 @@ def _system(
     *,
     first: tuple[str, ...] = (),
 ) -> Iterator[System]:
+    def say(line: str) -> None:
+        console.print(line, style="yellow", markup=False)
+
+    for each in options.broken:
+        say(str(each))
     if options.lockstep:
-        lockstep = LockstepSystem(scenario, options.seed, bus_faults=bus_faults)
+        lockstep = LockstepSystem(scenario, options.seed, bus_faults=bus_faults, left_out=options.left_out)
         try:
             yield lockstep
         finally:
             lockstep.close()
         return
 
-    def say(line: str) -> None:
-        console.print(line, style="yellow", markup=False)
-
-    with ProcessSystem(options, roles=options.only or role_names(), say=say, first=first) as processes:
+    with ProcessSystem(
+        options, roles=options.only or role_names(left_out=options.left_out), say=say, first=first
+    ) as processes:
         yield processes
 
 

@@ -18,8 +18,10 @@ class WorkerSettings(Message):
     """What one process needs to know."""
 
     role: Annotated[str, Field(pattern="^[a-z][a-z0-9_]{0,63}$")]
-    played_by: Annotated[str, Field(pattern="^[a-z0-9_]{0,63}$")] = ""
-    """Entry point under ``tandem.roles`` that plays the role; empty: the file that ships with Tandem."""
+    played_by: Annotated[str, Field(pattern=r"^([a-z0-9_.]+:[A-Za-z0-9_]+)?$", max_length=200)] = ""
+    """``module:attribute`` of the ``Role`` that plays it; empty: the one that ships or is plugged in."""
+    left_out: Mapping[str, str] = {}
+    """Errors of plug-ins that are known not to load (``tandem.skills.ports.plugins``)."""
     arguments: Mapping[str, str] = {}
     """What only the role's own code reads."""
     endpoint: str

@@ -9,6 +9,7 @@ from typing import Final
 
 from tandem.executive.config.log_format import LogFormat
 from tandem.executive.config.on_restart import OnRestart
+from tandem.skills.ports.plugins import Broken
 from tandem.skills.wire.pulse import SILENT_AFTER
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
@@ -53,6 +54,8 @@ class RunOptions:
     bus: BusOptions = BusOptions()
     scenario: str = "Demo"
     """Name of a scenario that comes with the sim, or the path of a YAML file."""
+    site: str = ""
+    """Name of a site, or path of a site file, instead of the scenario's own."""
     faults: Path | None = None
     """File of faults on purpose, besides the scenario's own."""
     seed: int = 1
@@ -84,5 +87,12 @@ class RunOptions:
     """Folder of the ledger and of what skills keep; None: one that ends with the run."""
     on_restart: OnRestart = "resume"
     """What becomes of a task that was under way when the executive ended, unless its request says so."""
+    broken: tuple[Broken, ...] = ()
+    """Plug-ins that can't be loaded, and are left out."""
     request: str = ""
     """The demo's request as a JSON document; empty: the demo's own choice."""
+
+    @property
+    def left_out(self) -> Mapping[str, str]:
+        """Errors of plug-ins that are left out, as settings of processes name them."""
+        return {each.plugin.key: each.error for each in self.broken}

@@ -6,7 +6,7 @@ The same seed gives the same run, to the last message.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from tandem.executive.system.roles.executive import executive_node
 from tandem.executive.system.roles.registry import skill_roles
@@ -54,6 +54,7 @@ class Lockstep:
         without: roles that are left out.
         site: what is known beforehand, when it is not the scenario's own site file.
         bus_faults: what happens to messages that skills and executive receive.
+        left_out: plug-ins that are known not to load; None: all plug-ins are left out.
     """
 
     def __init__(
@@ -64,6 +65,7 @@ class Lockstep:
         without: Sequence[str] = (),
         site: Site | None = None,
         bus_faults: BusFaults | None = None,
+        left_out: Mapping[str, str] | None = None,
     ) -> None:
         self.hub = MemoryHub()
         self._seed, self._bus_faults = seed, bus_faults
@@ -73,13 +75,15 @@ class Lockstep:
         self.station = Station(MemoryBus(self.hub), site, scenario, how)
         self.period = self.station.model.description.period
         self.nodes: list[Node] = [self.station]
-        for role in skill_roles(self.station.model.description):
+        for role in skill_roles(self.station.model.description, left_out):
             if role.name not in without:
                 self.nodes.append(self._skills(role, seed, site))
         self.bus = MemoryBus(self.hub)
         """An end of the bus for whoever runs the system."""
         if "executive" not in without:
-            self.nodes.append(executive_node(self._end("executive"), self.clocks, site, start=""))
+            self.nodes.append(
+                executive_node(self._end("executive"), self.clocks, site, start="", left_out=left_out)
+            )
 
     def _skills(self, role: Role, seed: int, site: Site) -> Node:
         def build(bus: Bus, description: RobotDescription) -> Sequence[Node]:

@@ -80,6 +80,8 @@ class Child:
     log: Path
     process: subprocess.Popen[bytes]
     stream: IO[bytes]
+    kind: Kind
+    """Of its role."""
 
     @property
     def role(self) -> str:
@@ -127,7 +129,7 @@ class Supervisor:
 
     def start(self, settings: WorkerSettings) -> Child:
         """Start one process, in a session of its own: a Ctrl-C reaches the parent alone."""
-        role = settings.role
+        role, kind = settings.role, _kind_of(settings)
         log = self.folder / f"{role}.log"
         stream = log.open("ab")
         self._generations[role] += 1
@@ -137,7 +139,7 @@ class Supervisor:
             process = self._spares.pop(role, None)
             if process is None or not _tell_settings(process, told):
                 process = _launch([told.model_dump_json()], stream, subprocess.DEVNULL)
-            child = Child(settings, log, process, stream)
+            child = Child(settings, log, process, stream, kind)
             self.children.append(child)
         if role in self._spare_at:
             self._spare_at[role] = time.monotonic() + SPARE_AFTER
@@ -183,7 +185,7 @@ class Supervisor:
         bound = RESTARTS_OF_EXECUTIVE if role == "executive" else RESTARTS
         times = self._restarted.setdefault(role, deque(maxlen=bound))
         often = len(times) == bound and now - times[0] < RESTARTS_WITHIN
-        if role_of(child.settings).kind not in RESTARTED or often or child.process.returncode in NO_USE:
+        if child.kind not in RESTARTED or often or child.process.returncode in NO_USE:
             return False
         times.append(now)
         self.children.remove(child)
@@ -196,8 +198,11 @@ class Supervisor:
         return True
 
     def give_up(self, role: str) -> None:
-        """Do without a process that has ended and that nothing needs."""
+        """Do without a process that nothing needs; end it if it goes on."""
         child = self.child(role)
+        if child.process.poll() is None:
+            child.process.kill()
+            child.process.wait()
         self.children.remove(child)
         child.stream.close()
 
@@ -224,7 +229,7 @@ class Supervisor:
         self._spares.clear()
         self._spare_at.clear()
         for kind in ENDS:
-            going = [child for child in self.children if role_of(child.settings).kind == kind]
+            going = [child for child in self.children if child.kind == kind]
             for child in going:
                 if child.process.poll() is None:
                     child.process.terminate()
@@ -235,6 +240,14 @@ class Supervisor:
         for group in self._orphans:
             _end_group(group)
         self._orphans.clear()
+
+
+def _kind_of(settings: WorkerSettings) -> Kind:
+    """Return the kind of a process's role; one that nobody declares refuses to start by itself."""
+    try:
+        return role_of(settings).kind
+    except LookupError:
+        return "skills"
 
 
 @contextlib.contextmanager

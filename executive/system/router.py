@@ -88,7 +88,9 @@ class Router:
         if self._list is None:
             return None
         holders = read_holders(self._list.parent).holders
-        return access_control(holders, self._settings.prefix, rights_of_parts()).model_dump_json()
+        return access_control(
+            holders, self._settings.prefix, rights_of_parts(self._settings.left_out)
+        ).model_dump_json()
 
     def _version(self) -> tuple[int, int]:
         """Return what changes with the list: who replaces a file gives it another inode."""

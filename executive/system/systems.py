@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Final, Protocol, Self
@@ -17,7 +17,7 @@ from tandem.executive.system.free_endpoint import TakenError, require_vacant
 from tandem.executive.system.hung_processes import HUNG_AFTER, Hung
 from tandem.executive.system.processes import RESTARTED, Death, Supervisor
 from tandem.executive.system.roles.observer import NAME as OBSERVER
-from tandem.executive.system.roles.registry import names, role_of
+from tandem.executive.system.roles.registry import names, plugged
 from tandem.executive.telemetry.log_files import UserLog
 from tandem.executive.telemetry.relay import LogRelay
 from tandem.sim.chatter import unheard
@@ -28,12 +28,15 @@ from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.keys import STOP_STATE, Latest, Nothing
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import TASK_INFO
+from tandem.skills.site import locate
 from tandem.skills.testing.faulty_bus import BusFaults
 from tandem.skills.wire.clocks import ProcessClocks
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 READY_WITHIN: Final = 60.0
 """Host seconds that processes have for their start."""
+PLUGGED_READY_WITHIN: Final = 20.0
+"""Host seconds that those of plug-ins have more; ours take about 5 on a busy machine."""
 
 
 class SystemFailure(RuntimeError):  # noqa: N818 - what happened to a system, not a mistake in a call
@@ -83,6 +86,7 @@ class LockstepSystem:
         digest: take every message into a hash.
         site: what is known beforehand, when it is not the scenario's own site file.
         bus_faults: what happens to messages that skills and executive receive.
+        left_out: plug-ins that are known not to load; None: all plug-ins are left out.
     """
 
     def __init__(
@@ -93,12 +97,13 @@ class LockstepSystem:
         digest: bool = False,
         site: Site | None = None,
         bus_faults: BusFaults | None = None,
+        left_out: Mapping[str, str] | None = None,
     ) -> None:
         with unheard():
             # pybullet prints when it was built. A process that only watches others never loads it.
             from tandem.executive.system.lockstep import Digest, Lockstep  # noqa: PLC0415
 
-            self.lockstep = Lockstep(scenario, seed, site=site, bus_faults=bus_faults)
+            self.lockstep = Lockstep(scenario, seed, site=site, bus_faults=bus_faults, left_out=left_out)
         self._digest = Digest()
         if digest:
             self.lockstep.hub.watch(self._digest)
@@ -144,9 +149,12 @@ class ProcessSystem:
         observed = (OBSERVER,) if options.metrics or options.traces else ()
         self._options, self._roles, self._say = options, (names() if roles is None else roles) + observed, say
         self._first = tuple(first)
+        self._plugged = frozenset(plugged(options.left_out))
+        """Roles of other packages: the rest can do without."""
         self._ready = False
+        self._given_up: set[str] = set()
         self._hung = Hung(time.monotonic, hung_after)
-        self._site = load_scenario(options.scenario).site
+        self._site = locate(options.site) if options.site else load_scenario(options.scenario).site
         self._folder = tempfile.TemporaryDirectory(prefix="tandem-")
         self.supervisor = Supervisor(Path(self._folder.name) / "logs")
         self._logs = ExitStack()
@@ -227,7 +235,11 @@ class ProcessSystem:
         for role in self._roles:
             if role != "router":
                 self.supervisor.start(self._settings(role))
-        self._await(lambda: not self._not_started(), f"not all processes of {bus.prefix} started")
+        self._await(
+            lambda: self._plugged.issuperset(self._not_started()),
+            f"not all processes of {bus.prefix} started",
+        )
+        self._await_plugged()
         if "executive" in self._roles:
             self._await(self._executive_answers, f"the executive of {bus.prefix} did not answer")
             self.supervisor.keep_spare("executive")
@@ -238,8 +250,19 @@ class ProcessSystem:
         alive, ours = self.bus.alive(), self.supervisor.lineage
         settled = {name.split("/")[1] for name in alive if name.startswith("role/") and f"/{ours}." in name}
         return tuple(
-            r for r in self._roles if r != "router" and not (r in settled and f"process/{r}" in alive)
+            r
+            for r in self._roles
+            if r != "router" and r not in self._given_up and not (r in settled and f"process/{r}" in alive)
         )
+
+    def _await_plugged(self) -> None:
+        deadline = time.monotonic() + PLUGGED_READY_WITHIN
+        while late := self._not_started():
+            self.advance()
+            if time.monotonic() > deadline:
+                for role in late:
+                    why = f"the {role} process of a plug-in was not ready within {PLUGGED_READY_WITHIN:.0f} s"
+                    self._do_without(role, why)
 
     def _refuse_second_router(self) -> None:
         endpoint = self._options.bus.endpoint
@@ -309,6 +332,7 @@ class ProcessSystem:
             traces=options.traces if role == OBSERVER else "",
             silent_after=options.silent_after,
             listen=options.listen if role == "router" else (),
+            left_out=options.left_out,
             keys=None if options.bus.keys is None else str(options.bus.keys),
             holder=options.bus.holder,
         )
@@ -319,6 +343,10 @@ class ProcessSystem:
         for death in deaths:
             if self._ready and self.supervisor.restart(death.role, self._stop_of(death.role)):
                 self._say(f"{death.head()}; restarted")
+            elif death.role in self._plugged:
+                self._do_without(
+                    death.role, death.describe() if not self._ready else f"{death.head()} too often"
+                )
             elif self._ready and death.role == OBSERVER:
                 self.supervisor.give_up(death.role)
                 self._say(f"{death.head()} too often; metrics and traces are off from now on")
@@ -330,6 +358,12 @@ class ProcessSystem:
             self._kill_hung()
         self._relay.step()
         self.supervisor.tidy()
+
+    def _do_without(self, role: str, why: str) -> None:
+        """Go on without a process of another package."""
+        self.supervisor.give_up(role)
+        self._given_up.add(role)
+        self._say(f"{why}\nthe plug-in role {role} is off from now on")
 
     def _stop_of(self, role: str) -> StopState | None:
         """Return the stop that hardware which is started again begins with: that of before."""
@@ -344,7 +378,7 @@ class ProcessSystem:
         names = {
             f"process/{child.role}": child
             for child in self.supervisor.children
-            if role_of(child.settings).kind in RESTARTED - {"hardware"}
+            if child.kind in RESTARTED - {"hardware"}
         }
         for name in self._hung.look(names.keys() & self.bus.alive(), self.bus.awake()):
             self._say(f"the {names[name].role} process hangs; killing it")

@@ -9,16 +9,13 @@ import importlib
 import pkgutil
 from collections.abc import Mapping
 from functools import cache
-from importlib.metadata import entry_points
 from types import MappingProxyType
-from typing import Final
 
 from tandem.sim import robots
 from tandem.sim.model import RobotModel
 from tandem.sim.robots.robot import Robot
+from tandem.skills.ports.plugins import NONE, Group, Loaded, installed, load
 from tandem.skills.ports.sources import DocumentError
-
-GROUP: Final = "tandem.robots"
 
 
 class RobotError(DocumentError):
@@ -38,7 +35,7 @@ def shipped() -> Mapping[str, Robot]:
 
 def names() -> tuple[str, ...]:
     """Return the names of all robots there are, those of plug-ins last."""
-    return tuple(dict.fromkeys((*shipped(), *sorted(entry_points(group=GROUP).names))))
+    return tuple(dict.fromkeys((*shipped(), *(each.name for each in installed(Group.ROBOTS)))))
 
 
 @cache
@@ -53,13 +50,26 @@ def robot_model(name: str) -> RobotModel:
     return (shipped().get(name) or _declared(name)).compose()
 
 
+def plugged(left_out: Mapping[str, str] = NONE) -> Loaded[Robot]:
+    """Return the robots of other packages.
+
+    Args:
+        left_out: plug-ins that are known not to load (``tandem.skills.ports.plugins.load``).
+    """
+    return load(Group.ROBOTS, _checked, taken=shipped(), left_out=left_out)
+
+
 def _declared(name: str) -> Robot:
-    for entry in entry_points(group=GROUP, name=name):
-        try:
-            loaded = entry.load()
-        except Exception as error:  # a plug-in may raise anything
-            raise RobotError(f"robot {name!r}: loading {entry.value} raised {error!r}") from error
-        if isinstance(loaded, Robot) and loaded.name == name:
-            return loaded
-        raise RobotError(f"robot {name!r}: expected a Robot of this name at {entry.value}, found {loaded!r}")
-    raise RobotError(f"no robot {name!r}; expected one of {', '.join(names())}")
+    loaded = plugged()
+    if name in loaded.found:
+        return loaded.found[name]
+    why = "".join(f"; {each}" for each in loaded.broken if each.plugin.name == name)
+    raise RobotError(f"no robot {name!r}; expected one of {', '.join((*shipped(), *loaded.found))}{why}")
+
+
+def _checked(name: str, value: object) -> Robot:
+    if not isinstance(value, Robot):
+        raise TypeError(f"expected a Robot; found {type(value).__name__}")
+    if value.name != name:
+        raise TypeError(f"the entry point is called {name!r} and its robot {value.name!r}; expected one name")
+    return value

@@ -20,12 +20,15 @@ from types import FrameType, MappingProxyType
 from typing import Final, Generic, Never, TypeVar
 
 Value = TypeVar("Value")
+Found_co = TypeVar("Found_co", covariant=True)
 
 LOADS_WITHIN: Final = 10.0
 """Seconds that the import of one plug-in may take. The heaviest libraries in use (torch) take about 4 on a
 slow computer; a plug-in should import such a library where it uses it."""
 NAME: Final = re.compile(r"[a-z][a-z0-9_]{0,63}")
 """A plug-in's name: it becomes a word of commands, of keys on the bus and of file names."""
+NONE: Final[Mapping[str, str]] = MappingProxyType({})
+"""No plug-in is known not to load."""
 OURS: Final = "tandem-executive"
 """The package whose entry points are Tandem's own."""
 
@@ -86,10 +89,10 @@ class Broken:
 
 
 @dataclass(frozen=True)
-class Loaded(Generic[Value]):
+class Loaded(Generic[Found_co]):
     """The plug-ins of a group: by name those that work, and those that don't."""
 
-    found: Mapping[str, Value]
+    found: Mapping[str, Found_co]
     broken: tuple[Broken, ...]
     origins: Mapping[str, Plugin]
     """Where those that work come from, by name."""
@@ -110,7 +113,7 @@ def load(
     checked: Callable[[str, object], Value],
     *,
     taken: Collection[str] = (),
-    left_out: Mapping[str, str] = MappingProxyType({}),
+    left_out: Mapping[str, str] = NONE,
     within: float = LOADS_WITHIN,
 ) -> Loaded[Value]:
     """Load the plug-ins of a group. Never raises for what a plug-in does.
@@ -131,14 +134,16 @@ def load(
             try:
                 with _time_limit(within):
                     value = plugin.load()
-                found[plugin.name] = checked(plugin.name, value)
-                origins[plugin.name] = plugin
             except KeyboardInterrupt:
                 raise
             except BaseException as raised:  # noqa: BLE001 - it may raise SystemExit and worse
                 error = in_words(raised)
+            else:
+                error = _refused(plugin, value, checked, found)
         if error:
             broken.append(Broken(plugin, error))
+        else:
+            origins[plugin.name] = plugin
     return Loaded(MappingProxyType(found), tuple(broken), MappingProxyType(origins))
 
 
@@ -151,6 +156,17 @@ def _misnamed(plugin: Plugin, taken: Collection[str], origins: Mapping[str, Plug
     if plugin.name in origins:
         other = origins[plugin.name]
         return f"the name {plugin.name!r} is taken: by {other.package} {other.version}"
+    return ""
+
+
+def _refused(
+    plugin: Plugin, value: object, checked: Callable[[str, object], Value], found: dict[str, Value]
+) -> str:
+    """Return why a plug-in's object is not of the right kind; nothing when it is, and is added."""
+    try:
+        found[plugin.name] = checked(plugin.name, value)
+    except TypeError as wrong:
+        return str(wrong)
     return ""
 
 

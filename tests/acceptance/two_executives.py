@@ -29,6 +29,7 @@ from typing import Final
 from tandem.executive.config.process_settings import REFUSED, WorkerSettings
 from tandem.executive.system.processes import Supervisor
 from tandem.executive.trials.campaigns.crash_world import DEEDS, ITEM, Deed
+from tandem.executive.trials.campaigns.mock_roles import MOCKED
 from tandem.skills.ports.bus import Pending
 from tandem.skills.ports.keys import Nothing
 from tandem.skills.ports.lease import present_claims
@@ -139,7 +140,7 @@ def rig() -> Iterator[Rig]:
         supervisor.start(WorkerSettings.model_validate({"role": "router", **plain}))
         bus = _join(endpoint)
         stack.callback(bus.close)
-        supervisor.start(WorkerSettings.model_validate({"role": "mock", **plain}))
+        supervisor.start(WorkerSettings.model_validate({"role": "mock", "played_by": MOCKED, **plain}))
         until("the mocked robot", lambda: "process/mock" in bus.alive())
         yield Rig(folder, endpoint, bus)
 

@@ -25,6 +25,7 @@ from tests.fakes.ports import free_endpoint
 T = TypeVar("T")
 WITHIN: Final = 60.0
 """Host seconds for all that is waited for: a start of a process takes ten of them on a busy machine."""
+MOCKED: Final = "tandem.executive.trials.campaigns.mock_roles:MOCK"
 _CLOCK: Final = """
 import os, time
 _time, _shift = time.time, os.environ["WALL_CLOCK_SHIFT"]
@@ -91,6 +92,7 @@ class Mocked:
         name = name or role
         told: Mapping[str, object] = {
             "role": role,
+            "played_by": MOCKED if role == "mock" else "",
             "endpoint": self.endpoint,
             "prefix": f"{self.site}/mock",
             "site": "lab",

@@ -52,6 +52,7 @@ STARTS_A_SYSTEM: Final = {"up"}
 """Shows the robot's keys itself: here by the fixture and by a test of its own."""
 CONNECTS_NOWHERE: Final = {
     "demo",
+    "plugins",
     "schema",
     "zones",
     "bench",

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.console import Console
 
-from tandem.executive.cli.arguments import OwnEndpoint
+from tandem.executive.cli.arguments import OtherSite, OwnEndpoint
 from tandem.executive.cli.commands.restart_command import restart
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
@@ -58,6 +58,7 @@ def fetch(
     runs: Runs = 20,
     seed: Seed = 1,
     scenario: Scenario = "Demo",
+    site: OtherSite = "",
     report: ReportFile = None,
     jobs: Jobs = 2,
     first: First = 0,
@@ -67,7 +68,7 @@ def fetch(
     from tandem.executive.trials.campaigns.fetch import FetchCampaign, run_fetch  # noqa: PLC0415
     from tandem.executive.trials.campaigns.series import run_number, series  # noqa: PLC0415
 
-    drawn_from = checked(scenario)
+    drawn_from = checked(scenario, site)
     console = Console(highlight=False, soft_wrap=True)
     done: list[FetchRun] = []
     work = partial(run_number, partial(run_fetch, drawn_from, seed), first)
@@ -96,6 +97,7 @@ def recovery(
     ] = 20,
     seed: Seed = 1,
     scenario: Scenario = "Demo",
+    site: OtherSite = "",
     report: ReportFile = None,
     jobs: Jobs = 2,
     first: First = 0,
@@ -110,7 +112,7 @@ def recovery(
     from tandem.executive.trials.campaigns.recovery import RecoveryCampaign, run_hopeless, run_recovery  # noqa: PLC0415
     from tandem.executive.trials.campaigns.series import run_number, series  # noqa: PLC0415
 
-    drawn_from = checked(scenario)
+    drawn_from = checked(scenario, site)
     console = Console(highlight=False, soft_wrap=True)
     done: list[RecoveryRun] = []
     for count, what in ((runs, run_recovery), (hopeless, run_hopeless)):

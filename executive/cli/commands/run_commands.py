@@ -8,7 +8,7 @@ from typing import Annotated, cast, get_args
 
 import typer
 
-from tandem.executive.cli.arguments import OwnEndpoint, OwnRobot, OwnSite, bus_options, connects
+from tandem.executive.cli.arguments import OtherSite, OwnEndpoint, OwnRobot, OwnSite, bus_options, connects
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.logs import LogOptions
 from tandem.executive.config.on_restart import OnRestart as Restart
@@ -115,6 +115,7 @@ def demo(
     context: typer.Context,
     *,
     scenario: Scenario = "Demo",
+    site: OtherSite = "",
     faults: Faults = None,
     seed: Seed = 1,
     speed: Speed = "1",
@@ -128,19 +129,22 @@ def demo(
 ) -> None:
     """Start a simulated robot, fetch an item and stop. Exits 0 only if the item really is in the depot."""
     from tandem.executive.cli.opening import checked_roles, refuse_without_extras  # noqa: PLC0415
+    from tandem.executive.system.plugin_probe import broken as broken_plugins  # noqa: PLC0415
 
     logs = _logs(context)
     _require_window(gui=gui, lockstep=lockstep)
     refuse_without_extras(checked_roles(None))
     options = RunOptions(
         bus=bus_options(connect, site_key, robot),
-        scenario=_scenario(scenario, faults),
+        scenario=_scenario(scenario, site, faults),
+        site=site,
         faults=faults,
         seed=seed,
         speed=_speed(speed),
         gui=gui,
         lockstep=lockstep,
         report=report,
+        broken=broken_plugins(),
         picture=picture,
         log=logs.file,
         verbose=logs.verbose,
@@ -155,6 +159,7 @@ def up(
     context: typer.Context,
     *,
     scenario: Scenario = "Demo",
+    site: OtherSite = "",
     faults: Faults = None,
     seed: Seed = 1,
     speed: Speed = "1",
@@ -178,6 +183,7 @@ def up(
         owner_of,
         refuse_without_extras,
     )
+    from tandem.executive.system.plugin_probe import broken as broken_plugins  # noqa: PLC0415
 
     logs = _logs(context)
     if lockstep:
@@ -186,13 +192,16 @@ def up(
             "use `tandem demo --lockstep`, or leave out --lockstep"
         )
     _require_window(gui=gui, lockstep=False)
-    bus, roles = owner_of(bus, by_environment=_by_environment(context)), checked_roles(only)
+    broken = broken_plugins()
+    bus = owner_of(bus, by_environment=_by_environment(context))
+    roles = checked_roles(only, {each.plugin.key: each.error for each in broken})
     refuse_without_extras(roles)
     options = RunOptions(
         bus=bus,
         data=data or default_data(bus, os.environ),
         on_restart=_on_restart(on_restart),
-        scenario=_scenario(scenario, faults),
+        scenario=_scenario(scenario, site, faults),
+        site=site,
         faults=faults,
         seed=seed,
         speed=_speed(speed),
@@ -206,6 +215,7 @@ def up(
         silent_after=silent_after,
         listen=checked_endpoints(bus, listen or (), insecure=insecure) if "router" in roles else (),
         only=roles,
+        broken=broken,
     )
     from tandem.executive.cli.running_system import run_up  # noqa: PLC0415 - loads the whole system
 
@@ -269,11 +279,11 @@ def _traces(text: str) -> str:
     return text
 
 
-def _scenario(name_or_path: str, faults: Path | None) -> str:
+def _scenario(name_or_path: str, site: str, faults: Path | None) -> str:
     """Return it when both are right; CommandError names the file, the path in it and what was expected."""
     from tandem.executive.cli.commands.scenario_commands import checked, checked_faults  # noqa: PLC0415
 
-    scenario = checked(name_or_path)
+    scenario = checked(name_or_path, site)
     if faults is not None:
         checked_faults(faults, scenario)
     return name_or_path

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from tandem.executive.cli.arguments import OtherSite
+
 if TYPE_CHECKING:
     from tandem.executive.config.fault_file import FaultFile
     from tandem.sim.scenario import Scenario
@@ -42,9 +44,10 @@ def check(
     faults: Annotated[
         Path | None, typer.Option("--faults", metavar="FILE", help="Also check this fault file.")
     ] = None,
+    site: OtherSite = "",
 ) -> None:
     """Check a scenario against its schema and its site. Exits 2 if it is invalid."""
-    scenario = checked(file)
+    scenario = checked(file, site)
     typer.echo(
         f"{file}: valid scenario: {scenario.name}, {len(scenario.items)} items, "
         f"{len(scenario.obstacles)} obstacles, {len(scenario.faults)} faults, site {scenario.site}"
@@ -55,17 +58,19 @@ def check(
         typer.echo(f"{faults}: valid faults: {len(more.faults)} of robot and room, {bus}")
 
 
-def checked(name_or_path: str) -> Scenario:
-    """Return the scenario.
+def checked(name_or_path: str, site: str = "") -> Scenario:
+    """Return the scenario, in another site than its own when one is named.
 
     Raises:
         DocumentError: naming the file, the path and line in it, and what was expected.
     """
     from tandem.sim.scenario import read_scenario  # noqa: PLC0415
     from tandem.sim.scene import build_scene  # noqa: PLC0415
-    from tandem.skills.site import load  # noqa: PLC0415
+    from tandem.skills.site import load, locate  # noqa: PLC0415
 
     scenario, source = read_scenario(name_or_path)
+    if site:
+        scenario = scenario.model_copy(update={"site": locate(site)})
     build_scene(load(scenario.site), scenario, source=source)
     return scenario
 

@@ -96,7 +96,10 @@ class Holds:
             return f"the release of the hardware's stop, set by {stop.by or 'somebody'}{why}"
         if silent > SILENT_AFTER:
             return "the hardware, which is silent"
-        return kind.waits(self._knowledge)
+        try:
+            return kind.waits(self._knowledge)
+        except Exception as error:  # noqa: BLE001 - a kind's mistake costs its tasks, not the service
+            return f"a change of its code: what says what {kind.name} waits for raised {error!r}"
 
     def note(self, kind: str, task: str, failure: Failure | None) -> bool:
         """Note how a task has ended (``failure``: None when well); return whether it had better wait again.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -12,6 +13,7 @@ from tandem.executive.system.roles.role import Role, Stage, process_rights
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.plugins import NONE
 from tandem.skills.ports.site import Site
 
 if TYPE_CHECKING:
@@ -38,6 +40,7 @@ def executive_node(
     ledger: Ledger | None = None,
     on_restart: OnRestart = "resume",
     died: str = "",
+    left_out: Mapping[str, str] | None = NONE,
 ) -> Node:
     """Return the executive with all kinds of tasks there are.
 
@@ -50,17 +53,18 @@ def executive_node(
         ledger: keeps what must not be forgotten; in memory unless given.
         on_restart: what becomes of a task that was under way.
         died: how the executive of before ended.
+        left_out: plug-ins that are known not to load; None: all plug-ins are left out.
     """
     from importlib.metadata import version  # noqa: PLC0415
 
     from tandem.executive.service.executive import Executive, Policy  # noqa: PLC0415
-    from tandem.trees.registry import discover  # noqa: PLC0415
+    from tandem.trees.registry import discover, shipped  # noqa: PLC0415
 
     return Executive(
         bus,
         clocks,
         site,
-        discover(),
+        shipped() if left_out is None else discover(left_out),
         start=start,
         host=host,
         version=version("tandem-executive"),
@@ -97,6 +101,7 @@ def service_node(stage: Stage, bus: Bus, clocks: Clocks, ledger: Ledger | None) 
         ledger=ledger,
         on_restart=settings.on_restart,
         died=settings.died,
+        left_out=settings.left_out,
     )
 
 
@@ -109,9 +114,9 @@ def _play(stage: Stage) -> None:
 def _load_ahead() -> None:
     for module in _AHEAD:
         importlib.import_module(module)
-    from tandem.trees.registry import discover  # noqa: PLC0415
+    from tandem.trees.registry import shipped  # noqa: PLC0415
 
-    discover()
+    shipped()  # a plug-in is loaded once the settings say which ones load
 
 
 RIGHTS: Final = process_rights(

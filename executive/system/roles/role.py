@@ -71,9 +71,9 @@ class Role:
     """A role. Exactly one of ``nodes``, ``play`` and ``route`` says how it is played."""
 
     name: str
-    starts: int
-    """Roles are started, and stepped in lockstep, in the order of these numbers."""
-    kind: Kind
+    starts: int = 70
+    """Roles are started, and stepped in lockstep, in the order of these numbers; the executive's is 80."""
+    kind: Kind = "skills"
     rights: Rights = field(default_factory=Rights)
     """What it may do on the bus; roles of one kind share a certificate, which allows what any of them may."""
     extra: Extra | None = None

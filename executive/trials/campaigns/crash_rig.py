@@ -15,7 +15,7 @@ from pydantic import JsonValue
 from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.system.processes import Supervisor
 from tandem.executive.trials.campaigns.crash_world import RESET, AskReset
-from tandem.executive.trials.campaigns.mock_roles import CRASH_AT, CRASH_LOG, CRASHING
+from tandem.executive.trials.campaigns.mock_roles import CRASH_AT, CRASH_LOG, CRASHING, MOCKED
 from tandem.skills.ports.keys import Service
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import REQUEST, TASK_HISTORY, AskHistory, TaskAnswer, TaskStatus
@@ -84,7 +84,7 @@ class CrashRig:
     def start(self, *roles: str, crash_at: str | None = None, crash_log: Path | None = None) -> None:
         """Start processes; the executive perhaps such that it is killed at a point."""
         for role in roles:
-            update: dict[str, object] = {"role": role}
+            update: dict[str, object] = {"role": role, "played_by": MOCKED if role == "mock" else ""}
             if role == "executive":
                 self.crash_at = self.crash_at if crash_at is None else crash_at
                 if crash_at is not None or crash_log is not None:

@@ -1,6 +1,6 @@
 """The roles of the campaigns of crashes: a mocked robot, and an executive that is killed at chosen points.
 
-Declared in pyproject.toml under the entry points ``tandem.roles``; what ships for robots does not know them.
+``played_by`` of a process's settings names them; what ships for robots does not know them.
 """
 
 from __future__ import annotations
@@ -16,8 +16,10 @@ from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.node import Node
 
-CRASHING: Final = "crashing_executive"
-"""The name of its entry point; the role it plays is ``executive``."""
+MOCKED: Final = f"{__name__}:MOCK"
+"""What plays the role ``mock``, for ``played_by``."""
+CRASHING: Final = f"{__name__}:CRASHING_EXECUTIVE"
+"""What plays the role ``executive`` such that it is killed."""
 CRASH_AT: Final = "crash_at"
 """Argument: kill this process at a point by its name."""
 CRASH_LOG: Final = "crash_log"

@@ -8,6 +8,7 @@ status = bench.run("fetch", {"item": 29})
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
@@ -24,6 +25,7 @@ from tandem.trees.clients import Clients
 from tandem.trees.context import TreeContext
 from tandem.trees.knowledge import Knowledge
 from tandem.trees.registry import discover
+from tandem.trees.task import TaskType
 
 STEP = 0.01
 """Robot seconds of a period, unless another one is asked for."""
@@ -71,12 +73,18 @@ class TreeBench:
         """What happens to the robot each time a node begins to run, by the node's name."""
         self._running: dict[Behaviour, None] = {}
 
-    def start(self, task: str, request: dict[str, object]) -> Behaviour:
-        """Build the task's tree for a request document and return its root."""
-        kind = discover()[task]
+    def start(self, task: str | TaskType[Any], request: dict[str, object]) -> Behaviour:
+        """Build a task's tree for a request document and return its root.
+
+        Args:
+            task: its name, or its ``TASK``, which need not be registered.
+            request: the document, without ``task``.
+        """
+        kind = discover()[task] if isinstance(task, str) else task
+        named = {"task": kind.name} if "task" in kind.request.model_fields else {}
         self.context = self._new_context()
         self.visited, self._running = [], {}
-        self.root = kind.build(kind.request.model_validate({"task": task, **request}), self.context)
+        self.root = kind.build(kind.request.model_validate({**named, **request}), self.context)
         self.gates = Gates(self.root, self.context)
         return self.root
 
@@ -125,7 +133,7 @@ class TreeBench:
         """Return the leaves that are RUNNING."""
         return [node for node in self._running if not node.children and node.status is Status.RUNNING]
 
-    def run(self, task: str, request: dict[str, object], *, steps: int = 5000) -> Status:
+    def run(self, task: str | TaskType[Any], request: dict[str, object], *, steps: int = 5000) -> Status:
         """Start the task and step until it ends, at most ``steps`` times."""
         self.start(task, request)
         status = Status.RUNNING

@@ -41,8 +41,8 @@ def declare(monkeypatch: pytest.MonkeyPatch, folder: Path, module: str) -> None:
 @pytest.mark.parametrize(
     ("module", "told"),
     [
-        ("1 / 0", "robot 'mine': loading my_robot:ROBOT raised ZeroDivisionError"),
-        ("ROBOT = 3", "robot 'mine': expected a Robot of this name at my_robot:ROBOT, found 3"),
+        ("1 / 0", "no robot 'mine'; expected one of .*: ZeroDivisionError: division by zero"),
+        ("ROBOT = 3", "no robot 'mine'; expected one of .*mine 1. is left out: expected a Robot; found int"),
     ],
 )
 def test_a_plug_in_that_is_wrong_is_named_with_its_error(

@@ -20,7 +20,7 @@ BAD = {
         "its import took longer than 0.3 s",
         "",
     ),
-    "wrong": ("VALUE = 7", "TypeError: expected text; found int", ""),
+    "wrong": ("VALUE = 7", "expected text; found int", ""),
     "lacks": ("OTHER = 7", "AttributeError: module 'lacks' has no attribute 'VALUE'", ""),
     "misspelt": ("VALU", "NameError: name 'VALU' is not defined (", "misspelt.py:1)"),
 }

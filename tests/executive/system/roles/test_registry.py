@@ -7,6 +7,7 @@ import pytest
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
 from tandem.executive.system.playing import play
 from tandem.executive.system.roles.registry import names, role_of, shipped, skill_roles
+from tandem.executive.trials.campaigns.mock_roles import CRASHING, MOCKED
 from tandem.skills.testing.mock_description import mock_description
 
 SETTINGS = WorkerSettings(role="base", endpoint="tcp/127.0.0.1:1", prefix="lab/roles", site="lab")
@@ -31,13 +32,13 @@ def test_a_robot_with_one_hand_needs_neither_the_other_arm_nor_what_takes_two() 
     assert all_of_them - needed == {"arm_right", "bimanual"}
 
 
-def test_what_ships_knows_no_mock_and_an_entry_point_declares_it() -> None:
+def test_what_ships_knows_no_mock_and_played_by_names_it() -> None:
     assert "mock" not in shipped()
-    assert role_of(SETTINGS.model_copy(update={"role": "mock"})).kind == "hardware"
-    crashing = role_of(SETTINGS.model_copy(update={"role": "executive", "played_by": "crashing_executive"}))
+    assert role_of(SETTINGS.model_copy(update={"role": "mock", "played_by": MOCKED})).kind == "hardware"
+    crashing = role_of(SETTINGS.model_copy(update={"role": "executive", "played_by": CRASHING}))
     assert (crashing.name, crashing is shipped()["executive"]) == ("executive", False)
 
 
 def test_a_role_that_nobody_declares_is_refused_with_those_that_there_are() -> None:
-    with pytest.raises(RefusalError, match=r"'cook': expected one of router, hardware, .*, observer, .*mock"):
+    with pytest.raises(RefusalError, match=r"'cook': expected one of router, hardware, .*, observer"):
         play(SETTINGS.model_copy(update={"role": "cook"}), lambda: True)
