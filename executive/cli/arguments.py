@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import inspect
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Annotated, Final, get_type_hints
 
@@ -74,6 +74,7 @@ OtherSite = Annotated[
 ]
 
 
+HELPS: Final = ("-h", "--help")
 TLS: Final = "tls/"
 """How an endpoint with TLS begins."""
 _PART: Final = re.compile(r"[A-Za-z0-9_.-]+")
@@ -119,6 +120,26 @@ _SHARED: Final[dict[str, tuple[object, object]]] = {
     "keys": (Keys, None),
     "holder": (As, ""),
 }
+
+
+def shared_options(words: Sequence[str]) -> BusOptions:
+    """Return where the robot is, out of the words of a command whose own options are not known yet.
+
+    Raises:
+        CommandError: as ``bus_options``.
+    """
+
+    def where(**_shared: object) -> None:
+        """Take the shared options, and any others."""
+
+    where.__signature__ = inspect.Signature(shared_parameters())  # type: ignore[attr-defined]
+    where.__annotations__ = {each.name: each.annotation for each in shared_parameters()}
+    app = typer.Typer(add_completion=False)
+    app.command(context_settings={"ignore_unknown_options": True, "allow_extra_args": True})(where)
+    context = typer.main.get_command(app).make_context(
+        "where", [each for each in words if each not in HELPS], help_option_names=[]
+    )
+    return _bus(**{name: context.params[name] for name in _SHARED})
 
 
 def _bus(*, connect: object, site_key: object, robot: object, keys: object, holder: object) -> BusOptions:

@@ -46,6 +46,7 @@ _LOG = logging.getLogger(__name__)
 
 _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     run_commands.add_to,
+    request_command.add_to,
     task_commands.add_to,
     verb_commands.add_to,
     stop_commands.add_to,
@@ -64,8 +65,8 @@ _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
 )
 
 
-def build(argv: Sequence[str]) -> typer.Typer:
-    """Return the command. The kinds of request are looked up only when ``argv`` asks for one."""
+def build() -> typer.Typer:
+    """Return the command."""
     codes = "  ".join(f"{code.value}: {MEANINGS[code]}." for code in ExitCode)
     app = typer.Typer(
         name="tandem",
@@ -78,7 +79,6 @@ def build(argv: Sequence[str]) -> typer.Typer:
     app.callback()(_common)
     for add_to in _parts:
         add_to(app)
-    request_command.add_to(app, with_kinds="request" in argv or "_TANDEM_COMPLETE" in os.environ)
     return app
 
 
@@ -90,7 +90,7 @@ def main(argv: Sequence[str], screen: Screen | None = None) -> int:
         screen: what the words of libraries are kept from; None in a process that has other uses.
     """
     try:
-        build(argv)(args=list(argv), prog_name="tandem", obj=screen)
+        build()(args=list(argv), prog_name="tandem", obj=screen)
     except (CommandError, DocumentError) as error:
         _say(f"error: {error}")
         return int(error.code if isinstance(error, CommandError) else ExitCode.BAD_INPUT)

@@ -13,6 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Final
 
+from tandem.executive.cli.commands.request_command import ANY_KIND
 from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
 from tandem.executive.cli.main import build
 from tandem.executive.interface.field_docs import first_paragraph
@@ -46,7 +47,7 @@ def _exit_code_table() -> str:
 
 
 def _command_table() -> str:
-    app = build(["request"])
+    app = build()
     rows = [_command_row("", each.name, each.callback, each.help) for each in app.registered_commands]
     for group in app.registered_groups:
         of = group.typer_instance
@@ -55,6 +56,8 @@ def _command_table() -> str:
             _command_row(f"{group.name} ", each.name, each.callback, each.help)
             for each in of.registered_commands
         ]
+        if group.name == "request":
+            rows.append((f"`tandem request {ANY_KIND[0]}`", ANY_KIND[1]))
     return table(("command", "what it does"), rows)
 
 

@@ -16,7 +16,7 @@ from pydantic.json_schema import models_json_schema
 
 from tandem.executive.interface.entries import Entry, entries
 from tandem.executive.interface.field_docs import first_paragraph
-from tandem.executive.interface.schemas import with_envelope
+from tandem.executive.service.intake.kind_schemas import with_envelope
 from tandem.skills.ports.keys import RGBD, Topic
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import REQUEST, TASK_PICTURE, AskPicture, TaskAnswer

@@ -8,8 +8,7 @@ from typing import Final
 from pydantic import JsonValue, TypeAdapter
 from pydantic.json_schema import models_json_schema
 
-from tandem.executive.service.intake.envelope import Envelope
-from tandem.executive.service.intake.request_parser import ID_FIELD, KIND_FIELD, MAX_ID
+from tandem.executive.service.intake.kind_schemas import with_envelope
 from tandem.skills.ports.hardware import Stop, StopState
 from tandem.skills.ports.keys import STOP, STOP_RELEASE, STOP_STATE, Nothing
 from tandem.skills.ports.message import Message
@@ -23,6 +22,7 @@ from tandem.skills.ports.tasks import (
     TASK_FORCE,
     TASK_HISTORY,
     TASK_INFO,
+    TASK_KINDS,
     TASK_LIST,
     TASK_PAUSE,
     TASK_REPRIORITISE,
@@ -43,6 +43,7 @@ from tandem.skills.ports.tasks import (
     Reprioritise,
     StepTask,
     TaskAnswer,
+    TaskKinds,
     TaskList,
     TaskStatus,
     TreeSnapshot,
@@ -65,6 +66,7 @@ CLIENT_MESSAGES: Final[tuple[type[Message], ...]] = (
     AskHistory,
     History,
     ExecutiveInfo,
+    TaskKinds,
     TreeSnapshot,
     Stop,
     StopState,
@@ -117,27 +119,6 @@ def _definitions(models: list[type[Message]]) -> dict[str, JsonValue]:
     return _DOCUMENT.validate_python(schema["$defs"])
 
 
-def with_envelope(schema: JsonValue, kind: TaskType[Message]) -> JsonValue:
-    """Return a request's schema with what the executive takes beside the model's own fields."""
-    assert isinstance(schema, dict)
-    properties, required = schema.get("properties"), schema.get("required", [])
-    assert isinstance(properties, dict)
-    assert isinstance(required, list)
-    task: JsonValue = {"const": kind.name, "description": "The kind of task.", "type": "string"}
-    own: JsonValue = {
-        "description": "The client's own name for the request; sent again, it starts nothing new.",
-        "maxLength": MAX_ID,
-        "type": "string",
-    }
-    envelope = Envelope.model_json_schema()["properties"]
-    said = {name: value for name, value in envelope.items() if name not in properties}
-    return {
-        **schema,
-        "properties": {**properties, **said, KIND_FIELD: task, ID_FIELD: own},
-        "required": [KIND_FIELD, *(name for name in required if name != KIND_FIELD)],
-    }
-
-
 def _keys() -> dict[str, JsonValue]:
     puts: dict[str, JsonValue] = {
         REQUEST: {"put": {"$ref": "#/$defs/Request"}},
@@ -145,7 +126,7 @@ def _keys() -> dict[str, JsonValue]:
     }
     for topic in (TASK_ANSWERS, TASK_STATUS, TREE, STOP_STATE):
         puts[topic.key] = {"subscribe": _ref(topic.model)}
-    for service in (*_VERBS, TASK_LIST, TASK_HISTORY, TASK_INFO, TREE_NOW, STOP, STOP_RELEASE):
+    for service in (*_VERBS, TASK_LIST, TASK_HISTORY, TASK_INFO, TASK_KINDS, TREE_NOW, STOP, STOP_RELEASE):
         puts[service.key] = {"query": _ref(service.asked), "answer": _ref(service.answered)}
     puts[REQUEST] = {
         "put": {"$ref": "#/$defs/Request"},

@@ -9,6 +9,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Final
 
 from tandem.executive.config.on_restart import OnRestart
@@ -17,6 +18,7 @@ from tandem.executive.ledger.port import Ledger, LedgerError
 from tandem.executive.service.heartbeat import Pulse
 from tandem.executive.service.intake.client_gateway import cancel_of_own
 from tandem.executive.service.intake.client_limits import Bounds
+from tandem.executive.service.intake.kind_schemas import kinds_offered
 from tandem.executive.service.intake.request_intake import Intake
 from tandem.executive.service.intake.request_parser import Asked
 from tandem.executive.service.running.current_task import Turn
@@ -138,7 +140,15 @@ class Executive:
         own = cancel_of_own(self.book.find, self._control.cancel)
         self._verbs = Verbs(bus, clocks, self._control.verbs(), self._keep, (own,))
         self._album = Album(bus, clocks)
-        self._questions = Questions(bus, clocks, self.book, self._ledger, info=self._info, tree=self._tree)
+        self._questions = Questions(
+            bus,
+            clocks,
+            self.book,
+            self._ledger,
+            info=self._info,
+            tree=self._tree,
+            kinds=lambda: self._offered,
+        )
         self._tries: list[Tries] = []  # of the running task, and of those before whose picture is under way
         self._pulse, self._task_log = Pulse(bus, clocks), TaskLog()
         self._leftovers = Leftovers(bus, clocks, self.clients, self.knowledge)
@@ -392,6 +402,11 @@ class Executive:
 
     def _tree(self) -> TreeSnapshot:
         return self._last_tree if self._turn is None else self._turn.run.tree()
+
+    @cached_property
+    def _offered(self) -> bytes:
+        """The kinds of task as JSON, made when somebody asks: schemas take some milliseconds."""
+        return kinds_offered(self._kinds).model_dump_json().encode()
 
     def _info(self) -> ExecutiveInfo:
         return ExecutiveInfo(

@@ -12,6 +12,7 @@ from tandem.skills.ports.keys import Nothing, Service, Topic
 from tandem.skills.ports.limits import Limits
 from tandem.skills.ports.message import Count, Message, RobotTime
 from tandem.skills.ports.problems import Problem
+from tandem.skills.ports.utc import UtcSeconds
 
 
 class TaskState(StrEnum):
@@ -93,18 +94,18 @@ class TaskStatus(Message):
     failure: Failure | None = None
     tried: tuple[Attempt, ...] = ()
     """Failures so far, recovered or not, in order; the newest 32."""
-    accepted_at: float
+    accepted_at: UtcSeconds
     """UTC seconds."""
     started: RobotTime | None = None
     ended: RobotTime | None = None
-    ended_at: float | None = None
+    ended_at: UtcSeconds | None = None
     """UTC seconds of its end."""
     client_id: str = ""
     priority: Annotated[int, Field(ge=-100, le=100)] = 0
     """Tasks with a higher priority run first."""
-    not_before: float | None = None
+    not_before: UtcSeconds | None = None
     """UTC seconds of its earliest start."""
-    expires: float | None = None
+    expires: UtcSeconds | None = None
     """UTC seconds of its latest start."""
     begun: Count = 0
     """How often its tree has started: more than once after a restart, or if another task took over."""
@@ -279,6 +280,23 @@ class ExecutiveInfo(Message):
     """What the first queued task waits for while none runs."""
 
 
+class KindOfTask(Message):
+    """A kind of task that the executive accepts."""
+
+    name: str
+    """The value of ``task`` in a request."""
+    summary: str
+    """What it does, in one line."""
+    request: dict[str, JsonValue]
+    """JSON Schema of its request, whole in itself."""
+
+
+class TaskKinds(Message):
+    """The kinds of task that the executive accepts."""
+
+    kinds: tuple[KindOfTask, ...]
+
+
 class Times(Message):
     """A histogram of durations since the process started."""
 
@@ -329,6 +347,7 @@ TASK_PICTURE: Final = "task/picture"
 """Asked with an AskPicture; answered with a JPEG, or with nothing when there is none."""
 TASK_LIST: Final = Service("task/list", AskTasks, TaskList, reads=True, limits=Limits(per_step=2))
 TASK_INFO: Final = Service("task/info", Nothing, ExecutiveInfo, reads=True)
+TASK_KINDS: Final = Service("task/kinds", Nothing, TaskKinds, reads=True)
 TASK_PULSE: Final = Topic("task/pulse", ExecutivePulse)
 TREE: Final = Topic("tree/snapshot", TreeSnapshot)
 TREE_NOW: Final = Service("tree/now", Nothing, TreeSnapshot, reads=True)

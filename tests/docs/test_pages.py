@@ -13,8 +13,10 @@ import pytest
 from typer.core import TyperCommand, TyperGroup
 from typer.main import get_command
 
+from tandem.executive.cli.commands.request_command import command_of
 from tandem.executive.cli.main import build
 from tandem.executive.cli.pages import fill, tables
+from tandem.executive.service.intake.kind_schemas import kinds_offered
 from tandem.trees.registry import discover
 
 ROOT = Path(__file__).parents[2]
@@ -101,8 +103,13 @@ def test_benches_run(where: str, text: str) -> None:
 
 @cache
 def command() -> TyperGroup:
-    made = get_command(build(["request"]))
+    made = get_command(build())
     assert isinstance(made, TyperGroup)
+    request = made.commands["request"]
+    assert isinstance(request, TyperGroup)
+    kinds = kinds_offered(discover()).kinds
+    request.commands.update({kind.name: command_of(kind) for kind in kinds})
+    request.commands["KIND"] = command_of(kinds[0])  # as the table names them all
     return made
 
 

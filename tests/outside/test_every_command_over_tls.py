@@ -21,6 +21,7 @@ ROLES: Final = ("viewer", "requester", "operator", "robot")
 ALL: Final = set(ROLES)
 CLIENTS: Final = ALL - {"robot"}
 NOT_IN_SITE: Final = "500"
+ANY_KIND: Final = "request KIND"
 
 EXPECTED: Final[dict[str, tuple[list[str], int, set[str]]]] = {
     # command: its arguments, what it ends with where it is allowed, who may. No task runs, so most verbs end
@@ -124,7 +125,13 @@ def assert_alive(up: Running) -> None:
 
 def test_no_command_is_forgotten() -> None:
     """A new command stands in one of the tables above, or this fails."""
-    assert sorted([*EXPECTED, *STARTS_A_SYSTEM, *CONNECTS_NOWHERE]) == sorted(commands())
+    known = {ANY_KIND if is_kind(each) else each for each in EXPECTED}
+    assert sorted([*known, *STARTS_A_SYSTEM, *CONNECTS_NOWHERE]) == sorted(commands())
+
+
+def is_kind(command: str) -> bool:
+    """Say whether it is a command that only the robot knows."""
+    return command.startswith("request ") and command != "request json"
 
 
 @pytest.mark.parametrize("role", ROLES)

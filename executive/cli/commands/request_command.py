@@ -1,113 +1,133 @@
-"""``tandem request KIND``: a sub-command for each kind of task, its options made from the request's model."""
+"""``tandem request KIND``: a command for each kind of task that the robot offers, from its JSON Schema."""
 
 from __future__ import annotations
 
 import inspect
 import uuid
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Annotated, Final, Literal, get_args, get_origin
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
+from typer.core import TyperCommand, TyperGroup
 
-from tandem.executive.cli.arguments import connects
+from tandem.executive.cli.arguments import connects, shared_options
+from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.kinds import kinds_of_robot
+from tandem.executive.cli.schema_options import fields_of
 from tandem.executive.config.run_options import BusOptions
 
 if TYPE_CHECKING:
     from pydantic import JsonValue
-    from pydantic.fields import FieldInfo
+    from typer._click import Command, Context
 
-    from tandem.skills.ports.message import Message
-    from tandem.trees.task import TaskType
+    from tandem.skills.ports.tasks import KindOfTask
 
-_SIMPLE: Final = (int, float, str, bool)
-_ENVELOPE: Final = ("task", "id")
+ANY_KIND: Final = ("KIND", "Send a request for a task of this kind; kinds and options come from the robot.")
+"""How the pages name the commands that only the robot knows, and what they do."""
+HELP: Final = (
+    "Send a request to the robot. KIND is a kind of task that the robot offers: this help lists them "
+    "while it answers, and `tandem request KIND --help` has the options of one."
+)
 
 
-def add_to(app: typer.Typer, *, with_kinds: bool) -> None:
-    """Add the group; with the kinds of request only when they are needed, for they take time to load."""
-    group = typer.Typer(help="Send a request to the robot.", no_args_is_help=True)
+class KindsGroup(TyperGroup):
+    """Its commands are those in the code, and one for each kind that the robot offers."""
+
+    def list_commands(self, ctx: Context) -> list[str]:
+        """Return the names of all commands; without a robot those in the code."""
+        with suppress(CommandError):
+            self._add_kinds(())
+        return super().list_commands(ctx)
+
+    def resolve_command(self, ctx: Context, args: list[str]) -> tuple[str | None, Command | None, list[str]]:
+        """Return the command that the words name; kinds are asked of the robot that the others name."""
+        name = args[0]
+        if name not in self.commands and not name.startswith("-"):
+            known = self._add_kinds(args[1:])
+            if name not in known:
+                offered = ", ".join(known) or "none"
+                raise CommandError(f"the robot offers no task {name!r}; it offers {offered}")
+        return super().resolve_command(ctx, args)
+
+    def _add_kinds(self, words: Sequence[str]) -> list[str]:
+        kinds = kinds_of_robot(shared_options(words))
+        for kind in kinds:
+            self.commands.setdefault(kind.name, command_of(kind))
+        return [kind.name for kind in kinds]
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the group."""
+    group = typer.Typer(cls=KindsGroup, help=HELP, no_args_is_help=True)
     group.command("json")(connects(from_json))
-    if with_kinds:
-        from tandem.trees.registry import discover  # noqa: PLC0415
-
-        for kind in discover().values():
-            group.command(kind.name, help=kind.summary)(command_of(kind))
-    app.add_typer(group, name="request")
+    app.add_typer(group, name="request", subcommand_metavar="KIND|json [OPTIONS]...")
 
 
 Wait = Annotated[bool, typer.Option("--wait", "-w", help="Wait until the task ends. Exit 1 if it fails.")]
 
 
 def from_json(
-    document: Annotated[str, typer.Argument(help='The request, e.g. {"task": "fetch", "item": 29}.')],
+    document: Annotated[
+        str,
+        typer.Argument(
+            metavar="JSON|@FILE|-",
+            help='The request, e.g. {"task": "fetch", "item": 29}; @FILE reads a file, - standard input.',
+        ),
+    ],
     wait: Wait = False,  # noqa: FBT002
     *,
     bus: BusOptions,
 ) -> None:
-    """Send a JSON request unchanged."""
+    """Send a JSON request unchanged: as an argument, from a file or from standard input."""
     from tandem.executive.cli.sending import send  # noqa: PLC0415
 
-    send(document.encode("utf-8", "surrogateescape"), bus, wait=wait)
+    send(read_document(document), bus, wait=wait)
 
 
-def command_of(kind: TaskType[Message]) -> Callable[..., None]:
-    """Return a function whose signature has an option for each field of the request."""
-    fields = {name: info for name, info in kind.request.model_fields.items() if name not in _ENVELOPE}
+def read_document(said: str) -> bytes:
+    """Return the document that is given as itself, as ``@file`` or as ``-`` for standard input.
+
+    Raises:
+        CommandError: when the file can't be read.
+    """
+    import sys  # noqa: PLC0415
+    from pathlib import Path  # noqa: PLC0415
+
+    if said == "-":
+        return sys.stdin.buffer.read()
+    if not said.startswith("@"):
+        return said.encode("utf-8", "surrogateescape")
+    try:
+        return Path(said[1:]).read_bytes()
+    except OSError as error:
+        raise CommandError(f"{said}: cannot read {said[1:]!r}: {error.strerror}") from error
+
+
+def command_of(kind: KindOfTask) -> TyperCommand:
+    """Return a command with an option for each property of the request's schema."""
+    fields = fields_of(kind.request)
 
     def command(*, wait: bool, bus: BusOptions, **given: object) -> None:
         from tandem.executive.cli.sending import send_fields  # noqa: PLC0415
 
         document: dict[str, JsonValue] = {"task": kind.name, "id": uuid.uuid4().hex}
-        document.update({name: _json(value) for name, value in given.items() if value is not None})
+        for field in fields:
+            if given[field.parameter] not in (None, []):
+                document[field.name] = field.read(given[field.parameter])
         send_fields(document, bus, wait=wait)
 
     waits = inspect.Parameter("wait", inspect.Parameter.KEYWORD_ONLY, default=False, annotation=Wait)
-    parameters = [*(_parameter(name, info) for name, info in fields.items()), waits]
+    parameters = [*(field.as_parameter() for field in fields), waits]
     command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
     command.__annotations__ = {each.name: each.annotation for each in parameters}
-    command.__name__ = kind.name
-    return connects(command)
+    return single(kind.name, kind.summary, connects(command))
 
 
-def _parameter(name: str, info: FieldInfo) -> inspect.Parameter:
-    option = typer.Option(f"--{name.replace('_', '-')}", help=_help(info))
-    default = inspect.Parameter.empty if info.is_required() else None
-    kind = _option_type(info.annotation)
-    annotation = Annotated[kind, option] if info.is_required() else Annotated[kind | None, option]
-    return inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
-
-
-def _option_type(annotation: object) -> type:
-    """Return what an option of the field takes; what is not simple is given as text, in JSON."""
-    options = [each for each in get_args(annotation) if each is not type(None)]
-    if annotation in _SIMPLE and isinstance(annotation, type):
-        return annotation
-    if get_origin(annotation) is not Literal and len(options) == 1:
-        return _option_type(options[0])
-    return str
-
-
-def _help(info: FieldInfo) -> str:
-    text = info.description or ""
-    default = "" if info.is_required() or info.default is None else f"(default: {info.default})"
-    return " ".join(part for part in (text, *_choices(info.annotation), default) if part)
-
-
-def _choices(annotation: object) -> tuple[str, ...]:
-    if get_origin(annotation) is Literal:
-        return (f"({' or '.join(str(each) for each in get_args(annotation))})",)
-    return tuple(text for each in get_args(annotation) for text in _choices(each))
-
-
-def _json(value: object) -> JsonValue:
-    """Return an option's value as the document's: text that is an array or an object is read as one."""
-    if isinstance(value, str) and value[:1] in {"[", "{"}:
-        import json  # noqa: PLC0415
-
-        try:
-            read: JsonValue = json.loads(value)
-        except ValueError:
-            return value
-        return read
-    assert isinstance(value, bool | int | float | str)
-    return value
+def single(name: str, text: str, function: Callable[..., None]) -> TyperCommand:
+    """Return a function as a command of its own."""
+    app = typer.Typer(add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
+    app.command(name, help=text)(function)
+    made = typer.main.get_command(app)
+    assert isinstance(made, TyperCommand)
+    return made

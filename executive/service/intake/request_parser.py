@@ -16,6 +16,7 @@ from tandem.skills.ports.documents import parse
 from tandem.skills.ports.message import PLAIN_TEXT, Message
 from tandem.skills.ports.problems import Problem, problems_of, show
 from tandem.skills.ports.site import Site
+from tandem.skills.ports.utc import iso
 from tandem.trees.task import TaskType
 
 KIND_FIELD: Final = "task"
@@ -95,7 +96,7 @@ def _contradictions(envelope: Envelope) -> tuple[Problem, ...]:
     first, last = envelope.not_before, envelope.expires
     if first is None or last is None or first < last:
         return ()
-    return (Problem(path="expires", expected=f"a time after not_before ({first:g})", found=f"{last:g}"),)
+    return (Problem(path="expires", expected=f"a time after not_before ({iso(first)})", found=iso(last)),)
 
 
 def body_of(document: Mapping[str, JsonValue], model: type[Message]) -> dict[str, JsonValue]:

@@ -16,11 +16,12 @@ from tandem.executive.ledger.task_memory import TaskMemory
 from tandem.executive.service.intake.request_parser import Asked
 from tandem.executive.service.tasks.task_queue import TaskQueue, Waiting
 from tandem.executive.service.tasks.task_states import FIRST, check
-from tandem.executive.service.tasks.wall_clock import WallClock, date
+from tandem.executive.service.tasks.wall_clock import WallClock
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.problems import WHOLE, Problem, show
 from tandem.skills.ports.tasks import Attempt, TaskAnswer, TaskState, TaskStatus
+from tandem.skills.ports.utc import iso
 
 MAX_WAITING: Final = 1000
 """Tasks that may wait; one more is refused."""
@@ -299,7 +300,7 @@ class TaskBook:
         """Return what a waiting task waits for, in words."""
         wall = self._wall
         if each.not_before > wall.latest:
-            return f"its earliest start, {date(each.not_before)}"
+            return f"its earliest start, {iso(each.not_before)}"
         if each.not_before > wall.earliest or each.expires < wall.latest:
             return f"a clock that can be trusted: {wall.trouble()}"
         return self.hold(each.asked.kind.name) or TURN
@@ -318,7 +319,7 @@ class TaskBook:
         last, now = asked.envelope.expires, self._wall.earliest
         if last is not None and last < now:
             return Problem(
-                path="expires", expected=f"a time in the future (it is {now:.0f} now)", found=f"{last:g}"
+                path="expires", expected=f"a time in the future (it is {iso(now)} now)", found=iso(last)
             )
         if by and self._open_of(by) >= self._open:
             bound = f"at most {self._open} open requests per client; try again when one has ended"

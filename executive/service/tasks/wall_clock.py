@@ -8,12 +8,12 @@ which. A jump is believed once the clock has run steadily after it.
 from __future__ import annotations
 
 import logging
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
 from tandem.executive.ledger.port import Reading
 from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.utc import iso
 
 NEAR: Final = 60.0
 """Seconds between the wall clock and the ledger's time within which it is followed: NTP slews by less, and a
@@ -67,13 +67,13 @@ class WallClock:
             self._ahead = ahead
             if self._jumped is not None:
                 self._jumped = None
-                _LOG.warning("the clock is back to normal: %s", date(self.utc()))
+                _LOG.warning("the clock is back to normal: %s", iso(self.utc()))
         elif self._jumped is None or abs(ahead - self._jumped) > NEAR:
             self._jumped, self._jumped_at = ahead, now
             _LOG.warning("%s", self.trouble())
         elif now - self._jumped_at >= SETTLES:
             _LOG.warning(
-                "the clock has run steadily for %.0f s and is trusted again: %s", SETTLES, date(now + ahead)
+                "the clock has run steadily for %.0f s and is trusted again: %s", SETTLES, iso(now + ahead)
             )
             self._doubt = DOUBT if abs(ahead - self._ahead) > FAR else self._doubt
             self._ahead, self._jumped = ahead, None
@@ -102,7 +102,7 @@ class WallClock:
         if self._jumped is not None:
             wall = self._clocks.monotonic() + self._jumped
             return (
-                f"the host's clock says {date(wall)}, the ledger says {date(self.utc())}: tasks "
+                f"the host's clock says {iso(wall)}, the ledger says {iso(self.utc())}: tasks "
                 f"with `expires` or `not_before` between the two wait until the clock is right or has run "
                 f"steadily for {SETTLES:.0f} s; old tasks are not deleted"
             )
@@ -135,11 +135,3 @@ class WallClock:
         if abs(wall - known) > FAR:
             self._doubt = DOUBT
         _LOG.warning("%s", self.trouble())
-
-
-def date(utc: float) -> str:
-    """Return UTC seconds as people read them."""
-    try:
-        return datetime.fromtimestamp(utc, UTC).isoformat(timespec="seconds")
-    except (ValueError, OverflowError, OSError):
-        return f"{utc:.0f} s"

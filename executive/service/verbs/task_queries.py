@@ -16,6 +16,7 @@ from tandem.skills.ports.tasks import (
     PAGE,
     TASK_HISTORY,
     TASK_INFO,
+    TASK_KINDS,
     TASK_LIST,
     TASK_STATUS,
     TREE,
@@ -44,6 +45,7 @@ class Questions:
         ledger: all tasks.
         info: tells who serves.
         tree: returns the tree as it is.
+        kinds: tells what may be asked for, as JSON.
     """
 
     def __init__(
@@ -55,6 +57,7 @@ class Questions:
         *,
         info: Callable[[], ExecutiveInfo],
         tree: Callable[[], TreeSnapshot],
+        kinds: Callable[[], bytes],
     ) -> None:
         self.last = ""
         """The task that was told of last."""
@@ -66,6 +69,7 @@ class Questions:
             (
                 answering(TASK_LIST, self._list),
                 answering(TASK_INFO, lambda _: info()),
+                answering(TASK_KINDS, lambda _: kinds()),
                 answering(TREE_NOW, lambda _: tree()),
                 answering(LAST_TREE, lambda _: tree()),
                 answering(LAST_STATUS, lambda _: self._find(self.last) if self.last else None),

@@ -7,6 +7,7 @@ is no longer there.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from datetime import UTC, datetime
 from typing import Final
 
 from hypothesis import strategies as st
@@ -14,6 +15,7 @@ from pydantic import JsonValue
 
 Schema = dict[str, JsonValue]
 Values = st.SearchStrategy[JsonValue]
+_SINCE: Final = datetime(1970, 1, 2)  # noqa: DTZ001 - hypothesis adds the zone
 LONGEST: Final = 8
 """Elements of an array that has no bound of its own."""
 
@@ -71,6 +73,8 @@ def _array(schema: Schema, definitions: Mapping[str, JsonValue]) -> Values:
 def _string(schema: Schema, _: Mapping[str, JsonValue]) -> Values:
     if "pattern" in schema:
         return st.from_regex(str(schema["pattern"]), fullmatch=True).map(as_json)
+    if schema.get("format") == "date-time":
+        return st.datetimes(_SINCE, timezones=st.just(UTC)).map(lambda moment: as_json(moment.isoformat()))
     most = schema.get("maxLength")
     return st.text(
         st.characters(codec="utf-8"),

@@ -48,7 +48,7 @@ def variables(command: TyperCommand) -> Mapping[str, str]:
 
 
 def all_commands() -> dict[str, TyperCommand]:
-    made = get_command(build(["request"]))
+    made = get_command(build())
     assert isinstance(made, TyperGroup)
     return dict(commands(made))
 

@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from tandem.executive.cli.commands import request_command
 from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
 from tandem.executive.cli.main import main
 from tandem.executive.cli.sending import _with_id, describe_failure
@@ -43,8 +42,10 @@ NOWHERE = ["--connect", "tcp/127.0.0.1:1"]
         (["demo", "--scenario", "nope"], 2, "no scenario 'nope'"),
         (["up", "--connect", "here"], 2, "--connect"),
         (["up", "--robot", "a/b"], 2, "--robot"),
-        (["request", "fetch"], 2, "--item"),
-        (["request", "fetch", "--item", "many"], 2, "--item"),
+        (["request", "fetch", *NOWHERE], 3, "tandem up"),
+        (["request", "fetch", "--help", *NOWHERE], 3, "tandem up"),
+        (["request", "fetch", "--connect", "here"], 2, "--connect"),
+        (["request", "json", "@no/such", *NOWHERE], 2, "cannot read 'no/such'"),
         (["request", "fetch", "--item", "29", *NOWHERE], 3, "tandem up"),
         (["tasks", *NOWHERE], 3, "tandem up"),
         (["cancel", "fetch-1", *NOWHERE], 3, "tandem up"),
@@ -74,7 +75,7 @@ def test_what_it_says_and_ends_with(
 @pytest.mark.parametrize("form", ["unicode", "ascii", "dot", "svg", "png", "json"])
 def test_a_tree_is_drawn_into_a_file(form: str, tmp_path: Path) -> None:
     path = tmp_path / f"tree.{form}"
-    assert main(["tree", "render", "fetch", "--format", form, "--output", str(path)]) == 0
+    assert main(["tree", "render", "fetch", "--all", "--format", form, "--output", str(path)]) == 0
     assert path.stat().st_size > 1000
 
 
@@ -98,17 +99,6 @@ def test_a_mistake_of_ours_leaves_its_trace_in_the_log(
     err = capfd.readouterr().err
     assert "RuntimeError: oh" in err
     assert "Traceback" not in err
-
-
-def test_options_of_a_request_come_from_its_model(capfd: pytest.CaptureFixture[str]) -> None:
-    assert main(["request", "fetch", "--help"]) == 0
-    out = capfd.readouterr().out
-    assert all(option in out for option in ("--item", "--to", "--arm", "--wait", "--connect"))
-
-
-def test_options_that_are_no_simple_value_are_read_as_json() -> None:
-    assert request_command._json('[1, {"a": 2}]') == [1, {"a": 2}]
-    assert request_command._json("[not json") == "[not json"
 
 
 @pytest.mark.parametrize("document", ['{"task": "fetch", "item": 29}', "{}", ' {"a": {"b": 1}}'])

@@ -51,6 +51,7 @@ QUERIES = [
     ("task/resume", "executive", {"operator"}),
     ("task/step", "executive", {"operator"}),
     ("task/list", "executive", {*READERS, "supervisor"}),
+    ("task/kinds", "executive", READERS),
     ("task/info", "executive", {*READERS, "supervisor"}),
     ("tree/now", "executive", {*READERS, "supervisor"}),
     ("skill/base/drive/goal", "skills", {"executive"}),

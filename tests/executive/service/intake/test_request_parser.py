@@ -9,9 +9,10 @@ from surroundings import WAIT, Surroundings, WaitRequest
 
 from tandem.executive.service.intake.request_parser import Asked, Refused, read_request
 from tandem.skills.ports.documents import parse
+from tandem.skills.ports.keys import Nothing
 from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import REQUEST, TASK_ANSWERS, TaskState
+from tandem.skills.ports.tasks import REQUEST, TASK_ANSWERS, TASK_KINDS, TaskState
 from tandem.skills.site import load
 
 GOOD = b'{"task": "wait", "item": 29}'
@@ -48,6 +49,9 @@ BAD = [
     (b'{"task": "wait", "item": -1}', "item", "greater than or equal to 0"),
     (b'{"task": "wait", "item": 587}', "item", "less than or equal to 586"),
     (b'{"task": "wait", "item": 29, "weight": 0}', "weight", "greater than 0"),
+    (b'{"task": "wait", "item": 29, "expires": "2026-11-24T08:30"}', "expires", "ISO 8601 with a zone"),
+    (b'{"task": "wait", "item": 29, "labels": {"order": 7}}', "labels.order", "text"),
+    (b'{"task": "wait", "item": 29, "labels": ["order"]}', "labels", "an object"),
     (b'{"task": "wait", "item": 29, "arm": "middle"}', "arm", "'left' or 'right'"),
     (b'{"task": "wait", "item": 29, "spots": ["a", 2]}', "spots.1", "text"),
     (b'{"task": "wait", "item": 29, "to": "moon"}', "to", "depot"),
@@ -126,3 +130,28 @@ def test_a_check_that_raises_costs_its_request_only() -> None:
     assert not here.ask(json.loads(GOOD)).accepted
     here.executive._kinds["wait"] = WAIT
     assert here.ask(json.loads(GOOD)).accepted
+
+
+def test_times_of_day_are_seconds_or_iso_8601_and_told_as_iso() -> None:
+    document = b'{"task": "wait", "item": 29, "not_before": 120.0, "expires": "1970-01-01T01:01:00+01:00"}'
+    refused = read_request(document, {"wait": WAIT}, load("lab"))
+    assert isinstance(refused, Refused)
+    assert refused.problems == (
+        Problem(
+            path="expires",
+            expected="a time after not_before (1970-01-01T00:02:00Z)",
+            found="1970-01-01T00:01:00Z",
+        ),
+    )
+
+
+def test_the_kinds_are_served_with_schemas_that_are_whole() -> None:
+    here = Surroundings()
+    pending = TASK_KINDS.query(here.bus, Nothing())
+    here.step()
+    answer = pending.poll()
+    assert answer is not None
+    (kind,) = [each for each in TASK_KINDS.decode_answer(answer).kinds if each.name == "wait"]
+    properties = kind.request["properties"]
+    assert isinstance(properties, dict)
+    assert {"task", "id", "item", "priority", "not_before", "expires", "labels"} <= properties.keys()

@@ -151,7 +151,7 @@ def test_each_says_what_it_waits_for(here: Surroundings) -> None:
     second = here.ask(WAIT).task
     later = here.ask({**WAIT, "not_before": 86_400.0}).task
     assert status(here, second).waits_for == "its turn"
-    assert status(here, later).waits_for == "its earliest start, 1970-01-02T00:00:00+00:00"
+    assert status(here, later).waits_for == "its earliest start, 1970-01-02T00:00:00Z"
     here.clocks.wall = 9e5
     here.step()
     assert "a clock that can be trusted" in status(here, later).waits_for
