@@ -11,7 +11,12 @@ from tandem.trees.context import TreeContext
 
 def where_all_is(context: TreeContext, board: FetchBoard) -> dict[str, str]:
     """Return where robot and item are, in words, as far as anybody knows."""
-    return {"robot_is": _robot(context), "item_is": _item(context, board)}
+    return {**where_robot_is(context), "item_is": _item(context, board)}
+
+
+def where_robot_is(context: TreeContext) -> dict[str, str]:
+    """Return where the robot is, in words: for tasks that are about no item."""
+    return {"robot_is": _robot(context)}
 
 
 def _robot(context: TreeContext) -> str:

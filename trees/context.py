@@ -9,6 +9,7 @@ from py_trees.behaviour import Behaviour
 
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.message import Message
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import Progress
 from tandem.skills.ports.world import Sighting, WorldState
@@ -42,6 +43,8 @@ class TreeContext:
     """Robot seconds that the task has stood paused so far; ``seconds`` leaves them out."""
     closing: Callable[[], dict[str, str]] | None = None
     """Says at the end where everything is: evidence of the task's failure. The task's builder sets it."""
+    result: Callable[[], Message | None] | None = None
+    """Says at the end what the task has found or done, also when it fails. The task's builder sets it."""
     notes: TaskNotes = field(default_factory=TaskNotes)
     """What outlives a restart of the executive."""
     dialogue: Dialogue = field(default_factory=Dialogue)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import Final, Generic, TypeVar
 
 from py_trees.behaviour import Behaviour
+from pydantic import JsonValue
 
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.problems import Problem
@@ -14,6 +15,9 @@ from tandem.skills.ports.site import Site
 from tandem.trees.context import TreeContext
 from tandem.trees.knowledge import Knowledge
 
+MAX_RESULT_BYTES: Final = 16 * 1024
+"""Of a result as JSON. Each status carries it, and a page of the history has a hundred; what is larger
+belongs into a file that the result names."""
 Asked = TypeVar("Asked", bound=Message)
 
 
@@ -31,6 +35,8 @@ class TaskType(Generic[Asked]):
         request: the model of a request; has a field ``task``.
         problems: what is wrong with a well-formed request, given the site; empty when nothing is.
         build: makes the tree.
+        result: the model of what a task of this kind tells at its end; None when it tells nothing but that it
+            succeeded. Its builder sets ``context.result``.
         waits: what a task of this kind has to wait for before it can begin, in words after "waits for", from
             what is known now; nothing when it can.
     """
@@ -41,3 +47,34 @@ class TaskType(Generic[Asked]):
     problems: Callable[[Asked, Site], tuple[Problem, ...]]
     build: Callable[[Asked, TreeContext], Behaviour]
     waits: Callable[[Knowledge], str] = _for_nothing
+    result: type[Message] | None = None
+
+    def result_of(self, context: TreeContext, *, succeeded: bool) -> dict[str, JsonValue] | None:
+        """Return what the task tells at its end, as the document that is stored and published.
+
+        Args:
+            context: what the tree was built with.
+            succeeded: whether it must tell what it declares; a task that did not may have nothing to tell.
+
+        Raises:
+            ResultError: when it tells something else than it declares, or too much.
+        """
+        told = None if context.result is None else context.result()
+        if told is None and (self.result is None or not succeeded):
+            return None
+        if told is None or self.result is None or not isinstance(told, self.result):
+            raise ResultError(f"{self.name}: expected {_named(self.result)} as result, found {told!r}")
+        size = len(told.model_dump_json().encode())
+        if size > MAX_RESULT_BYTES:
+            raise ResultError(
+                f"{self.name}: expected a result of at most {MAX_RESULT_BYTES} bytes, found {size}"
+            )
+        return told.model_dump(mode="json")
+
+
+class ResultError(Exception):
+    """A task's result is not what its kind declares: a mistake in the task."""
+
+
+def _named(model: type[Message] | None) -> str:
+    return "nothing" if model is None else model.__name__

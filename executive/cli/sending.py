@@ -13,6 +13,7 @@ from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.cli.waiting import Waiting
 from tandem.executive.config.run_options import BusOptions
+from tandem.executive.render.failure_words import result_lines
 from tandem.skills.ports.failure import KINDS, Failure
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.tasks import REQUEST, TASK_STATUS, TaskAnswer, TaskState, TaskStatus
@@ -94,7 +95,8 @@ def _end_as(status: TaskStatus) -> None:
     if seconds is not None:
         took = f" after {seconds:.1f} s of robot time"
     if status.state is TaskState.SUCCEEDED:
-        typer.echo(f"{status.state}{took}")
+        typer.echo("\n".join((f"{status.state}{took}", *result_lines(status))))
         return
     why = "" if status.failure is None else f"\n{describe_failure(status.failure, '  ')}"
-    raise CommandError(f"{status.task}: {status.state}{took}{why}", ExitCode.TASK_FAILED)
+    found = "".join(f"\n{line}" for line in result_lines(status))
+    raise CommandError(f"{status.task}: {status.state}{took}{why}{found}", ExitCode.TASK_FAILED)

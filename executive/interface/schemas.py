@@ -88,7 +88,9 @@ _DOCUMENT: Final[TypeAdapter[dict[str, JsonValue]]] = TypeAdapter(dict[str, Json
 
 def interface_schema(kinds: Mapping[str, TaskType[Message]]) -> dict[str, JsonValue]:
     """Return one document: every message in ``$defs``, and which of them travels on which key."""
-    definitions = _definitions([kind.request for kind in kinds.values()] + list(CLIENT_MESSAGES))
+    results = {kind.name: kind.result for kind in kinds.values() if kind.result is not None}
+    models = [kind.request for kind in kinds.values()] + [*results.values(), *CLIENT_MESSAGES]
+    definitions = _definitions(models)
     for kind in kinds.values():
         definitions[kind.request.__name__] = with_envelope(definitions[kind.request.__name__], kind)
     requests: list[JsonValue] = [_ref(kind.request) for kind in kinds.values()]
@@ -98,6 +100,7 @@ def interface_schema(kinds: Mapping[str, TaskType[Message]]) -> dict[str, JsonVa
         "title": "What clients of Tandem send and read",
         "$defs": definitions,
         "keys": _keys(),
+        "results": {name: _ref(model) for name, model in results.items()},
     }
 
 
@@ -107,6 +110,7 @@ def separate_schemas(kinds: Mapping[str, TaskType[Message]]) -> dict[str, dict[s
     definitions = whole["$defs"]
     assert isinstance(definitions, dict)
     names = ["Request", *(kind.request.__name__ for kind in kinds.values())]
+    names += [kind.result.__name__ for kind in kinds.values() if kind.result is not None]
     names += [model.__name__ for model in CLIENT_MESSAGES]
     return {
         name: {"$schema": DIALECT, "$ref": f"#/$defs/{name}", "$defs": _needed(name, definitions)}

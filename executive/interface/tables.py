@@ -72,8 +72,16 @@ def _key_table(entries: list[Entry], *others: tuple[str, str, str]) -> str:
 
 
 def _request_table() -> str:
-    rows = [(f'`"{kind.name}"`', kind.summary, type_name(kind.request)) for kind in discover().values()]
-    return table(("`task`", "what it does", "message"), rows)
+    rows = [
+        (
+            f'`"{kind.name}"`',
+            kind.summary,
+            type_name(kind.request),
+            "" if kind.result is None else type_name(kind.result),
+        )
+        for kind in discover().values()
+    ]
+    return table(("`task`", "what it does", "message", "result"), rows)
 
 
 def _action_table() -> str:
@@ -128,6 +136,7 @@ def _field_table(model: type[Message]) -> str:
 
 def _all_models() -> set[type[Message | StrEnum]]:
     waiting: list[type[Message | StrEnum]] = [RgbdHeader, *(kind.request for kind in discover().values())]
+    waiting += [kind.result for kind in discover().values() if kind.result is not None]
     for entry in all_entries():
         waiting += [entry.model] if isinstance(entry, Topic) else [entry.asked, entry.answered]
     for each in all_actions():

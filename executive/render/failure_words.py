@@ -64,10 +64,25 @@ def explain(status: TaskStatus) -> str:
     if status.failure is not None:
         lines += ["", "what failed", *_chain(status.failure)]
     lines += ["", "what was tried", *_tried(status.tried)]
+    if status.result is not None:
+        lines += ["", *result_lines(status)]
     if status.failure is not None:
         lines += ["", "where things are", *_places(status.failure)]
         lines += ["", f"who can help: {KINDS[status.failure.kind].helper}", f"  {what_next(status.failure)}"]
     return "\n".join(lines)
+
+
+def result_lines(status: TaskStatus) -> tuple[str, ...]:
+    """Return what the task found or did, a line for each field; a list has a line for each of its parts."""
+    if status.result is None:
+        return ()
+    lines = ["what it found"]
+    for name, value in status.result.items():
+        if isinstance(value, list) and value and all(isinstance(each, dict) for each in value):
+            lines += [f"  {name}:", *(f"    {json.dumps(each)}" for each in value)]
+        else:
+            lines.append(f"  {name}: {json.dumps(value)}")
+    return tuple(lines)
 
 
 def what_next(failure: Failure) -> str:

@@ -334,7 +334,7 @@ class Executive:
         run = Run(
             context,
             root,
-            asked.kind.name,
+            asked.kind,
             clocks=self._clocks,
             halt=Halt(self._bus, self._clocks),
             ticked=self._pulse.ticked,

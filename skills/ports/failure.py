@@ -39,6 +39,7 @@ class FailureKind(StrEnum):
     DESTINATION_UNREACHABLE = "DESTINATION_UNREACHABLE"
     SLOT_TAKEN = "SLOT_TAKEN"
     HAND_FULL = "HAND_FULL"
+    HAND_EMPTY = "HAND_EMPTY"
     BASE_NO_PATH = "BASE_NO_PATH"
     BASE_BLOCKED = "BASE_BLOCKED"
     BASE_OFF_GOAL = "BASE_OFF_GOAL"
@@ -112,6 +113,7 @@ KINDS: Final = MappingProxyType(
         ),
         _K.SLOT_TAKEN: KindFacts("something stands where the item should go", True, Helper.LOOK),
         _K.HAND_FULL: KindFacts("the hand holds another item", False, Helper.LET_GO),
+        _K.HAND_EMPTY: KindFacts("no hand holds what is to be put down", False, Helper.CLIENT),
         _K.BASE_NO_PATH: KindFacts("no free path to any of the goal's poses", True, Helper.BASE),
         _K.BASE_BLOCKED: KindFacts("something stands in the way", True, Helper.BASE),
         _K.BASE_OFF_GOAL: KindFacts("at rest, but outside the goal's tolerance", True, Helper.AGAIN),

@@ -117,6 +117,8 @@ class TaskStatus(Message):
     """Its current question to an operator."""
     waits_for: str = ""
     """What it waits for while QUEUED: its turn, its earliest start, the release of a stop."""
+    result: dict[str, JsonValue] | None = None
+    """What it found or did, once it has ended, by its kind's schema; null if it tells nothing."""
 
 
 PAGE: Final = 100

@@ -6,6 +6,7 @@ import pytest
 
 from tandem.executive.trials.exploration.exploring import Coverage, explore
 from tandem.executive.trials.exploration.hand_worlds import HAND_WORLDS
+from tandem.executive.trials.exploration.inspect_worlds import inspect_worlds
 from tandem.executive.trials.exploration.worlds import fetch_corners, fetch_worlds
 
 DEPTH = 3
@@ -22,6 +23,11 @@ def test_every_node_has_been_in_every_status_it_can_have(coverage: Coverage) -> 
 
 def test_no_invariant_is_broken(coverage: Coverage) -> None:
     assert coverage.broken == []
+
+
+def test_inspect_as_well() -> None:
+    seen = explore(*inspect_worlds(), depth=1, tell=lambda _: None)
+    assert (seen.missing(), seen.broken) == ({}, [])
 
 
 @pytest.mark.parametrize("task", HAND_WORLDS)

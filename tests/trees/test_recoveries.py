@@ -44,6 +44,7 @@ ROWS = (
     Row(K.DESTINATION_UNKNOWN, "detach", "", K.DESTINATION_UNKNOWN),
     Row(K.DESTINATION_FULL, "detach", "", K.DESTINATION_FULL),
     Row(K.HAND_FULL, "attach", "", K.HAND_FULL),
+    Row(K.HAND_EMPTY, "attach", "", K.HAND_EMPTY),
     Row(K.TILTED, "attach", "", K.TILTED),
     Row(K.OTHER_ARM_FAILED, "attach", "", K.OTHER_ARM_FAILED),
     *(

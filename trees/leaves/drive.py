@@ -18,12 +18,12 @@ def drive(
     context: TreeContext,
     poses: Callable[[], tuple[FloorPose, ...] | Failure],
     *,
-    serves_item: int | None = None,
+    serves: Callable[[], int | None] = lambda: None,
 ) -> Drive:
-    """Return the leaf; ``serves_item`` says for which item, if any (order-picking paper, III-B)."""
+    """Return the leaf; ``serves`` says for which item, if any (order-picking paper, III-B)."""
 
     def goal() -> DriveGoal | Failure:
         found = poses()
-        return found if isinstance(found, Failure) else DriveGoal(poses=found, serves_item=serves_item)
+        return found if isinstance(found, Failure) else DriveGoal(poses=found, serves_item=serves())
 
     return Act(name, context, DRIVE, goal, resources=("base",))

@@ -30,7 +30,21 @@ LOCALISES: Final = 2
 
 def request(context: TreeContext, board: FetchBoard) -> Behaviour:
     """Return the subtree."""
-    where = Selector(
+    return Sequence(
+        "take up request",
+        memory=True,
+        children=[
+            ready(context),
+            _bind_arm(context, board),
+            bind_slot("bind slot", context, board),
+            know_where(context),
+        ],
+    )
+
+
+def know_where(context: TreeContext) -> Behaviour:
+    """Return the subtree that ends when the robot knows its pose in the map."""
+    return Selector(
         "know where I am",
         memory=True,
         children=[
@@ -48,11 +62,6 @@ def request(context: TreeContext, board: FetchBoard) -> Behaviour:
                 within=WITHIN,
             ),
         ],
-    )
-    return Sequence(
-        "take up request",
-        memory=True,
-        children=[ready(context), _bind_arm(context, board), bind_slot("bind slot", context, board), where],
     )
 
 

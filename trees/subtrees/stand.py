@@ -121,7 +121,9 @@ def _go(
                         memory=True,
                         children=[
                             (tuck if here_first else free_and_tuck)(context, f"before {what}"),
-                            drive(f"drive to {what}", context, lambda: board.stands, serves_item=board.item),
+                            drive(
+                                f"drive to {what}", context, lambda: board.stands, serves=lambda: board.item
+                            ),
                             *(() if then is None else (then,)),
                         ],
                     ),

@@ -179,13 +179,16 @@ def _worlds(task: str) -> tuple[Mapping[str, Make], Mapping[str, Make]]:
         CommandError: when there are none.
     """
     from tandem.executive.trials.exploration.hand_worlds import HAND_WORLDS  # noqa: PLC0415
+    from tandem.executive.trials.exploration.inspect_worlds import inspect_worlds  # noqa: PLC0415
     from tandem.executive.trials.exploration.worlds import fetch_corners, fetch_worlds  # noqa: PLC0415
 
     if task == "fetch":
         return fetch_worlds(), fetch_corners()
+    if task == "inspect":
+        return inspect_worlds()
     if task in HAND_WORLDS:
         return HAND_WORLDS[task]()
-    known = ", ".join(("fetch", *HAND_WORLDS))
+    known = ", ".join(("fetch", "inspect", *HAND_WORLDS))
     raise CommandError(f"no worlds to explore {task!r} in; expected one of {known}")
 
 

@@ -127,7 +127,7 @@ class Turn:
         self.progress_at_end()
         if ending.state is TaskState.SUCCEEDED and self.book.entry(self.task).status.begun == 1:
             self.book.learn(self.asked.kind.name, self.expectation.lesson(self.run.context.seconds))
-        return self.book.end(self.task, ending.state, self.clocks.robot(), ending.failure)
+        return self.book.end(self.task, ending.state, self.clocks.robot(), ending.failure, self.run.result)
 
     def progress_at_end(self) -> None:
         """Note how far it came."""

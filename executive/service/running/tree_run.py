@@ -11,6 +11,7 @@ from typing import Final
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
+from pydantic import JsonValue
 
 from tandem.executive.ledger.port import LedgerError
 from tandem.executive.ledger.task_memory import Winding
@@ -29,12 +30,13 @@ from tandem.executive.service.running.pausing import Hold, Step
 from tandem.executive.service.running.tree_view import TreeView
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.message import Message, RobotTime
 from tandem.skills.ports.tasks import NodeStatus, Progress, TaskState, TreeNode, TreeSnapshot
 from tandem.trees.breakpoints import Gates
 from tandem.trees.clients import AnyGoal
 from tandem.trees.context import TreeContext
 from tandem.trees.elapsed import Elapsed
+from tandem.trees.task import TaskType
 
 TICK_PERIOD: Final = 0.05
 """Robot seconds after which the tree is ticked although nothing was heard: its timers."""
@@ -80,7 +82,7 @@ class Run:
         self,
         context: TreeContext,
         root: Behaviour,
-        kind: str,
+        kind: TaskType[Message],
         *,
         clocks: Clocks,
         halt: Halt,
@@ -97,6 +99,8 @@ class Run:
         self.told_to_go_on = False
         """Whether an operator had it go on after a restart."""
         self._root, self._kind, self._clocks, self._halt = root, kind, clocks, halt
+        self.result: dict[str, JsonValue] | None = None
+        """What the task tells at its end."""
         self._ticked, self._waits_for, self._kept = ticked, waits, ""
         self._hold = Hold(context, clocks)
         self._ending: Ending | None = None
@@ -247,7 +251,7 @@ class Run:
         """Return the tree as it is."""
         return TreeSnapshot(
             task=self.context.task,
-            kind=self._kind,
+            kind=self._kind.name,
             tick=self.ticks,
             stamp=self._clocks.robot(),
             root=self._view.look(),
@@ -321,6 +325,9 @@ class Run:
             if self.gates.hit:
                 self._hold.pause()
         elif status is NodeStatus.SUCCESS:
+            self.result = self._kind.result_of(
+                self.context, succeeded=not self.canceling
+            )  # raises for what the kind does not declare
             self._end_with(Ending(TaskState.CANCELED if self.canceling else TaskState.SUCCEEDED))
         else:
             self._end_with(self._as_failed(self._told() or unsaid(self._root)))
@@ -355,6 +362,16 @@ class Run:
 
     def _end_with(self, ending: Ending) -> None:
         self._ending, self._resting = ending, Elapsed(self._clocks)
+        if self.result is None and ending.state not in {TaskState.SUCCEEDED, TaskState.QUEUED}:
+            self.result = self._what_there_is()
+
+    def _what_there_is(self) -> dict[str, JsonValue] | None:
+        """Return what a task that did not succeed has found or done; a mistake in it changes no ending."""
+        try:
+            return self._kind.result_of(self.context, succeeded=False)
+        except Exception:  # noqa: BLE001 - the task has failed for another reason already
+            _LOG.exception("could not tell the result", extra={"task": self.context.task})
+            return None
 
     def _await_rest(self, ending: Ending) -> None:
         self._resting.update()

@@ -9,6 +9,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Final
 
+from pydantic import JsonValue
+
 from tandem.executive.ledger.port import Entry, Ledger, LedgerError
 from tandem.executive.ledger.sender import asked_by
 from tandem.executive.ledger.stubs import same_request
@@ -267,10 +269,15 @@ class TaskBook:
         return status
 
     def end(
-        self, task: str, state: TaskState, now: RobotTime | None, failure: Failure | None = None
+        self,
+        task: str,
+        state: TaskState,
+        now: RobotTime | None,
+        failure: Failure | None = None,
+        result: dict[str, JsonValue] | None = None,
     ) -> TaskStatus:
         """Note how the task ended; the oldest of those that ended long ago are in the ledger only."""
-        facts: dict[str, object] = {"running": (), "time_left": None, "question": None}
+        facts: dict[str, object] = {"running": (), "time_left": None, "question": None, "result": result}
         ended = self.change(task, state, ended=now, failure=failure, ended_at=self._utc(), **facts)
         del self._entries[task]
         self._ended[task] = ended

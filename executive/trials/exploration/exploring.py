@@ -238,7 +238,8 @@ def broken(bench: TreeBench, status: Status) -> list[str]:
     if status is Status.FAILURE and failure is None:
         wrong.append("failed without a reason")
     if status is Status.FAILURE and failure is not None and bench.robot.localised:
-        missing = {"robot_is", "item_is"} - set(failure.evidence)
+        told = {"robot_is", "item_is"} if bench.about_items else {"robot_is"}
+        missing = told - set(failure.evidence)
         wrong.extend(f"the failure does not say {each}" for each in sorted(missing))
     if status is Status.SUCCESS and bench.robot.base != bench.context.site.home:
         wrong.append("succeeded, and is not at home")

@@ -13,8 +13,10 @@ from typing import Any
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Sequence
+from pydantic import JsonValue
 
 from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.message import Message
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.testing.mock_robot import MockRobot
@@ -64,6 +66,7 @@ class TreeBench:
         self._clients = Clients(bus, self.clocks, OWNER)
         self._runs, self._step = 0, step
         self.context = self._new_context()
+        self.kind: TaskType[Message] | None = None
         self.root: Behaviour | None = None
         self.gates = Gates(Sequence("no task", memory=True), self.context)
         """Breakpoints and forced nodes of the tree that was started last."""
@@ -80,7 +83,7 @@ class TreeBench:
             task: its name, or its ``TASK``, which need not be registered.
             request: the document, without ``task``.
         """
-        kind = discover()[task] if isinstance(task, str) else task
+        self.kind = kind = discover()[task] if isinstance(task, str) else task
         named = {"task": kind.name} if "task" in kind.request.model_fields else {}
         self.context = self._new_context()
         self.visited, self._running = [], {}
@@ -142,6 +145,17 @@ class TreeBench:
             if status is not Status.RUNNING:
                 break
         return status
+
+    @property
+    def about_items(self) -> bool:
+        """Whether the request that was started names items."""
+        return self.kind is not None and bool({"item", "left", "right"} & set(self.kind.request.model_fields))
+
+    def result(self) -> dict[str, JsonValue] | None:
+        """Return what the task tells as its result, checked as the executive checks it."""
+        assert self.kind is not None, "start a task first"
+        succeeded = self.root is not None and self.root.status is Status.SUCCESS
+        return self.kind.result_of(self.context, succeeded=succeeded)
 
     def interrupt(self, *, steps: int = 1000) -> bool:
         """Stop the tree as a cancel does; return whether all skills came to rest within ``steps``."""

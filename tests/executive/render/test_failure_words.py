@@ -37,6 +37,12 @@ FAILED = TaskStatus(
 )
 
 
+def test_what_a_task_found_is_told_line_by_line() -> None:
+    found = {"spots": ["a", "b"], "items": [{"item": 29}, {"item": 42}]}
+    said = explain(FAILED.model_copy(update={"result": found}))
+    assert 'what it found\n  spots: ["a", "b"]\n  items:\n    {"item": 29}\n    {"item": 42}' in said
+
+
 def task(name: str, state: TaskState) -> TaskStatus:
     failure = EMPTY if state is TaskState.FAILED else None
     return FAILED.model_copy(update={"task": name, "state": state, "failure": failure})
