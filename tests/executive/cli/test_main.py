@@ -75,13 +75,8 @@ def test_what_it_says_and_ends_with(
 @pytest.mark.parametrize("form", ["unicode", "ascii", "dot", "svg", "png", "json"])
 def test_a_tree_is_drawn_into_a_file(form: str, tmp_path: Path) -> None:
     path = tmp_path / f"tree.{form}"
-<<<<<<< HEAD
     assert main(["tree", "render", "fetch", "--all", "--format", form, "--output", str(path)]) == 0
     assert path.stat().st_size > 1000
-=======
-    assert main(["tree", "render", "fetch", "--format", form, "--output", str(path)]) == 0
-    assert path.stat().st_size > 500  # the folded tree as ASCII has some 900
->>>>>>> 4f428b7 (Test: a folded tree as text is short)
 
 
 def test_schemas_as_one_document_and_as_files(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
