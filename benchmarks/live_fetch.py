@@ -19,7 +19,8 @@ from benchmarks.rows import Row
 from benchmarks.stillness import Stillness
 from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.config.run_options import BusOptions
-from tandem.executive.system.roles.registry import names as role_names
+from tandem.executive.system.systems import roles_of
+from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.keys import CLOCK, Latest
 from tandem.skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
@@ -139,7 +140,7 @@ def _lines(seen: Seen, stillness: Stillness, code: int) -> Iterator[Row]:
         spent = stillness.seconds[what]
         which = "moving" if what == "moving" else f"standing, {what}"
         yield Row(f"demo, {which}", spent, "robot s", note=f"{100.0 * spent / stillness.total:.1f} %")
-    for role in (*role_names(), "demo"):
+    for role in (*roles_of(load_scenario("Demo")), "demo"):
         if role in seen.memory:
             yield Row(f"memory, {role}", seen.memory[role], "MB", note="most, proportional share")
     yield Row("memory, all processes", sum(seen.memory.values()), "MB")

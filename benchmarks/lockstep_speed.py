@@ -76,7 +76,7 @@ def rows(*, quick: bool = False) -> Iterator[Row]:
             return
         yield measured(system, lambda: stand(system)).row("standing, without the camera", 4.0)
         yield measured(system, lambda: drive(system)).row("driving, without the camera", 4.0)
-        pictures = system.bus.subscribe(keys.RGBD, depth=1024)
+        pictures = system.bus.subscribe(keys.rgbd("head"), depth=1024)
         stand(system, SETTLING)  # the first picture has the renderer started and the room loaded
         pictures.drain()
         looking = measured(system, lambda: stand(system))

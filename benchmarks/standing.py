@@ -27,7 +27,7 @@ class Motion:
     """
 
     def __init__(self, bus: Bus, description: RobotDescription) -> None:
-        self._drive = description.drive
+        self._drive = description.driven
         self._limits = {
             each.joint: each.acceleration for group in description.groups for each in group.limits
         }

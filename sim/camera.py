@@ -17,7 +17,7 @@ from tandem.sim.render import Job, Renderer, Scene
 from tandem.sim.render_world import Snapshot, View, looking_at
 from tandem.skills.geometry.poses import from_axes
 from tandem.skills.ports.hardware import CameraSensor, RgbdHeader
-from tandem.skills.ports.keys import RGBD
+from tandem.skills.ports.keys import rgbd
 from tandem.skills.ports.pose import Pose
 
 if TYPE_CHECKING:
@@ -182,7 +182,7 @@ class HeadCamera:
         self._bus = bus
         self._studio = studio
         self._robot = robot
-        self._sensor = sensor
+        self._sensor, self._key = sensor, rgbd(sensor.name)
         self._period = 1.0 / rate
         self._latency = latency
         self._next = -math.inf
@@ -197,8 +197,8 @@ class HeadCamera:
         """
         self._collect()
         while self._ready and now.seconds >= self._ready[0][0] + self._latency - 1e-9:
-            self._bus.publish(RGBD, self._ready.popleft()[1])
-        if self._exposed is None and now.seconds >= self._next - 1e-9 and self._bus.listened(RGBD):
+            self._bus.publish(self._key, self._ready.popleft()[1])
+        if self._exposed is None and now.seconds >= self._next - 1e-9 and self._bus.listened(self._key):
             on_time = now.seconds - self._next < self._period
             self._next = (self._next if on_time else now.seconds) + self._period
             self._expose(now)

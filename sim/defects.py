@@ -16,6 +16,7 @@ from tandem.sim.faults import (
     HardwareSilent,
     JointStall,
     LaserSilent,
+    OdometryJump,
 )
 from tandem.sim.gripper import HandDefects
 from tandem.sim.lens import Freeze, darken
@@ -32,8 +33,7 @@ if TYPE_CHECKING:
 
 CUTS: Final[dict[type[Fault], str]] = {
     HardwareSilent: "hw/",
-    CameraSilent: keys.RGBD,
-    LaserSilent: keys.LASER.key,
+    CameraSilent: "hw/camera/",
 }
 """The keys that a fault cuts, by how they begin."""
 
@@ -50,8 +50,12 @@ class Standing:
 def break_hardware(standing: Sequence[Standing], link: FaultyLink, hardware: Hardware) -> None:
     """Have the hardware broken in just these ways, and whole otherwise."""
     faults = [each.fault for each in standing]
-    link.cut = frozenset(CUTS[type(fault)] for fault in faults if type(fault) in CUTS)
-    link.spoils = _spoils(standing)
+    cut = {CUTS[type(fault)] for fault in faults if type(fault) in CUTS}
+    if any(isinstance(fault, LaserSilent) for fault in faults):
+        cut |= {keys.laser(each.name).key for each in hardware.description.lasers}
+    link.cut = frozenset(cut)
+    pictures = [keys.rgbd(each.name) for each in hardware.description.cameras]
+    link.spoils = {key: spoil for key in pictures for spoil in _spoils(standing)}
     stalls = [stall for each in standing for stall in _stalls(each, hardware.description)]
     for name, group in hardware.groups.items():
         group.stalled = {
@@ -62,7 +66,8 @@ def break_hardware(standing: Sequence[Standing], link: FaultyLink, hardware: Har
         }
     for side, hand in hardware.hands.items():
         hand.defects = _hand([each.fault for each in standing if side in each.sides])
-    hardware.base.jammed = frozenset(fault.bumper for fault in faults if isinstance(fault, BumperPressed))
+    for base in hardware.bases:
+        base.jammed = frozenset(fault.bumper for fault in faults if isinstance(fault, BumperPressed))
 
 
 def _stalls(each: Standing, robot: RobotDescription) -> list[tuple[str, JointStall]]:
@@ -74,11 +79,12 @@ def _stalls(each: Standing, robot: RobotDescription) -> list[tuple[str, JointSta
     return [(robot.end_effector(side).group, each.fault) for side in each.sides]
 
 
-def _spoils(standing: Sequence[Standing]) -> dict[str, Callable[[bytes], bytes]]:
+def _spoils(standing: Sequence[Standing]) -> list[Callable[[bytes], bytes]]:
+    """Return what happens to each picture, if anything does."""
     if any(isinstance(each.fault, CameraDark) for each in standing):
-        return {keys.RGBD: darken}
-    kept = [each.freeze for each in standing if each.freeze is not None]
-    return {keys.RGBD: kept[0]} if kept else {}
+        return [darken]
+    kept: list[Callable[[bytes], bytes]] = [each.freeze for each in standing if each.freeze is not None]
+    return kept[:1]
 
 
 def _hand(faults: Sequence[Fault]) -> HandDefects:
@@ -108,6 +114,11 @@ def stalled_joints(fault: JointStall, group: str, robot: RobotDescription) -> tu
 
 def misfit(fault: Fault, robot: RobotDescription) -> str:
     """Return what a fault names and the robot doesn't have, and what was expected; else nothing."""
+    if isinstance(fault, OdometryJump | BumperPressed) and robot.drive is None:
+        return f"kind: expected a robot that drives, found {robot.name}, whose base is fixed"
+    side = getattr(fault, "side", None)
+    if side is not None and side not in robot.hands:
+        return f"side: expected one of {', '.join(robot.hands) or 'none: it has no hands'}, found {side}"
     if not isinstance(fault, JointStall):
         return ""
     groups = [group.name for group in robot.groups]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from tandem.skills.ports.keys import RGBD
+from tandem.skills.ports.keys import rgbd
 
 if TYPE_CHECKING:
     from collections.abc import Set as AbstractSet
@@ -59,6 +59,7 @@ class Events:
         self._aloft: set[int] = set()
         self._stood = {name: world.pose(name).position[2] for name in world.movable()}
         self._moved, self._still_since = False, 0.0
+        self._cameras = [rgbd(each.name) for each in robot.model.description.cameras]
         self._links = {
             robot.link_index[link]: hand.side for hand in robot.model.hands for link in hand.finger_links
         }
@@ -75,7 +76,7 @@ class Events:
         so[Occurrence("base_moving")] = moving
         so[Occurrence("base_at_rest_after_moving")] = self._rests(now, moving=moving)
         if "camera_used" in wanted:
-            so[Occurrence("camera_used")] = self._bus.listened(RGBD)
+            so[Occurrence("camera_used")] = any(self._bus.listened(each) for each in self._cameras)
         began = [what for what, holds in so.items() if holds and not self._before.get(what, holds)]
         self._before = so
         if "item_lifted" in wanted:

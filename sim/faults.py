@@ -11,9 +11,8 @@ from typing import Annotated, Final, Literal
 from pydantic import Field, model_validator
 
 from tandem.sim.things import Angle, BoxShape, Colour, Coordinate, Friction, Name, Shape
-from tandem.skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.message import Count, HandName, Message, RobotTime
 
-Side = Literal["left", "right"]
 Tag = Annotated[int, Field(ge=0, le=586)]
 Seconds = Annotated[float, Field(ge=0.0, le=3600.0)]
 Duration = Annotated[float, Field(gt=0.0, le=3600.0)]
@@ -40,7 +39,7 @@ class GripperClosed(_Event):
     """The fingers have closed on something and squeeze it; without a side: of either hand."""
 
     event: Literal["gripper_closed"] = "gripper_closed"
-    side: Side | None = None
+    side: HandName | None = None
 
 
 class ItemLifted(_Event):
@@ -54,7 +53,7 @@ class ArmMoving(_Event):
     """An arm starts to move; without a side: either arm."""
 
     event: Literal["arm_moving"] = "arm_moving"
-    side: Side | None = None
+    side: HandName | None = None
 
 
 class BaseMoving(_Event):
@@ -156,14 +155,14 @@ class GripperStuck(_Lasting):
     """The fingers ignore commands; without a side: the event's hand, or both."""
 
     kind: Literal["gripper_stuck"] = "gripper_stuck"
-    side: Side | None = None
+    side: HandName | None = None
 
 
 class GripperWeak(_Lasting):
     """The gripper has a fraction of the commanded force; without a side: the event's hand, or both."""
 
     kind: Literal["gripper_weak"] = "gripper_weak"
-    side: Side | None = None
+    side: HandName | None = None
     force: Share = 0.02
 
 
@@ -171,7 +170,7 @@ class HandOpens(_Lasting):
     """The fingers open, and what they hold falls; without a side: the event's hand, or both."""
 
     kind: Literal["hand_opens"] = "hand_opens"
-    side: Side | None = None
+    side: HandName | None = None
     lasts: Duration | None = 0.5
 
 

@@ -102,13 +102,17 @@ class Hardware:
         self._bus.ear.know(description)
         self._sensors = tuple(sensors)
         gate = Gate(stopped=lambda: self.stop_state.stopped, refuse=self.grantor.refuse)
-        self.base = BasePart(self._bus, body, gate, noise=noise, rng=rng)
+        wheels = body.model.wheels
+        self.bases = tuple(
+            BasePart(self._bus, body, each, gate, noise=noise, rng=rng)
+            for each in (() if wheels is None else (wheels,))
+        )
         self.groups = {group.name: GroupPart(self._bus, body, group, gate) for group in description.groups}
         self.hands = {
             hand.side: HandPart(self._bus, body, hand, description.end_effector(hand.side), gate)
             for hand in body.model.hands
         }
-        self._parts = [*self.groups.values(), *self.hands.values(), self.base]
+        self._parts = [*self.groups.values(), *self.hands.values(), *self.bases]
         taking: tuple[GroupPart | HandPart, ...] = (*self.groups.values(), *self.hands.values())
         self._parts_served = self._serve(*(each for part in taking for each in part.endpoints()))
         self._joints = tuple(
@@ -126,6 +130,13 @@ class Hardware:
     def tick(self) -> int:
         """Periods since the boot."""
         return self._tick
+
+    @property
+    def base(self) -> BasePart:
+        """The base that drives; LookupError when it is fixed."""
+        if not self.bases:
+            raise LookupError(f"{self.description.name} has a fixed base")
+        return self.bases[0]
 
     def step(self) -> bool:
         """Hear what was asked, control and simulate one period, and tell what happened."""

@@ -51,7 +51,8 @@ class RobotModel:
     physics_urdf: str
     frames: Mapping[str, tuple[str, Array]]
     hands: tuple[Hand, ...]
-    wheels: Wheels
+    wheels: Wheels | None
+    """None: the base is fixed to the floor."""
     floor_frictions: Mapping[str, float]
     bumper_links: tuple[str, ...]
     touching_links: tuple[tuple[str, str], ...]

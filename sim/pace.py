@@ -97,6 +97,7 @@ class Followers:
 def _wait_for_picture(station: Station, bus: ZenohBus) -> None:
     deadline = time.monotonic() + PATIENCE
     now = station.hardware.now
-    while station.camera.late_by(now) > PICTURE_LATE and time.monotonic() < deadline:
-        bus.waker.wait(0.005)
-        station.camera.step(now)
+    for camera in station.cameras:
+        while camera.late_by(now) > PICTURE_LATE and time.monotonic() < deadline:
+            bus.waker.wait(0.005)
+            camera.step(now)

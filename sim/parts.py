@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from tandem.sim.body import RobotBody
-    from tandem.sim.model import Hand
+    from tandem.sim.model import Hand, Wheels
     from tandem.sim.scenario import Noise
     from tandem.skills.ports.bus import Bus
     from tandem.skills.ports.hardware import BaseVelocity, EndEffector, JointGroup, LaserSensor
@@ -277,14 +277,20 @@ class BasePart:
     """The wheels, odometry and bumpers."""
 
     def __init__(
-        self, bus: Bus, body: RobotBody, gate: Gate, *, noise: Noise, rng: np.random.Generator
+        self,
+        bus: Bus,
+        body: RobotBody,
+        wheels: Wheels,
+        gate: Gate,
+        *,
+        noise: Noise,
+        rng: np.random.Generator,
     ) -> None:
         self._bus, self._gate = bus, gate
         self._body = body
-        wheels = body.model.wheels
         self._joints = (wheels.left, wheels.right)
         self._efforts = (wheels.effort, wheels.effort)
-        self.controller = BaseController(body.model.description.drive, wheels, self._angles())
+        self.controller = BaseController(body.model.description.driven, wheels, self._angles())
         self.odometer = Odometer(wheels, self._angles(), noise, rng)
         self._velocity: keys.Latest[BaseVelocity] = keys.Latest(bus, keys.BASE_VELOCITY)
         self._pressed: tuple[str, ...] = ()
@@ -344,7 +350,7 @@ class LaserSensorNode:
 
     def __init__(self, bus: Bus, sensor: LaserSensor, scan: Callable[[], tuple[float, ...]]) -> None:
         self._bus = bus
-        self._period = sensor.period
+        self._period, self._topic = sensor.period, keys.laser(sensor.name)
         self._scan = scan
         self._next = 0.0
 
@@ -353,4 +359,4 @@ class LaserSensorNode:
         if now.seconds < self._next - 1e-9:
             return
         self._next = now.seconds + self._period
-        keys.LASER.publish(self._bus, LaserScan(stamp=now, ranges=self._scan()))
+        self._topic.publish(self._bus, LaserScan(stamp=now, ranges=self._scan()))

@@ -93,9 +93,9 @@ class Station:
         )
 
     @property
-    def camera(self) -> HeadCamera:
-        """The head's camera, as it is since the last reset."""
-        return self._camera
+    def cameras(self) -> tuple[HeadCamera, ...]:
+        """The robot's cameras, as they are since the last reset."""
+        return self._cameras
 
     @property
     def boot(self) -> str:
@@ -185,8 +185,12 @@ class Station:
     def _sensors(self, seed: int) -> tuple[Sensor, ...]:
         description, noise = self.model.description, self.scenario.noise
         rng = np.random.default_rng((seed, 2))
-        laser = Laser(self.body, description.laser, sigma=noise.laser_sigma, rng=rng)
-        self._camera = HeadCamera(
-            self._link, self.studio, self.body, description.camera, rate=self.scenario.camera_rate
+        lasers = [
+            LaserSensorNode(self._link, each, Laser(self.body, each, sigma=noise.laser_sigma, rng=rng).scan)
+            for each in description.lasers
+        ]
+        self._cameras = tuple(
+            HeadCamera(self._link, self.studio, self.body, each, rate=self.scenario.camera_rate)
+            for each in description.cameras
         )
-        return (LaserSensorNode(self._link, description.laser, laser.scan), self._camera)
+        return (*lasers, *self._cameras)

@@ -11,9 +11,10 @@ from typing import Final
 
 from tandem.skills.grasping.item_frames import face_towards
 from tandem.skills.grasping.tag_grasps import FINGER_ROOM, Grasp, Place
+from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.site import Depot, Slot
-from tandem.skills.ports.world import ItemFact, Side
+from tandem.skills.ports.world import ItemFact
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_task import HandTask
 
@@ -33,9 +34,9 @@ class FetchBoard(HandTask):
 
     item: int
     destination: str
-    wanted_arm: Side | None = None
-    side: Side | None = None
-    sides: tuple[Side, ...] = ()
+    wanted_arm: HandName | None = None
+    side: HandName | None = None
+    sides: tuple[HandName, ...] = ()
     """The arms that may be used, the preferred one first."""
     stands: tuple[FloorPose, ...] = ()
     """Base poses from which the arm has been found to reach, the preferred one first."""
@@ -48,7 +49,7 @@ class FetchBoard(HandTask):
     grasp: Grasp | None = None
     places: tuple[Place, ...] = ()
     place: Place | None = None
-    allowed: tuple[Side, ...] = ()
+    allowed: tuple[HandName, ...] = ()
     """The arms that the request and the site allow, whatever has been tried since."""
     avoid: list[FloorPose] = field(default_factory=list)
     """Base poses that have been tried in vain."""
@@ -63,7 +64,7 @@ class FetchBoard(HandTask):
     near: tuple[float, float] | None = None
     """x, y in the map (m): of several things with the item's number, the one there is meant."""
 
-    def chosen_side(self) -> Side:
+    def chosen_side(self) -> HandName:
         """Return the arm; the request's leaves have bound it before anything moves."""
         assert self.side is not None, "the request binds the arm first"
         return self.side

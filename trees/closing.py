@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from tandem.skills.ports.world import SIDES
 from tandem.trees.board import FetchBoard
 from tandem.trees.conditions.arm_tucked import tucked
 from tandem.trees.conditions.at_pose import near
@@ -21,7 +20,7 @@ def where_robot_is(context: TreeContext) -> dict[str, str]:
 
 def _robot(context: TreeContext) -> str:
     robot = context.knowledge.robot
-    out = [side for side in SIDES if not tucked(context, side)]
+    out = [side for side in context.knowledge.hands if not tucked(context, side)]
     arms = "" if not out else f", {' and '.join(out)} arm not tucked in"
     if robot is None or not robot.localised:
         return f"unknown{arms}"

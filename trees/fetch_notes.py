@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import Final
 
 from tandem.skills.geometry.poses import compose
-from tandem.skills.ports.message import Message
+from tandem.skills.ports.message import HandName, Message
 from tandem.skills.ports.site import Slot
-from tandem.skills.ports.world import Side
 from tandem.trees.board import FetchBoard
 from tandem.trees.context import TreeContext
 
@@ -17,7 +16,7 @@ NAME: Final = "fetch"
 class FetchNotes(Message):
     """Kept with the task (``TreeContext.keep``)."""
 
-    closed: Side | None = None
+    closed: HandName | None = None
     """The hand that was told to close on the item, until it is told to let go; it need not hold it yet."""
     origin: Slot | None = None
     """Where the item stood before."""

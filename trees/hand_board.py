@@ -9,8 +9,9 @@ from tandem.skills.grasping.hand_grasps import HandGrasp, cube_grasps, item_in_t
 from tandem.skills.grasping.item_frames import standing_in_map, turned_like
 from tandem.skills.grasping.tag_grasps import FINGER_ROOM
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.world import ItemFact, Side
+from tandem.skills.ports.world import ItemFact
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_task import HandTask
 from tandem.trees.item_failures import lies
@@ -20,7 +21,7 @@ from tandem.trees.item_failures import lies
 class HandBoard(HandTask):
     """A hand and the item that it is for."""
 
-    side: Side
+    side: HandName
     item: int
     ways: tuple[HandGrasp, ...] = ()
     """The ways to take hold that were offered to the last approach, the preferred one first."""
@@ -45,7 +46,7 @@ class HandBoard(HandTask):
         """The arm's joint group."""
         return f"arm_{self.side}"
 
-    def chosen_side(self) -> Side:
+    def chosen_side(self) -> HandName:
         """Return the arm."""
         return self.side
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from tandem.skills.ports.message import HandName
 from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import Side
 
 
 def item_problems(site: Site, path: str, number: int, *, two: bool = False) -> tuple[Problem, ...]:
@@ -29,10 +29,10 @@ def item_problems(site: Site, path: str, number: int, *, two: bool = False) -> t
     return ()
 
 
-def hand_problems(site: Site, path: str, number: int, side: Side) -> tuple[Problem, ...]:
+def hand_problems(site: Site, path: str, number: int, side: HandName) -> tuple[Problem, ...]:
     """Return what is wrong with an item for that hand; it names ``path`` (two-arm thesis, 4.1.1)."""
     item = site.item(number)
-    if item is None or item.needs_two or side in item.hands:
+    if item is None or item.needs_two or item.is_for(side):
         return ()
     expected = f"an item for the {side} hand; item {number} is for: {', '.join(item.hands)}"
     return (Problem(path=path, expected=expected, found=str(number)),)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import SiteItem
-from tandem.skills.ports.world import Side
 from tandem.trees.context import TreeContext
 
 
@@ -15,7 +15,7 @@ class HandTask(Protocol):
 
     item: int
 
-    def chosen_side(self) -> Side:
+    def chosen_side(self) -> HandName:
         """Return the arm."""
         ...
 

@@ -6,7 +6,8 @@ from collections.abc import Iterable
 
 from tandem.skills.grasping.item_frames import upright_in_map
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.world import ItemFact, Side, Sighting
+from tandem.skills.ports.message import HandName
+from tandem.skills.ports.world import ItemFact, Sighting
 from tandem.trees.context import TreeContext
 
 
@@ -42,7 +43,7 @@ def lies(fact: ItemFact) -> Failure:
     )
 
 
-def no_longer_held(item: int, side: Side) -> Failure:
+def no_longer_held(item: int, side: HandName) -> Failure:
     """Return the failure of an item that was in a hand."""
     return Failure(
         kind=FailureKind.GRASP_LOST,

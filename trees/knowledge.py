@@ -5,24 +5,17 @@ from __future__ import annotations
 from typing import Final, Protocol, TypeVar
 
 from tandem.skills.ports.actions.arm import ArmStatus, arm_status
-from tandem.skills.ports.actions.bimanual import ZONES, Zones
+from tandem.skills.ports.actions.bimanual import PAIR, ZONES, Zones
 from tandem.skills.ports.bus import Bus, Pending
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.hardware import RobotDescription, StopState
 from tandem.skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, Latest, Nothing
-from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import (
-    ROBOT_POSE,
-    SCENE,
-    SIDES,
-    WORLD,
-    PlanningScene,
-    RobotPose,
-    Side,
-    WorldState,
-)
+from tandem.skills.ports.world import ROBOT_POSE, SCENE, WORLD, PlanningScene, RobotPose, WorldState
 
+ASSUMED: Final = PAIR
+"""The hands of a robot that has not told its own yet."""
 ASK_AGAIN: Final = 0.5
 """Host seconds between two questions for the robot's description."""
 
@@ -59,7 +52,8 @@ class Knowledge:
         self._robot = Latest(bus, ROBOT_POSE)
         self._stop = Latest(bus, STOP_STATE)
         self._zones = Latest(bus, ZONES, depth=4)
-        self._arms = {side: Latest(bus, arm_status(f"arm_{side}")) for side in SIDES}
+        self._arms: dict[HandName, Latest[ArmStatus]] = {}
+        self.assume_hands(ASSUMED)
         self._ticks = Latest(bus, CLOCK, depth=4)
         self._tick_heard_at: float | None = None
         self._boot: str | None = None
@@ -70,7 +64,7 @@ class Knowledge:
 
     def refresh(self) -> bool:
         """Take in what has arrived; return whether a belief that a condition reads has changed."""
-        before = (self.world, self.robot_localised, self.stopped, *(self.arm(side) for side in SIDES))
+        before = self._believed()
         self._world.refresh()
         self._robot.refresh()
         self._stop.refresh()
@@ -79,14 +73,30 @@ class Knowledge:
             latest.refresh()
         if self.description is None:
             self._ask_for_description()
-        return before != (self.world, self.robot_localised, self.stopped, *(self.arm(side) for side in SIDES))
+        return before != self._believed()
+
+    @property
+    def hands(self) -> tuple[HandName, ...]:
+        """The robot's hands in its description's order; before it was heard, those that are assumed."""
+        return tuple(self._arms)
+
+    def assume_hands(self, hands: tuple[HandName, ...]) -> None:
+        """Take the robot to have these hands until its description says which it has."""
+        if hands == self.hands:
+            return
+        for latest in self._arms.values():
+            latest.close()
+        self._arms = {hand: Latest(self._bus, arm_status(f"arm_{hand}")) for hand in hands}
+
+    def _believed(self) -> tuple[object, ...]:
+        return (self.world, self.robot_localised, self.stopped, *(self.arm(hand) for hand in self.hands))
 
     @property
     def world(self) -> WorldState | None:
         """The keeper's facts, or None before they came."""
         return self._current(self._world.value)
 
-    def may_hold(self, side: Side) -> bool:
+    def may_hold(self, side: HandName) -> bool:
         """Whether there may be something in a hand: unless it is known to be empty."""
         return self.world is None or self.world.in_hand(side) is not None
 
@@ -119,9 +129,10 @@ class Knowledge:
         """
         return 0.0 if self._tick_heard_at is None else self._clocks.monotonic() - self._tick_heard_at
 
-    def arm(self, side: Side) -> ArmStatus | None:
+    def arm(self, side: HandName) -> ArmStatus | None:
         """Return what the arm tells, or None before it did."""
-        return self._current(self._arms[side].value)
+        latest = self._arms.get(side)
+        return None if latest is None else self._current(latest.value)
 
     @property
     def zones(self) -> Zones | None:
@@ -134,7 +145,7 @@ class Knowledge:
             "hw/description": self.description,
             "world/state": self.world,
             "world/robot": self.robot,
-            **{f"skill/arm_{side}/state": self.arm(side) for side in SIDES},
+            **{f"skill/arm_{side}/state": self.arm(side) for side in self.hands},
         }
         return tuple(name for name, value in parts.items() if value is None)
 
@@ -172,5 +183,6 @@ class Knowledge:
         if answer is not None:
             self.description = DESCRIPTION.decode_answer(answer)
             self._bus.ear.know(self.description)
+            self.assume_hands(self.description.hands)
         elif (self._asked is None or self._asked.done()) and now - self._asked_at > ASK_AGAIN:
             self._asked, self._asked_at = DESCRIPTION.query(self._bus, Nothing()), now

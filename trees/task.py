@@ -9,20 +9,29 @@ from typing import Final, Generic, TypeVar
 from py_trees.behaviour import Behaviour
 from pydantic import JsonValue
 
+from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
 from tandem.trees.context import TreeContext
 from tandem.trees.knowledge import Knowledge
+from tandem.trees.needs import Needs, unable
 
 MAX_RESULT_BYTES: Final = 16 * 1024
 """Of a result as JSON. Each status carries it, and a page of the history has a hundred; what is larger
 belongs into a file that the result names."""
 Asked = TypeVar("Asked", bound=Message)
+UNABLE: Final = "UNABLE"
+"""Code of the problem that the robot lacks a part."""
+_NOTHING: Final = Needs()
 
 
 def _for_nothing(_: Knowledge) -> str:
     return ""
+
+
+def _fits_any(_: Message, __: RobotDescription) -> tuple[Problem, ...]:
+    return ()
 
 
 @dataclass(frozen=True)
@@ -39,6 +48,8 @@ class TaskType(Generic[Asked]):
             succeeded. Its builder sets ``context.result``.
         waits: what a task of this kind has to wait for before it can begin, in words after "waits for", from
             what is known now; nothing when it can.
+        needs: the parts of a robot without which no task of this kind can be done.
+        misfits: what of a well-formed request the robot can't do, once its description is known.
     """
 
     name: str
@@ -48,6 +59,19 @@ class TaskType(Generic[Asked]):
     build: Callable[[Asked, TreeContext], Behaviour]
     waits: Callable[[Knowledge], str] = _for_nothing
     result: type[Message] | None = None
+    needs: Needs = _NOTHING
+    misfits: Callable[[Asked, RobotDescription], tuple[Problem, ...]] = _fits_any
+
+    def against(self, request: Asked, robot: RobotDescription | None) -> tuple[Problem, ...]:
+        """Return why a robot can't do what is asked; nothing when it can, or is not known yet."""
+        if robot is None:
+            return ()
+        why = unable(self.name, self.needs, robot)
+        if why:
+            return (
+                Problem(path="task", expected=f"a task that {robot.name} can do", found=why, code=UNABLE),
+            )
+        return self.misfits(request, robot)
 
     def result_of(self, context: TreeContext, *, succeeded: bool) -> dict[str, JsonValue] | None:
         """Return what the task tells at its end, as the document that is stored and published.

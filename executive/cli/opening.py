@@ -62,7 +62,7 @@ def checked_endpoints(bus: BusOptions, listen: Sequence[str], *, insecure: bool)
 
 
 def checked_roles(only: str | None, left_out: Mapping[str, str] = NONE) -> tuple[str, ...]:
-    """Return the roles named, in the order in which they are started; all when none is named.
+    """Return the roles named, in the order in which they are started; none when none is named.
 
     Args:
         only: names, with commas between them.
@@ -71,31 +71,35 @@ def checked_roles(only: str | None, left_out: Mapping[str, str] = NONE) -> tuple
     Raises:
         CommandError: naming those that there are.
     """
-    from tandem.executive.system.roles.registry import names  # noqa: PLC0415 - `tandem --help` is quick
+    from tandem.executive.system.roles.registry import known_names, role_named  # noqa: PLC0415 - as `--help` is quick
 
     if only is None:
-        return names(left_out=left_out)
-    known = names(on_request=True, left_out=left_out)
-    named = [each.strip() for each in only.split(",")]
-    unknown = [each for each in named if each not in known]
-    if unknown:
-        raise CommandError(f"--only: expected some of {', '.join(known)}; found {unknown[0]!r}")
-    return tuple(role for role in known if role in named)
+        return ()
+    found = []
+    for name in dict.fromkeys(each.strip() for each in only.split(",")):
+        role = role_named(name, left_out)
+        if role is None:
+            raise CommandError(f"--only: expected some of {', '.join(known_names(left_out))}; found {name!r}")
+        found.append(role)
+    return tuple(role.name for role in sorted(found, key=lambda each: each.starts))
 
 
 def refuse_without_extras(roles: Sequence[str]) -> None:
     """Say which extras the roles need that are not installed, before anything is started.
 
+    Args:
+        roles: their names; none: all that ship.
+
     Raises:
         CommandError: naming role, packages and the command that installs them.
     """
-    from tandem.executive.system.roles.registry import shipped  # noqa: PLC0415 - `tandem --help` is quick
+    from tandem.executive.system.roles.registry import role_named, shipped  # noqa: PLC0415 - as `--help` is quick
 
     wanted: dict[Extra, list[str]] = {}
-    for role in roles:
-        extra = shipped()[role].extra if role in shipped() else None
-        if extra is not None:
-            wanted.setdefault(extra, []).append(role)
+    for name in roles or shipped():
+        role = role_named(name)
+        if role is not None and role.extra is not None:
+            wanted.setdefault(role.extra, []).append(name)
     lacks = [
         words_on(extra, f"the role {named[0]}" if len(named) == 1 else f"the roles {', '.join(named)}")
         for extra, named in wanted.items()

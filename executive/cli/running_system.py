@@ -19,7 +19,6 @@ from tandem.executive.ledger.port import LedgerError, LedgerLockedError
 from tandem.executive.system import startup_notice as taking_up
 from tandem.executive.system.first_request import hint
 from tandem.executive.system.free_endpoint import EndpointError
-from tandem.executive.system.roles.registry import names as role_names
 from tandem.executive.system.systems import (
     LedgerFailure,
     LockstepSystem,
@@ -87,7 +86,7 @@ def _taken_up(options: RunOptions) -> tuple[str, ...]:
         RefusedError: when another process has the ledger.
         LedgerFailure: when it can't be read.
     """
-    if options.data is None or "executive" not in (options.only or role_names(left_out=options.left_out)):
+    if options.data is None or (options.only and "executive" not in options.only):
         return ()
     try:
         return taking_up.lines(taking_up.open_tasks(options.data), options.on_restart)
@@ -154,9 +153,7 @@ def _system(
             lockstep.close()
         return
 
-    with ProcessSystem(
-        options, roles=options.only or role_names(left_out=options.left_out), say=say, first=first
-    ) as processes:
+    with ProcessSystem(options, say=say, first=first) as processes:
         yield processes
 
 

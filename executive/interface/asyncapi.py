@@ -17,7 +17,7 @@ from pydantic.json_schema import models_json_schema
 from tandem.executive.interface.entries import Entry, entries
 from tandem.executive.interface.field_docs import first_paragraph
 from tandem.executive.service.intake.kind_schemas import with_envelope
-from tandem.skills.ports.keys import RGBD, Topic
+from tandem.skills.ports.keys import Topic, rgbd
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import REQUEST, TASK_PICTURE, AskPicture, TaskAnswer
 from tandem.trees.task import TaskType
@@ -33,7 +33,9 @@ _ABOUT: Final[Mapping[str, JsonValue]] = {
     "robot": {"description": "Second part of every key.", "default": "tiago"},
     "id": {"description": "A task's id, as the answer to its request tells it."},
     "group": {"description": "A joint group of the robot's description, such as arm_left."},
-    "side": {"description": "The robot's own side.", "enum": ["left", "right"]},
+    "side": {"description": "A hand of the robot's description, such as left."},
+    "camera": {"description": "A camera of the robot's description, such as head."},
+    "name": {"description": "A sensor of the robot's description, such as base."},
 }
 _BINARY: Final[Mapping[str, tuple[str, str]]] = {
     "Picture": ("image/jpeg", "The camera's picture of an attempt; empty when it is not kept (any more)."),
@@ -59,8 +61,9 @@ def asyncapi(kinds: Mapping[str, TaskType[Message]]) -> dict[str, JsonValue]:
     for group, entry in found:
         channels[_name(entry.key)] = _channel(entry.key, [each.__name__ for each in _models(entry)])
         operations[_name(entry.key)] = _operation(group, entry)
-    channels[_name(RGBD)] = _channel(RGBD, ["RgbdPicture"])
-    operations[_name(RGBD)] = _sent("hardware", RGBD, "RgbdPicture")
+    pictures = rgbd("<camera>")
+    channels[_name(pictures)] = _channel(pictures, ["RgbdPicture"])
+    operations[_name(pictures)] = _sent("hardware", pictures, "RgbdPicture")
     channels[_name(TASK_PICTURE)] = _channel(TASK_PICTURE, ["AskPicture", "Picture"])
     operations[_name(TASK_PICTURE)] = _replied("clients", TASK_PICTURE, ["AskPicture"], ["Picture"])
     return {

@@ -38,7 +38,7 @@ _REQUEST_ROW: Final = (
     "a request of those below → [TaskAnswer](#taskanswer)",
 )
 _PICTURE_ROW: Final = (
-    f"`{keys.RGBD}`",
+    f"`{keys.rgbd('<camera>')}`",
     "published while subscribed",
     "binary: [RgbdHeader](#rgbdheader) as JSON, then the pixels (`skills/ports/image.py`)",
 )

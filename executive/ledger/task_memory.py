@@ -11,7 +11,7 @@ from typing import Annotated, Literal
 from pydantic import Field, JsonValue
 
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.message import Message
+from tandem.skills.ports.message import HandName, Message
 
 Winding = Literal["", "begun", "left"]
 """What is done after a cancel: not begun; begun; or left, because the task was cancelled once more."""
@@ -30,6 +30,8 @@ class TaskMemory(Message):
 
     notes: dict[str, JsonValue] = Field(default_factory=dict)
     """What the tree noted (``TreeContext.keep``): what its wind-down needs."""
+    hands: tuple[HandName, ...] = ()
+    """The robot's hands, which its tree was made for; none before it was made."""
     breakpoints: tuple[Held, ...] = ()
     forced: dict[str, Literal["SUCCESS", "FAILURE"]] = Field(default_factory=dict)
     """The status that a node ends with instead of working, by its path."""

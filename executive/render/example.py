@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from pydantic import JsonValue
 from pydantic.fields import FieldInfo
 
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import TreeNode
-from tandem.skills.ports.world import SIDES
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus
 from tandem.trees.clients import Clients
@@ -55,9 +55,9 @@ def tree_of(kind: TaskType[Message], site: Site, document: dict[str, JsonValue])
 def _example(name: str, info: FieldInfo, site: Site, known: Mapping[str, JsonValue]) -> JsonValue:
     if name == "item" or name.endswith("_item"):
         return site.items[0].item
-    if name in SIDES:
+    if name in PAIR:
         for each in site.items:
-            if name in each.hands and each.item not in known.values():
+            if each.is_for(name) and each.item not in known.values():
                 return each.item
     examples: list[JsonValue] = info.examples or []
     if not examples:

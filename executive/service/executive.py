@@ -57,6 +57,7 @@ from tandem.trees.clients import Clients
 from tandem.trees.context import TreeContext
 from tandem.trees.dialogue import Dialogue
 from tandem.trees.knowledge import Knowledge
+from tandem.trees.needs import unable
 from tandem.trees.task import TaskType
 from tandem.trees.task_notes import TaskNotes
 
@@ -134,7 +135,9 @@ class Executive:
         self._told_first: tuple[str, str] = ("", "")  # of those that wait, and what it waits for
         self._turn: Turn | None = None
         self._last_tree = TreeSnapshot(task="", kind="", tick=0, root=_NO_TREE)
-        self._intake = Intake(bus, clocks, self.book, self._kinds, site, bounds=bounds)
+        self._intake = Intake(
+            bus, clocks, self.book, self._kinds, site, robot=lambda: self.knowledge.description, bounds=bounds
+        )
         self._control = Control(self.book, clocks, lambda: self._turn, self._tell)
         self._control.changed = self._changed_by_verb
         own = cancel_of_own(self.book.find, self._control.cancel)
@@ -305,6 +308,13 @@ class Executive:
 
     def _begin(self, task: str, asked: Asked, how: How) -> None:
         self._tell(self.book.begin(task, self._clocks.robot()))
+        # The robot may have said who it is only after the request had been accepted.
+        misfits = asked.kind.against(asked.request, self.knowledge.description)
+        if misfits:
+            told = "; ".join(f"{each.path}: expected {each.expected}, found {each.found}" for each in misfits)
+            failure = Failure(kind=FailureKind.INVALID_GOAL, message=told, where=asked.kind.name)
+            self._tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
+            return
         try:
             self._turn = self._build(task, asked)
         except Exception as error:  # noqa: BLE001 - a builder's mistake costs its task, not the service
@@ -319,6 +329,10 @@ class Executive:
 
     def _build(self, task: str, asked: Asked) -> Turn:
         memory = self.book.entry(task).memory
+        if self.knowledge.description is None and memory.hands:
+            self.knowledge.assume_hands(memory.hands)
+        memory = memory.model_copy(update={"hands": self.knowledge.hands})
+        self.book.remember(task, memory)
         context = TreeContext(
             task,
             self.clients,
@@ -400,6 +414,12 @@ class Executive:
         running = None if self._turn is None else self._turn.run.context
         self._tries = [each for each in self._tries if each.context is running or each.pending]
 
+    def _unable(self) -> dict[str, str]:
+        """Return the kinds of task that the robot can't do, and why, as far as it is known."""
+        robot = self.knowledge.description
+        found = {} if robot is None else {n: unable(n, kind.needs, robot) for n, kind in self._kinds.items()}
+        return {name: why for name, why in found.items() if why}
+
     def _tree(self) -> TreeSnapshot:
         return self._last_tree if self._turn is None else self._turn.run.tree()
 
@@ -409,10 +429,12 @@ class Executive:
         return kinds_offered(self._kinds).model_dump_json().encode()
 
     def _info(self) -> ExecutiveInfo:
+        unable = self._unable()
         return ExecutiveInfo(
             name=NAME,
             version=self._version,
-            tasks=tuple(self._kinds),
+            tasks=tuple(name for name in self._kinds if name not in unable),
+            unable=unable,
             running="" if self._turn is None else self._turn.task,
             queued=len(self.book.waiting),
             waits_for=self._told_first[1],

@@ -12,7 +12,6 @@ from tandem.executive.config.run_options import (
     RunOptions,
 )
 from tandem.executive.security.holders import KeysError, read_holders
-from tandem.executive.system.roles.registry import names as role_names
 from tandem.sim.scenario import Scenario
 from tandem.skills.ports.site import Site
 
@@ -22,8 +21,8 @@ ASKERS = ("operator", "requester")
 
 def hint(options: RunOptions, scenario: Scenario, site: Site) -> str:
     """Return a command that works in another terminal, as one line of a shell."""
-    roles = options.only or role_names()
-    words = _request(scenario, site) if {"hardware", "executive"} <= set(roles) else []
+    whole = not options.only or {"hardware", "executive"} <= set(options.only)
+    words = _request(scenario, site) if whole else []
     wait = ["--wait"] if words else []
     return shlex.join(["tandem", *(words or ["tasks"]), *way_to(options.bus), *wait])
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from tandem.executive.config.extras import words_on
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
-from tandem.executive.system.roles.registry import part_of, role_of, shipped
+from tandem.executive.system.roles.registry import part_of, role_named, role_of
 from tandem.executive.system.roles.role import Role, Stage
 from tandem.skills.ports.lease import Claim
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 def load_ahead(name: str) -> None:
     """Load what playing a role will need, so that its start takes no time for it later."""
-    role = shipped().get(name)
+    role = role_named(name)
     if role is not None and role.ahead is not None:
         role.ahead()
 

@@ -77,6 +77,17 @@ class System(Protocol):
         ...
 
 
+def roles_of(scenario: Scenario, left_out: Mapping[str, str] | None = None) -> tuple[str, ...]:
+    """Return the roles that the scenario's robot needs, and with ``left_out`` those of plug-ins but these.
+
+    Raises:
+        RobotError: when there is no such robot.
+    """
+    from tandem.sim.robots.registry import robot_model  # noqa: PLC0415 - loads numpy, which watchers do without
+
+    return names(robot_model(scenario.robot).description, left_out)
+
+
 class LockstepSystem:
     """All in one thread.
 
@@ -128,7 +139,7 @@ class ProcessSystem:
 
     Args:
         options: scenario, seed, speed, endpoint.
-        roles: which processes to start.
+        roles: which processes to start; those that the scenario's robot needs unless given.
         say: takes a line when a skill's process has died and is started again.
         hung_after: host seconds without a beat after which a process is killed and started again.
         first: lines to be said before anything starts, once it is clear that this system may.
@@ -147,14 +158,16 @@ class ProcessSystem:
         first: Sequence[str] = (),
     ) -> None:
         observed = (OBSERVER,) if options.metrics or options.traces else ()
-        self._options, self._roles, self._say = options, (names() if roles is None else roles) + observed, say
+        scenario = load_scenario(options.scenario)
+        self._roles = (roles or options.only or roles_of(scenario, options.left_out)) + observed
+        self._options, self._say = options, say
         self._first = tuple(first)
         self._plugged = frozenset(plugged(options.left_out))
         """Roles of other packages: the rest can do without."""
         self._ready = False
         self._given_up: set[str] = set()
         self._hung = Hung(time.monotonic, hung_after)
-        self._site = locate(options.site) if options.site else load_scenario(options.scenario).site
+        self._site = locate(options.site) if options.site else scenario.site
         self._folder = tempfile.TemporaryDirectory(prefix="tandem-")
         self.supervisor = Supervisor(Path(self._folder.name) / "logs")
         self._logs = ExitStack()

@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from tandem.sim.model import ROOT, Wheels
-from tandem.skills.ports.hardware import Drive
+from tandem.skills.ports.hardware import DifferentialDrive
 
 if TYPE_CHECKING:
     from tandem.sim.urdf import UrdfDocument
 
 LASER_FRAME: Final = "base_laser_link"
-DRIVE: Final = Drive(
+DRIVE: Final = DifferentialDrive(
     forward=1.0, backward=0.2, acceleration=0.5, turn=1.05, turn_acceleration=1.05, dead_man=0.3
 )
 """PAL's configuration, and our dead-man."""

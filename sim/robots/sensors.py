@@ -28,6 +28,7 @@ def camera_sensor(frame: str) -> CameraSensor:
 def laser_sensor(frame: str) -> LaserSensor:
     """Return what a robot's description says of its laser."""
     return LaserSensor(
+        name="base",
         frame=frame,
         angle_min=-LASER_FIELD / 2,
         angle_step=LASER_FIELD / (LASER_BEAMS - 1),

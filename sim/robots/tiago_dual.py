@@ -19,10 +19,10 @@ from tandem.skills.ports.hardware import ArmsCrossing, EndEffector, Posture, Rob
 
 if TYPE_CHECKING:
     from tandem.sim.urdf import UrdfDocument
-    from tandem.skills.ports.world import Side
+    from tandem.skills.ports.message import HandName
 
 NAME: Final = "tiago_dual"
-SIDES: Final[tuple[Side, Side]] = ("left", "right")
+SIDES: Final[tuple[HandName, HandName]] = ("left", "right")
 FOOTPRINT_RADIUS: Final = 0.37
 """Metres. The arms at home reach 0.364 m from the base's axis; the base itself 0.30 m."""
 
@@ -90,8 +90,8 @@ def _describe(document: UrdfDocument) -> RobotDescription:
         height=tiago_upper.HEIGHT,
         groups=groups(document, {**arms, **tiago_upper.GROUPS}),
         end_effectors=tuple(_end_effector(side) for side in SIDES),
-        camera=camera_sensor(tiago_upper.CAMERA_FRAME),
-        laser=laser_sensor(pmb2.LASER_FRAME),
+        cameras=(camera_sensor(tiago_upper.CAMERA_FRAME),),
+        lasers=(laser_sensor(pmb2.LASER_FRAME),),
         drive=pmb2.DRIVE,
         postures=POSTURES,
         period=tiago_upper.PERIOD,
@@ -99,17 +99,17 @@ def _describe(document: UrdfDocument) -> RobotDescription:
     )
 
 
-def _mount(side: Side) -> str:
+def _mount(side: HandName) -> str:
     return f"wrist_{side}_ft_tool_link"
 
 
-def _hand(side: Side) -> Hand:
+def _hand(side: HandName) -> Hand:
     return parallel_gripper.hand(
         side, f"gripper_{side}", mount=_mount(side), wrench_joint=f"wrist_{side}_tool_joint"
     )
 
 
-def _end_effector(side: Side) -> EndEffector:
+def _end_effector(side: HandName) -> EndEffector:
     hand, outwards = _hand(side), 1.0 if side == "left" else -1.0
     return EndEffector(
         side=side,

@@ -6,7 +6,7 @@ from tandem.skills.ports.actions.bimanual import ORDER_LOST_AFTER, RIGHT_OF_WAY,
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.keys import Latest
-from tandem.skills.ports.world import Side
+from tandem.skills.ports.message import HandName
 
 
 class Gate:
@@ -18,7 +18,7 @@ class Gate:
         side: the hand's; None for a group without one.
     """
 
-    def __init__(self, bus: Bus, clocks: Clocks, side: Side | None) -> None:
+    def __init__(self, bus: Bus, clocks: Clocks, side: HandName | None) -> None:
         self._clocks, self._side = clocks, side
         self._orders = None if side is None else Latest(bus, RIGHT_OF_WAY)
 

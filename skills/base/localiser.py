@@ -21,7 +21,7 @@ from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.hardware import LaserScan, Odometry, RobotDescription
-from tandem.skills.ports.keys import LASER, ODOMETRY, Latest
+from tandem.skills.ports.keys import ODOMETRY, Latest, laser
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
@@ -79,8 +79,8 @@ class Localiser:
         self._bus, self._clocks, self._map = bus, clocks, site_map
         self._geometry = ScanGeometry(description.laser, site_map.laser_in_base)
         self._odometry_in = Latest(bus, ODOMETRY)
-        self._scans_in = Latest(bus, LASER, depth=4)
-        self._buffer, self._drive = OdometryBuffer(), description.drive
+        self._scans_in = Latest(bus, laser(description.laser.name), depth=4)
+        self._buffer, self._drive = OdometryBuffer(), description.driven
         self._waiting: LaserScan | None = None
         self._recent: deque[ScanPoints] = deque(maxlen=10)
         self._odom_in_map = ORIGIN

@@ -41,20 +41,20 @@ def assemble(bus: Bus, clocks: Clocks, description: RobotDescription, site: Site
     obstacles = Obstacles(clocks, description.laser, site_map, localiser)
     board = BaseStatusBoard(bus, clocks)
     guard = Guard(bus, clocks, description, localiser)
-    course = Course(site_map, obstacles, localiser, description.drive, description.footprint_radius, guard)
+    course = Course(site_map, obstacles, localiser, description.driven, description.footprint_radius, guard)
     return Base(
         localiser=localiser,
         obstacles=obstacles,
         board=board,
         drive=Drive(bus, clocks, course, board),
-        rotate=Rotate(bus, clocks, description.drive, localiser, guard=guard, board=board),
+        rotate=Rotate(bus, clocks, description.driven, localiser, guard=guard, board=board),
         localise=Localise(
             clocks,
             site_map,
             localiser,
             guard=guard,
             board=board,
-            wheels=Wheels(bus, clocks, description.drive),
+            wheels=Wheels(bus, clocks, description.driven),
             radius=description.footprint_radius,
         ),
     )

@@ -9,8 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from tandem.skills.bimanual.coordination import WORSE, Situation
-from tandem.skills.ports.actions.bimanual import ArmOrder, Order
-from tandem.skills.ports.world import SIDES
+from tandem.skills.ports.actions.bimanual import PAIR, ArmOrder, Order
 
 
 @dataclass(frozen=True)
@@ -25,7 +24,7 @@ class Alone:
     @property
     def orders(self) -> tuple[ArmOrder, ...]:
         """What each arm may do, left first."""
-        return tuple(ArmOrder(side=side, order=Order.STOP if self.stopping else Order.GO) for side in SIDES)
+        return tuple(ArmOrder(side=side, order=Order.STOP if self.stopping else Order.GO) for side in PAIR)
 
     def after(self, seen: Situation) -> Alone:
         """Return the state after what is seen."""

@@ -20,8 +20,7 @@ from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.approach import GOAL_RADIUS
 from tandem.skills.ports.hardware import JointStates, RobotDescription
-from tandem.skills.ports.message import Vector3
-from tandem.skills.ports.world import Side
+from tandem.skills.ports.message import HandName, Vector3
 
 OUT: Final = 5
 """Positions that are looked at of the way out."""
@@ -41,11 +40,11 @@ class Announced:
     """
 
     def __init__(
-        self, description: RobotDescription, hulls: RobotHulls, arms: Mapping[Side, ArmObserver]
+        self, description: RobotDescription, hulls: RobotHulls, arms: Mapping[HandName, ArmObserver]
     ) -> None:
         self._description, self._hulls, self._arms = description, hulls, arms
 
-    def whole(self, joints: JointStates, side: Side, *, holds: bool) -> list[Array]:
+    def whole(self, joints: JointStates, side: HandName, *, holds: bool) -> list[Array]:
         """Return positions (n,) from where the arm is until it is in its safe place again.
 
         Args:
@@ -59,13 +58,13 @@ class Announced:
             way += [arm.goal_at, *self._grasp(joints, arm)[-1:]]
         return [*way, *joined(way[-1], arm.safe_at, OUT)]
 
-    def ahead(self, joints: JointStates, side: Side) -> list[Array]:
+    def ahead(self, joints: JointStates, side: HandName) -> list[Array]:
         """Return positions (n,) from where the arm is to its proximity pose, about 4 cm of the hand apart."""
         arm = self._arms[side]
         way = [arm.q, *thinned(arm.ahead())]
         return [*way, *self._in(joints, arm, way[-1])]
 
-    def next(self, joints: JointStates, side: Side, count: int) -> list[Array]:
+    def next(self, joints: JointStates, side: HandName, count: int) -> list[Array]:
         """Return the first so many of those that lie ahead; with the grasp when that is next."""
         way = self.ahead(joints, side)
         arm = self._arms[side]

@@ -27,8 +27,8 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Final, Literal
 
-from tandem.skills.ports.actions.bimanual import ArmOrder, Order
-from tandem.skills.ports.world import SIDES, Side
+from tandem.skills.ports.actions.bimanual import PAIR, ArmOrder, Order
+from tandem.skills.ports.message import HandName
 
 WORSE: Final = 0.01
 """Metres by which the clearance must have shrunk to be worse."""
@@ -97,7 +97,7 @@ class Situation:
     ways_cross: bool = False
     room: float = math.inf
 
-    def of(self, side: Side) -> ArmNow:
+    def of(self, side: HandName) -> ArmNow:
         """Return the arm of a side."""
         return self.left if side == "left" else self.right
 
@@ -124,7 +124,7 @@ class Coordination:
     mode: Mode = "eager"
     episode: int = 0
     stage: Stage = Stage.CLEAR
-    leader: Side = "left"
+    leader: HandName = "left"
     recorded: int = 0
     counter: int = 0
     stride: int = 1
@@ -151,7 +151,7 @@ class Coordination:
     """Robot seconds: since when the leader has stood with the follower in its way."""
 
     @property
-    def follower(self) -> Side:
+    def follower(self) -> HandName:
         """The other one."""
         return "right" if self.leader == "left" else "left"
 
@@ -174,7 +174,7 @@ class Coordination:
             ArmOrder(side=side, order=leading)
             if side == self.leader
             else ArmOrder(side=side, order=following, sample=self.sample if following is Order.BACK else 0)
-            for side in SIDES
+            for side in PAIR
         )
 
     def after(self, seen: Situation) -> Coordination:
@@ -290,7 +290,7 @@ def _sent_back(state: Coordination, seen: Situation) -> Coordination:
     return replace(state, stage=Stage.BACKING, at=at, since=seen.now, cornered=False)
 
 
-def _leader(seen: Situation) -> Side:
+def _leader(seen: Situation) -> HandName:
     left, right = seen.left, seen.right
     if left.approaching != right.approaching:
         return "right" if left.approaching else "left"

@@ -18,12 +18,12 @@ from tandem.skills.kinematics.clearance import ArmsClearance
 from tandem.skills.kinematics.described import by_name, carried
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.transforms import Array
-from tandem.skills.ports.actions.bimanual import CROSSING, RIGHT_OF_WAY, Order, RightOfWay
+from tandem.skills.ports.actions.bimanual import CROSSING, PAIR, RIGHT_OF_WAY, Order, RightOfWay
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.hardware import ArmsCrossing, CancelMotion, JointStates, RobotDescription
 from tandem.skills.ports.keys import JOINT_STATES, Latest, group_cancel
-from tandem.skills.ports.message import RobotTime, RobotTimer
-from tandem.skills.ports.world import SCENE, SIDES, Side
+from tandem.skills.ports.message import HandName, RobotTime, RobotTimer
+from tandem.skills.ports.world import SCENE
 
 PERIOD: Final = 0.05
 """Robot seconds between two messages without a change."""
@@ -58,8 +58,8 @@ class Coordinator:
         self._bus, self._description, self._hulls = bus, description, hulls
         self._joints, self._scene = Latest(bus, JOINT_STATES), Latest(bus, SCENE, depth=4)
         self._crossing = Latest(bus, CROSSING)
-        self._arms: dict[Side, ArmObserver] = {
-            side: ArmObserver(bus, description, how, side) for side in SIDES
+        self._arms: dict[HandName, ArmObserver] = {
+            side: ArmObserver(bus, description, how, side) for side in PAIR
         }
         self._alone, self.coordination, self._phi = Alone(), Coordination(), how.phi
         self.coordinating = False
@@ -102,7 +102,7 @@ class Coordinator:
         if joints is None or crossing is None or joints.stamp == self._looked_at:
             return False
         self._looked_at = joints.stamp
-        left, right = (self._arms[side].look(joints) for side in SIDES)
+        left, right = (self._arms[side].look(joints) for side in PAIR)
         self._look_ahead(joints)
         self.seen = Situation(
             now=self._timer.read(joints.stamp),
@@ -176,7 +176,7 @@ class Coordinator:
 
     def _worth_looking(self, state: Coordination) -> bool:
         """Say whether there are two ways, and somebody whom they would make wait or go on."""
-        left, right = (self._arms[side] for side in SIDES)
+        left, right = (self._arms[side] for side in PAIR)
         if state.stage is Stage.CLEAR:
             told = [arm.goal_at is not None for arm in (left, right) if arm.approaching]
             return bool(told) and all(told) and not any(arm.back_home for arm in (left, right))
@@ -213,7 +213,7 @@ class Coordinator:
         if self._leads is None or state.stage is not Stage.SHARING:
             return math.inf
         bodies, way = self._leads.bodies, self._leads.way
-        speeds = np.concatenate([self._arms[side].speeds for side in SIDES])
+        speeds = np.concatenate([self._arms[side].speeds for side in PAIR])
         rest = bodies.to_rest(speeds, REACTION)
         half = len(self._arms["left"].q)
         follower = self._arms[state.follower].q + (rest[:half] if state.follower == "left" else rest[half:])

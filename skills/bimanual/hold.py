@@ -15,13 +15,13 @@ from tandem.skills.bimanual.squeeze import Grasp
 from tandem.skills.geometry.poses import rotate, subtract
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.actions.approach import ApproachStatus, approach_status
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.hardware import GroupStatus, JointStates, MotionState, RobotDescription, Wrench
 from tandem.skills.ports.keys import JOINT_STATES, STOP_STATE, Latest, group_setpoint, group_status, wrench
-from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.message import HandName, RobotTime, Vector3
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.world import SIDES, Side
 
 LONGEST: Final = 0.05
 """Seconds that count at the most as one period, whatever was missed."""
@@ -43,14 +43,14 @@ class TwoArms:
     def __init__(self, bus: Bus, clocks: Clocks, description: RobotDescription, hulls: RobotHulls) -> None:
         self._bus, self._clocks, self._robot = bus, clocks, hulls.robot
         self._joints, self._stop = Latest(bus, JOINT_STATES), Latest(bus, STOP_STATE)
-        self._wrenches: dict[Side, Latest[Wrench]] = {side: Latest(bus, wrench(side)) for side in SIDES}
-        self.arms = tuple(LedArm(description, hulls.robot, side) for side in SIDES)
+        self._wrenches: dict[HandName, Latest[Wrench]] = {side: Latest(bus, wrench(side)) for side in PAIR}
+        self.arms = tuple(LedArm(description, hulls.robot, side) for side in PAIR)
         self._status: list[Latest[GroupStatus]] = [Latest(bus, group_status(arm.group)) for arm in self.arms]
         self._approaches: list[Latest[ApproachStatus]] = [
             Latest(bus, approach_status(arm.group)) for arm in self.arms
         ]
         self._at: RobotTime | None = None
-        self._bare: dict[Side, Vector3] = dict.fromkeys(SIDES, _NOTHING)
+        self._bare: dict[HandName, Vector3] = dict.fromkeys(PAIR, _NOTHING)
         self.aims: tuple[Pose, Pose] | None = None
         """Where both tools shall be, in the base, left first; None while the arms are not led."""
         self.span: Span | None = None
@@ -63,7 +63,7 @@ class TwoArms:
     @property
     def ready(self) -> bool:
         """Whether joints and both wrists have been heard."""
-        return self._joints.value is not None and all(self._wrenches[side].value for side in SIDES)
+        return self._joints.value is not None and all(self._wrenches[side].value for side in PAIR)
 
     @property
     def stopped(self) -> bool:
@@ -97,7 +97,7 @@ class TwoArms:
         assert self.aims is not None, "engage first"
         self.span = span(*self.aims)
         self.middle, self.grasp = self.span.middle_in_base, Grasp()
-        for side in SIDES:
+        for side in PAIR:
             told = self._wrenches[side].value
             self._bare[side] = _NOTHING if told is None else told.force
 
@@ -125,7 +125,7 @@ class TwoArms:
             + rotate(right.orientation, self._felt("right"))[2]
         )
 
-    def _felt(self, side: Side) -> Vector3:
+    def _felt(self, side: HandName) -> Vector3:
         told = self._wrenches[side].value
         return _NOTHING if told is None else subtract(told.force, self._bare[side])
 
@@ -133,7 +133,7 @@ class TwoArms:
         """With each new message of the joints: press, and tell both arms where to be."""
         joints = self._joints.refresh()
         self._stop.refresh()
-        for side in SIDES:
+        for side in PAIR:
             self._wrenches[side].refresh()
         if self._somebody_else():
             self.disengage()
@@ -165,7 +165,7 @@ class TwoArms:
         for arm, aim in zip(self.arms, self.aims, strict=True):
             group_setpoint(arm.group).publish(self._bus, arm.towards(aim, period, now))
 
-    def strayed(self) -> tuple[float, Side]:
+    def strayed(self) -> tuple[float, HandName]:
         """Return by how many radians an arm is off what it was told, and which arm it is: the worse one."""
         positions = self._positions()
         return max((arm.strayed(positions), arm.side) for arm in self.arms)
@@ -181,7 +181,7 @@ class TwoArms:
         """End the subscriptions."""
         self._joints.close()
         self._stop.close()
-        for side in SIDES:
+        for side in PAIR:
             self._wrenches[side].close()
         for status, approaching in zip(self._status, self._approaches, strict=True):
             status.close()

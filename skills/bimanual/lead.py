@@ -11,9 +11,8 @@ from tandem.skills.kinematics.follow import Followed, PoseFollower
 from tandem.skills.kinematics.model import Limits, RobotKinematics
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.hardware import RobotDescription, SetPoint
-from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.world import Side
 
 LIMIT_MARGIN: Final = 0.01
 """Radians that the joints keep from their limits."""
@@ -28,10 +27,10 @@ class LedArm:
         side: which hand.
     """
 
-    def __init__(self, description: RobotDescription, robot: RobotKinematics, side: Side) -> None:
+    def __init__(self, description: RobotDescription, robot: RobotKinematics, side: HandName) -> None:
         hand = description.end_effector(side)
         group = description.group(hand.group)
-        self.side: Side = side
+        self.side: HandName = side
         self.group, self.joints, self.frame = group.name, group.joints, hand.frame
         self._robot = robot
         self._limits = Limits(

@@ -14,8 +14,7 @@ from tandem.skills.ports.actions.approach import ApproachPhase, ApproachStatus, 
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.hardware import ArmsCrossing, JointStates, RobotDescription
 from tandem.skills.ports.keys import Latest
-from tandem.skills.ports.message import RobotTimer
-from tandem.skills.ports.world import Side
+from tandem.skills.ports.message import HandName, RobotTimer
 
 STILL: Final = 0.02
 """rad/s below which a joint stands."""
@@ -41,7 +40,7 @@ class ArmObserver:
         side: which arm.
     """
 
-    def __init__(self, bus: Bus, description: RobotDescription, how: ArmsCrossing, side: Side) -> None:
+    def __init__(self, bus: Bus, description: RobotDescription, how: ArmsCrossing, side: HandName) -> None:
         group = description.group(description.end_effector(side).group)
         self.side, self.group, self.joints = side, group.name, group.joints
         self.safe_at: Array = np.array(description.posture(group.name, how.safe_posture).positions)

@@ -17,10 +17,10 @@ from tandem.skills.geometry.poses import (
     scale,
     transform,
 )
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.message import Quaternion, Vector3
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import SiteItem
-from tandem.skills.ports.world import SIDES
 
 STRAIGHT: Final[Quaternion] = (0.0, 0.0, 0.0, 1.0)
 """No turn."""
@@ -41,7 +41,7 @@ def ready_tools(
         lean: radians by which they may go on pointing past inwards.
     """
     made = []
-    for side, tool in zip(SIDES, tools, strict=True):
+    for side, tool in zip(PAIR, tools, strict=True):
         point = next(each for each in item.grasp_points if each.side == side)
         inwards = rotate(item_in_base.orientation, point.inwards)
         size = math.sqrt(sum(part * part for part in inwards))

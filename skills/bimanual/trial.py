@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Final
 
 from tandem.skills.bimanual.lead import LedArm
+from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.world import Side
 
 REACHED: Final = 0.004
 """Metres and radians by which joint positions may miss a hand's pose before it is out of reach."""
@@ -26,7 +26,7 @@ SLICE: Final = 4
 class OutOfReach:
     """Where a way ends for an arm: metres that its hand is off there, after that share of the way."""
 
-    side: Side
+    side: HandName
     metres: float
     share: float
 

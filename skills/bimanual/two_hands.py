@@ -21,6 +21,7 @@ from tandem.skills.bimanual.trial import SLICE, OutOfReach, try_way
 from tandem.skills.geometry.poses import compose, invert, to_pose
 from tandem.skills.grasping.item_frames import standing_in_map
 from tandem.skills.ports.actions.bimanual import (
+    PAIR,
     TWO_HANDS,
     TwoHands,
     TwoHandsFeedback,
@@ -35,7 +36,7 @@ from tandem.skills.ports.message import Quaternion
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
-from tandem.skills.ports.world import ROBOT_POSE, SIDES, WORLD
+from tandem.skills.ports.world import ROBOT_POSE, WORLD
 
 FORCE: Final = 70.0
 """Newtons of each hand unless a goal says otherwise.
@@ -171,7 +172,7 @@ class HoldWithTwo:
         since: float | None = None
         while True:
             now, arms = robot_seconds(self._clocks), self._arms
-            for side, felt, inwards in zip(SIDES, arms.grasp.felt, arms.grasp.inwards, strict=True):
+            for side, felt, inwards in zip(PAIR, arms.grasp.felt, arms.grasp.inwards, strict=True):
                 if not felt and inwards > BEFORE + MISSED:
                     raise self._stopped(
                         FailureKind.FORCE_MISSING,
@@ -186,7 +187,7 @@ class HoldWithTwo:
             else:
                 since = None
             if now - began > WITHIN:
-                weaker = SIDES[0] if arms.forces[0] < arms.forces[1] else SIDES[1]
+                weaker = PAIR[0] if arms.forces[0] < arms.forces[1] else PAIR[1]
                 raise self._stopped(
                     FailureKind.FORCE_MISSING,
                     f"the hands press with {arms.forces[0]:.0f} and {arms.forces[1]:.0f} N, "
@@ -332,7 +333,7 @@ class HoldWithTwo:
                 error_rad=round(off, 3),
             )
         if holding and min(arms.forces) < TOUCH:
-            lost = SIDES[0] if arms.forces[0] < arms.forces[1] else SIDES[1]
+            lost = PAIR[0] if arms.forces[0] < arms.forces[1] else PAIR[1]
             raise self._stopped(
                 FailureKind.GRASP_LOST,
                 f"the {lost} hand presses with {min(arms.forces):.1f} N only",

@@ -24,11 +24,10 @@ from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.ik import IkSettings, SeedTable, Solver
 from tandem.skills.kinematics.model import Limits
 from tandem.skills.kinematics.transforms import to_se3
-from tandem.skills.ports.actions.bimanual import ZoneRow
+from tandem.skills.ports.actions.bimanual import PAIR, ZoneRow
 from tandem.skills.ports.hardware import RobotDescription
-from tandem.skills.ports.message import Quaternion, Vector3
+from tandem.skills.ports.message import HandName, Quaternion, Vector3
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.world import SIDES, Side
 
 T = TypeVar("T")
 Reached = npt.NDArray[np.bool_]
@@ -101,7 +100,7 @@ def zones(ask: ZonesAsk) -> ZonesFound:
     xs = _line(NEAREST, FARTHEST)
     ys = _line(-ASIDE, ASIDE)
     grid = _Grid(xs, ys, ask.height + ABOVE)
-    left, right = (_reached(hulls, description, side, positions=positions, grid=grid) for side in SIDES)
+    left, right = (_reached(hulls, description, side, positions=positions, grid=grid) for side in PAIR)
     letters = np.where(left & right, "C", np.where(left, "L", np.where(right, "R", "U")))
     rows = tuple(ZoneRow(x=x, cells="".join(row)) for x, row in zip(xs, letters.tolist(), strict=True))
     torso = 0.0 if lift is None else float(positions.get(lift, 0.0))
@@ -115,7 +114,7 @@ def _line(start: float, end: float) -> list[float]:
 def _reached(
     hulls: RobotHulls,
     description: RobotDescription,
-    side: Side,
+    side: HandName,
     *,
     positions: Mapping[str, float],
     grid: _Grid,

@@ -16,8 +16,8 @@ from tandem.skills.kinematics.bodies import Carried, geometry
 from tandem.skills.kinematics.collision import Clearance
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.transforms import Array, to_se3
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.hardware import RobotDescription
-from tandem.skills.ports.world import SIDES
 
 AHEAD: Final = (0.0, 0.5, 1.0)
 """Shares of the way to rest at which the clearance is looked at."""
@@ -43,7 +43,7 @@ class ArmsClearance:
         together: Sequence[str] = (),
     ) -> None:
         robot = hulls.robot
-        groups = [description.group(description.end_effector(side).group) for side in SIDES]
+        groups = [description.group(description.end_effector(side).group) for side in PAIR]
         self.joints: tuple[str, ...] = tuple(joint for group in groups for joint in group.joints)
         """Left arm's joints, then the right arm's: the order of every array (n,) here."""
         limits = [limit for group in groups for limit in group.limits]

@@ -12,7 +12,7 @@ from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.hardware import RgbdHeader
 from tandem.skills.ports.hearing import Heard
 from tandem.skills.ports.image import header_of
-from tandem.skills.ports.keys import RGBD
+from tandem.skills.ports.keys import rgbd
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.skill import Command, Slice
 
@@ -21,11 +21,11 @@ SILENT_AFTER: Final = 3.0
 
 
 class Camera:
-    """The subscription to the head camera of one run."""
+    """The subscription to a camera of one run."""
 
-    def __init__(self, bus: Bus) -> None:
-        """Don't listen yet."""
-        self._bus = bus
+    def __init__(self, bus: Bus, name: str) -> None:
+        """Don't listen yet; ``name`` is the camera's."""
+        self._bus, self._key = bus, rgbd(name)
         self._inbox: Heard[RgbdHeader] | None = None
         self._fresh: list[tuple[RgbdHeader, bytes]] = []
 
@@ -61,5 +61,5 @@ class Camera:
 
     def _listen(self) -> Heard[RgbdHeader]:
         if self._inbox is None:
-            self._inbox = Heard(self._bus, RGBD, header_of, depth=2)
+            self._inbox = Heard(self._bus, self._key, header_of, depth=2)
         return self._inbox

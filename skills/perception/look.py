@@ -121,7 +121,7 @@ class Look:
         """Look, from one head position after the other."""
         looking = _Looking(
             session=Session(self._clocks, self._stop),
-            camera=Camera(self._bus),
+            camera=Camera(self._bus, self._lens.name),
             joints=JointHistory(self._bus),
             robot=RobotPoseHistory(self._bus),
             goal=goal,

@@ -36,5 +36,5 @@ def nodes(
     return (
         ActionServer(bus, clocks, look, charge=charge),
         ActionServer(bus, clocks, track, charge=charge),
-        Snapshots(bus, clocks, compute),
+        Snapshots(bus, clocks, compute, description.camera.name),
     )

@@ -14,7 +14,7 @@ from tandem.skills.ports.endpoint import Call, endpoint
 from tandem.skills.ports.hardware import RgbdHeader
 from tandem.skills.ports.hearing import Heard
 from tandem.skills.ports.image import decode, header_of
-from tandem.skills.ports.keys import RGBD, Nothing, Service
+from tandem.skills.ports.keys import Nothing, Service, rgbd
 from tandem.skills.ports.serving import Endpoints
 
 NEXT_PICTURE: Final = Service(PICTURE, Nothing, Nothing, reads=True, exact=True)
@@ -35,12 +35,13 @@ class Snapshots:
         bus: where the camera and the askers are.
         clocks: robot time.
         compute: who writes the JPEG.
+        camera: the name of the camera that it listens to.
     """
 
     name: Final = "perception/picture"
 
-    def __init__(self, bus: Bus, clocks: Clocks, compute: Compute) -> None:
-        self._bus, self._clocks, self._compute = bus, clocks, compute
+    def __init__(self, bus: Bus, clocks: Clocks, compute: Compute, camera: str) -> None:
+        self._bus, self._clocks, self._compute, self._key = bus, clocks, compute, rgbd(camera)
         self._endpoints = Endpoints(bus, clocks.monotonic, (endpoint(NEXT_PICTURE, self._on_question),))
         self._asked: list[Call[Nothing]] = []
         self._waiting: list[Call[Nothing]] = []
@@ -57,7 +58,7 @@ class Snapshots:
         now = robot_seconds(self._clocks)
         if not self._waiting:
             self._until = now + PICTURE_AFTER
-            self._inbox = Heard(self._bus, RGBD, header_of, depth=1)
+            self._inbox = Heard(self._bus, self._key, header_of, depth=1)
         self._waiting += asked
         if self._inbox is not None and (pictures := self._inbox.take()):
             self._hush()

@@ -115,7 +115,7 @@ class Track:
         self._faces, self._places = {}, {}
         view = _Tracking(
             session=Session(self._clocks, self._stop),
-            camera=Camera(self._bus),
+            camera=Camera(self._bus, self._lens.name),
             joints=JointHistory(self._bus),
             robot=RobotPoseHistory(self._bus),
             goal=goal,

@@ -86,24 +86,23 @@ def _wrench(message: Wrench, key: str, robot: RobotDescription | None) -> str:
 
 @misfit.register
 def _scan(message: LaserScan, key: str, robot: RobotDescription | None) -> str:
-    del key
-    if robot is not None and len(message.ranges) != robot.laser.beams:
-        return f"expected {robot.laser.beams} ranges, found {len(message.ranges)}"
+    for laser in () if robot is None else robot.lasers:
+        if key == f"hw/{laser.name}/laser" and len(message.ranges) != laser.beams:
+            return f"expected {laser.beams} ranges, found {len(message.ranges)}"
     return ""
 
 
 @misfit.register
 def _picture(message: RgbdHeader, key: str, robot: RobotDescription | None) -> str:
-    del key
-    if robot is None:
-        return ""
-    camera = robot.camera
-    if (message.camera, message.width, message.height) == (camera.name, camera.width, camera.height):
-        return ""
-    return (
-        f"expected a picture of {camera.name}, {camera.width} x {camera.height}, "
-        f"found {message.camera}, {message.width} x {message.height}"
-    )
+    for camera in () if robot is None else robot.cameras:
+        if key != f"hw/camera/{camera.name}/rgbd":
+            continue
+        if (message.camera, message.width, message.height) != (camera.name, camera.width, camera.height):
+            return (
+                f"expected a picture of {camera.name}, {camera.width} x {camera.height}, "
+                f"found {message.camera}, {message.width} x {message.height}"
+            )
+    return ""
 
 
 def _of_key(key: str, expected: str) -> str:

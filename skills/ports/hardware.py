@@ -5,15 +5,19 @@ from __future__ import annotations
 from enum import StrEnum
 from functools import cached_property
 from itertools import pairwise
-from typing import Annotated, Final, Literal
+from typing import Annotated, Final, Literal, TypeVar
 
 from pydantic import Field, model_validator
 
 from tandem.skills.ports.lease import Leased
-from tandem.skills.ports.message import Count, Message, RobotTime, Vector3
+from tandem.skills.ports.message import Count, HandName, Message, RobotTime, Vector3
 from tandem.skills.ports.pose import FloorPose
 
 Positive = Annotated[float, Field(gt=0.0)]
+
+PartName = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,31}$")]
+"""The name of a sensor: a part of its key."""
+S = TypeVar("S")
 
 MAX_PIXELS: Final = 1 << 14
 """Pixels along one side of a picture."""
@@ -78,7 +82,8 @@ class EndEffector(Message):
     ``touch_links`` may touch what is grasped.
     """
 
-    side: Literal["left", "right"]
+    side: HandName
+    """The hand's name; its group is called ``arm_`` and this name."""
     group: str
     frame: str
     touch_links: tuple[str, ...]
@@ -94,7 +99,7 @@ class EndEffector(Message):
 class CameraSensor(Message):
     """An RGB-D camera; ``frame`` is optical: z forward, x right, y down."""
 
-    name: str
+    name: PartName
     frame: str
     width: Count
     height: Count
@@ -105,6 +110,7 @@ class CameraSensor(Message):
 class LaserSensor(Message):
     """A 2D laser; ``frame`` has x at angle 0 and z up."""
 
+    name: PartName
     frame: str
     angle_min: float
     angle_step: Positive
@@ -114,8 +120,8 @@ class LaserSensor(Message):
     period: Positive
 
 
-class Drive(Message):
-    """Limits of the drive: m/s, m/s2, rad/s, rad/s2."""
+class _DriveLimits(Message):
+    """Limits of a drive that goes ahead and turns: m/s, m/s2, rad/s, rad/s2."""
 
     forward: Positive
     backward: Positive
@@ -124,6 +130,22 @@ class Drive(Message):
     turn_acceleration: Positive
     dead_man: Positive
     """Seconds after which an old velocity command means stop."""
+
+
+class DifferentialDrive(_DriveLimits):
+    """Two driven wheels, side by side."""
+
+    kind: Literal["differential"] = "differential"
+
+
+class SkidSteerDrive(_DriveLimits):
+    """Driven wheels on both sides, some behind the others: they slip in a turn."""
+
+    kind: Literal["skid_steer"] = "skid_steer"
+
+
+Drive = DifferentialDrive | SkidSteerDrive
+"""How a base is driven; each takes ``hw/base/velocity``."""
 
 
 class Posture(Message):
@@ -152,6 +174,12 @@ class ArmsCrossing(Message):
     """The posture in which an arm is in its safe zone and in nobody's way."""
 
 
+def _first(parts: tuple[S, ...], otherwise: str) -> S:
+    if not parts:
+        raise LookupError(otherwise)
+    return parts[0]
+
+
 class RobotDescription(Message):
     """Everything that a skill knows about a robot."""
 
@@ -164,14 +192,37 @@ class RobotDescription(Message):
     height: Positive
     groups: tuple[JointGroup, ...]
     end_effectors: tuple[EndEffector, ...]
-    camera: CameraSensor
-    laser: LaserSensor
-    drive: Drive
+    cameras: tuple[CameraSensor, ...] = ()
+    """The first is the one that perception looks with."""
+    lasers: tuple[LaserSensor, ...] = ()
+    """The first is the one that the base localises with."""
+    drive: Annotated[Drive, Field(discriminator="kind")] | None = None
+    """None: the base is fixed."""
     postures: tuple[Posture, ...]
     period: Positive
     """Seconds between two messages of the clock and of the joints' state."""
     arms_crossing: ArmsCrossing | None = None
     """For robots with two arms that can meet; without it, nothing checks for crossing arms."""
+
+    @property
+    def camera(self) -> CameraSensor:
+        """The camera that perception looks with; LookupError when there is none."""
+        return _first(self.cameras, f"{self.name} has no camera")
+
+    @property
+    def laser(self) -> LaserSensor:
+        """The laser that the base localises with; LookupError when there is none."""
+        return _first(self.lasers, f"{self.name} has no laser")
+
+    @property
+    def driven(self) -> Drive:
+        """How the base is driven; LookupError when it is fixed."""
+        return _first(() if self.drive is None else (self.drive,), f"{self.name} has a fixed base")
+
+    @cached_property
+    def hands(self) -> tuple[HandName, ...]:
+        """The names of its hands, in order."""
+        return tuple(hand.side for hand in self.end_effectors)
 
     @cached_property
     def joints(self) -> frozenset[str]:
@@ -191,7 +242,7 @@ class RobotDescription(Message):
         for hand in self.end_effectors:
             if hand.side == side:
                 return hand
-        raise KeyError(f"no end effector {side!r}; there are {', '.join(e.side for e in self.end_effectors)}")
+        raise KeyError(f"no end effector {side!r}; there are {', '.join(self.hands) or 'none'}")
 
     def posture(self, group: str, name: str) -> Posture:
         """Return a group's named posture; KeyError names those that there are."""
@@ -348,7 +399,7 @@ class GripperState(Message):
     """State of the gripper, from its controller."""
 
     stamp: RobotTime
-    side: Literal["left", "right"]
+    side: HandName
     command_id: str
     motion: GripperMotion
     width: float
@@ -391,7 +442,7 @@ class Wrench(Message):
     """Force (N) and torque (Nm) at the wrist's sensor, in its frame."""
 
     stamp: RobotTime
-    side: Literal["left", "right"]
+    side: HandName
     force: Vector3
     torque: Vector3
 

@@ -144,7 +144,6 @@ CLOCK: Final = Topic("hw/clock", Clock)
 JOINT_STATES: Final = Topic("hw/joints/state", JointStates)
 BASE_VELOCITY: Final = Topic("hw/base/velocity", BaseVelocity)
 ODOMETRY: Final = Topic("hw/base/odometry", Odometry)
-LASER: Final = Topic("hw/base/laser", LaserScan)
 BUMPERS: Final = Topic("hw/base/bumpers", Bumpers)
 STOP: Final = Service("hw/stop", Stop, StopState, limits=Limits(per_step=128, rate=math.inf))
 """The one command that an unreadable document does not keep from being carried out, nor a flood."""
@@ -152,8 +151,16 @@ STOP_RELEASE: Final = Service("hw/stop/release", StopRelease, StopState)
 STOP_STATE: Final = Topic("hw/stop/state", StopState)
 LEASE: Final = Service("hw/lease", LeaseRequest, LeaseAnswer)
 LEASES: Final = Topic("hw/leases", Leases)
-RGBD: Final = "hw/camera/head/rgbd"
-"""Binary: see ``tandem.skills.ports.image``."""
+
+
+def laser(name: str) -> Topic[LaserScan]:
+    """Return the topic of a laser's scans."""
+    return Topic(f"hw/{name}/laser", LaserScan)
+
+
+def rgbd(camera: str) -> str:
+    """Return the key of a camera's pictures. Binary: see ``tandem.skills.ports.image``."""
+    return f"hw/camera/{camera}/rgbd"
 
 
 def group_goal(group: str) -> Service[TrajectoryGoal, Answer]:

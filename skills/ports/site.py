@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Field, model_validator
 
-from tandem.skills.ports.message import Message, Vector3
+from tandem.skills.ports.message import HandName, Message, Vector3
 from tandem.skills.ports.pose import FloorPose
 
 Edge = Annotated[float, Field(gt=0.0)]
@@ -56,7 +56,7 @@ class GraspPoint(Message):
     direction in which the hand presses.
     """
 
-    side: Literal["left", "right"]
+    side: HandName
     position: Vector3
     inwards: Vector3
 
@@ -65,19 +65,24 @@ class SiteItem(Message):
     """An item: tag number, full edges (m), edge of the black square (m), and its hands.
 
     One with ``grasp_points`` needs both hands at once (two-arm thesis, 4.1.1: O_H2); else ``hands`` says
-    which hands it is for (O_HL, O_HR, or both).
+    which hands it is for (O_HL, O_HR; both unless told).
     """
 
     item: Annotated[int, Field(ge=0, le=586)]
     size: tuple[Edge, Edge, Edge]
     tag_size: Edge
-    hands: tuple[Literal["left", "right"], ...] = ("left", "right")
+    hands: tuple[HandName, ...] = ()
+    """Hands that it is for; none: any hand of the robot."""
     grasp_points: tuple[GraspPoint, ...] = ()
 
     @property
     def needs_two(self) -> bool:
         """Whether it takes both hands."""
         return bool(self.grasp_points)
+
+    def is_for(self, hand: HandName) -> bool:
+        """Whether a hand may take it."""
+        return not self.hands or hand in self.hands
 
     @model_validator(mode="after")
     def _one_point_for_each_hand(self) -> SiteItem:

@@ -275,7 +275,9 @@ class ExecutiveInfo(Message):
     name: str
     version: str
     tasks: tuple[str, ...]
-    """The tasks that it accepts."""
+    """The tasks that it accepts, and that the robot can do as far as it is known."""
+    unable: dict[str, str] = Field(default_factory=dict)
+    """Tasks that this robot can't do, each with what it needs and the robot lacks."""
     running: str = ""
     queued: Count = 0
     waits_for: str = ""

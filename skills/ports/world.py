@@ -7,11 +7,9 @@ from typing import Annotated, Final, Literal
 from pydantic import Field
 
 from tandem.skills.ports.keys import Topic
-from tandem.skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.message import Count, HandName, Message, RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
 
-Side = Literal["left", "right"]
-SIDES: Final[tuple[Side, Side]] = ("left", "right")
 Size = Annotated[float, Field(ge=0.0)]
 """Metres (or what the field says), none below zero."""
 
@@ -87,7 +85,7 @@ class SceneObject(Message):
     kind: Literal["furniture", "clutter", "item"]
     box: Box
     item: Count | None = None
-    attached_to: Side | None = None
+    attached_to: HandName | None = None
 
 
 class PlanningScene(Message):
@@ -108,7 +106,7 @@ class ItemFact(Message):
     seen: RobotTime
     quality: float
     position_sigma: Size
-    held: Side | None = None
+    held: HandName | None = None
 
 
 class Placed(Message):
@@ -122,7 +120,7 @@ class Placed(Message):
 class HeldItem(Message):
     """What is in a hand, and how: the item's centre frame in the hand's tool frame."""
 
-    side: Side
+    side: HandName
     item: Count
     item_in_tool: Pose
 
@@ -147,7 +145,7 @@ class WorldState(Message):
         """Return what is known of the item, or None."""
         return next((fact for fact in self.items if fact.item == number), None)
 
-    def in_hand(self, side: Side) -> HeldItem | None:
+    def in_hand(self, side: HandName) -> HeldItem | None:
         """Return what is in the hand, or None."""
         return next((held for held in self.held if held.side == side), None)
 

@@ -23,9 +23,9 @@ from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.ik import SeedTable, Solver
 from tandem.skills.kinematics.model import Limits
 from tandem.skills.kinematics.transforms import Array, to_se3
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.hardware import ArmsCrossing, RobotDescription
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.world import SIDES
 
 T = TypeVar("T")
 
@@ -69,7 +69,7 @@ def sample(hulls: RobotHulls, description: RobotDescription, rng: np.random.Gene
         wide = hand.gripper.max_width / len(hand.gripper.joints)
         positions |= dict.fromkeys(hand.gripper.joints, wide)
     left, right = (
-        _over_the_table(hulls, description, side, positions=positions, rng=rng, count=count) for side in SIDES
+        _over_the_table(hulls, description, side, positions=positions, rng=rng, count=count) for side in PAIR
     )
     clearance = ArmsClearance(hulls, description, positions)
     true = [clearance.at(np.concatenate((a, b))).distance for a in left[0] for b in right[0]]

@@ -12,9 +12,10 @@ from tandem.skills.kinematics.clearance import ArmsClearance
 from tandem.skills.kinematics.described import carried
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.hardware import ArmsCrossing, JointStates, RobotDescription
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import SIDES, PlanningScene, SceneObject
+from tandem.skills.ports.world import PlanningScene, SceneObject
 from tandem.skills.reflex.crossing import arms_crossing
 
 REACTION: Final = 0.03
@@ -53,7 +54,7 @@ class ArmsWatch:
         self, hulls: RobotHulls, description: RobotDescription, how: ArmsCrossing, site: Site
     ) -> None:
         self._hulls, self._description, self._how, self._site = hulls, description, how, site
-        hands = [description.end_effector(side) for side in SIDES]
+        hands = [description.end_effector(side) for side in PAIR]
         self._frames = [hand.frame for hand in hands]
         groups = [description.group(hand.group) for hand in hands]
         self._safe = [

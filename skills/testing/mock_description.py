@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.hardware import (
     CameraSensor,
-    Drive,
+    DifferentialDrive,
     EndEffector,
     Gripper,
     JointGroup,
@@ -13,7 +14,6 @@ from tandem.skills.ports.hardware import (
     Posture,
     RobotDescription,
 )
-from tandem.skills.ports.world import SIDES
 
 
 def mock_description() -> RobotDescription:
@@ -23,7 +23,7 @@ def mock_description() -> RobotDescription:
     )
     groups = tuple(
         JointGroup(name=f"arm_{side}", limits=(limit.model_copy(update={"joint": f"arm_{side}_joint"}),))
-        for side in SIDES
+        for side in PAIR
     )
     hands = tuple(
         EndEffector(
@@ -35,7 +35,7 @@ def mock_description() -> RobotDescription:
             work_point=(0.65, 0.15 if side == "left" else -0.15),
             safe_point=(0.4, 0.5 if side == "left" else -0.5, 1.0),
         )
-        for side in SIDES
+        for side in PAIR
     )
     return RobotDescription(
         name="mock",
@@ -45,19 +45,22 @@ def mock_description() -> RobotDescription:
         height=1.3,
         groups=groups,
         end_effectors=hands,
-        camera=CameraSensor(
-            name="head", frame="base_footprint", width=1280, height=720, horizontal_fov=1.047
+        cameras=(
+            CameraSensor(name="head", frame="base_footprint", width=1280, height=720, horizontal_fov=1.047),
         ),
-        laser=LaserSensor(
-            frame="base_footprint",
-            angle_min=-2.36,
-            angle_step=0.0087,
-            beams=541,
-            range_min=0.05,
-            range_max=10.0,
-            period=0.1,
+        lasers=(
+            LaserSensor(
+                name="base",
+                frame="base_footprint",
+                angle_min=-2.36,
+                angle_step=0.0087,
+                beams=541,
+                range_min=0.05,
+                range_max=10.0,
+                period=0.1,
+            ),
         ),
-        drive=Drive(
+        drive=DifferentialDrive(
             forward=1.0, backward=0.2, acceleration=0.5, turn=1.05, turn_acceleration=1.05, dead_man=0.2
         ),
         postures=tuple(

@@ -53,6 +53,7 @@ from tandem.skills.ports.actions.base import (
 from tandem.skills.ports.actions.bimanual import (
     COORDINATE,
     CROSSING,
+    PAIR,
     TWO_HANDS,
     ZONES,
     CoordinateFeedback,
@@ -70,7 +71,7 @@ from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.endpoint import answering
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.keys import DESCRIPTION
-from tandem.skills.ports.message import Message, RobotTime, Vector3
+from tandem.skills.ports.message import HandName, Message, RobotTime, Vector3
 from tandem.skills.ports.node import Node
 from tandem.skills.ports.pose import IDENTITY, FloorPose, Pose
 from tandem.skills.ports.serving import Endpoints
@@ -79,7 +80,6 @@ from tandem.skills.ports.skill import ActionType, Outcome, failed, succeeded
 from tandem.skills.ports.world import (
     ROBOT_POSE,
     SCENE,
-    SIDES,
     WORLD,
     Box,
     HeldItem,
@@ -88,7 +88,6 @@ from tandem.skills.ports.world import (
     PlanningScene,
     RobotPose,
     SceneObject,
-    Side,
     Sighting,
     WorldState,
 )
@@ -174,7 +173,7 @@ class MockRobot:
     ) -> None:
         self.base = FloorPose(x=0.0, y=0.0, yaw=0.0)
         self.localised = localised
-        self.hands: dict[Side, int | None] = {"left": None, "right": None}
+        self.hands: dict[HandName, int | None] = {"left": None, "right": None}
         """What each hand holds in truth."""
         self.world = WorldState(stamp=RobotTime(boot="mock", seconds=0.0), version=0)
         self.bus = bus
@@ -182,12 +181,12 @@ class MockRobot:
         """What both hands reach; told with all other beliefs."""
         self.knows_zones = True
         """Whether the zones are told at all."""
-        self._before: dict[Side, int] = {}
+        self._before: dict[HandName, int] = {}
         self.out_of_reach = 0
         """How many of a survey's first base poses are out of reach."""
         self.bus, self._clocks, self._site, self._items = bus, clocks, site, dict(items)
         self._seen_at_look, self._duration = seen_at_look, duration
-        self._extent: dict[Side, float] = {"left": TUCKED, "right": TUCKED}
+        self._extent: dict[HandName, float] = {"left": TUCKED, "right": TUCKED}
         self._description = mock_description()
         self._endpoints = Endpoints(
             bus, clocks.monotonic, (answering(DESCRIPTION, lambda _: self._description),)
@@ -213,7 +212,7 @@ class MockRobot:
         self._serve(TRACK, LookFeedback(pictures=0, seen=()), succeeded, endless=True)
         hands = TwoHandsFeedback(left_force=0.0, right_force=0.0, progress=0.0)
         self._serve(TWO_HANDS, hands, self._two_hands)
-        for side in SIDES:
+        for side in PAIR:
             self._serve_side(side)
 
     def faults(self, action: str) -> dict[int, Fault]:
@@ -267,7 +266,7 @@ class MockRobot:
             moving=False,
         )
         ROBOT_POSE.publish(self.bus, pose)
-        for side in SIDES:
+        for side in PAIR:
             group = f"arm_{side}"
             status = ArmStatus(stamp=stamp, group=group, state=ArmState.ARM_IDLE, extent=self._extent[side])
             arm_status(group).publish(self.bus, status)
@@ -350,7 +349,7 @@ class MockRobot:
         self._extent = {"left": left, "right": left if right is None else right}
         self.tell()
 
-    def drop(self, side: Side) -> None:
+    def drop(self, side: HandName) -> None:
         """Let what the hand holds fall where nobody sees it happen: the keeper learns from the hand."""
         item, self.hands[side] = self.hands[side], None
         held = tuple(hand for hand in self.world.held if hand.side != side)
@@ -363,7 +362,7 @@ class MockRobot:
         self._clutter = (*self._clutter, SceneObject(name=name, kind="clutter", box=box))
         self.tell()
 
-    def _serve_side(self, side: Side) -> None:
+    def _serve_side(self, side: HandName) -> None:
         self._serve(
             move(f"arm_{side}"),
             MoveFeedback(phase=MovePhase.MOVING, progress=0.0),
@@ -424,13 +423,13 @@ class MockRobot:
         self.localised = True
         return succeeded(LocaliseResult(base_in_map=self.base, fit=1.0, runner_up=0.3))
 
-    def _move(self, side: Side, goal: MoveGoal) -> Outcome[MoveResult]:
+    def _move(self, side: HandName, goal: MoveGoal) -> Outcome[MoveResult]:
         self._extent[side] = TUCKED if goal.posture in {"home", "carry"} else STRETCHED
         if goal.follows_item is not None or goal.touch_item is not None:
             self._before[side] = goal.follows_item or goal.touch_item or 0
         return succeeded(MoveResult(positions=(0.0,), error=0.0, planning_steps=1, duration=0.0))
 
-    def _approach(self, side: Side, goal: ApproachGoal) -> Outcome[ApproachResult]:
+    def _approach(self, side: HandName, goal: ApproachGoal) -> Outcome[ApproachResult]:
         fact = self.world.item(goal.item)
         if fact is None:
             message = f"item {goal.item} is not believed to be anywhere"
@@ -442,14 +441,14 @@ class MockRobot:
 
     def _two_hands(self, goal: TwoHandsGoal) -> Outcome[TwoHandsResult]:
         force = 0.0 if goal.do is TwoHands.RELEASE else goal.force or 40.0
-        self._extent = dict.fromkeys(SIDES, STRETCHED)
+        self._extent = dict.fromkeys(PAIR, STRETCHED)
         return succeeded(TwoHandsResult(left_force=force, right_force=force, item_in_map=goal.to))
 
     def _survey(self, goal: SurveyGoal) -> Outcome[SurveyResult]:
         good = range(self.out_of_reach, len(goal.bases))
         return succeeded(SurveyResult(bases=tuple(good[: goal.enough])))
 
-    def _grip(self, side: Side, goal: GripGoal) -> Outcome[GripResult]:
+    def _grip(self, side: HandName, goal: GripGoal) -> Outcome[GripResult]:
         if goal.grip is Grip.GRASP:
             self.hands[side] = self._before.get(side, next(iter(self._items), None))
         elif goal.grip is Grip.OPEN:

@@ -10,7 +10,7 @@ from typing import Final
 from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.geometry.poses import about, distance, rotate
 from tandem.skills.grasping.item_frames import standing_in_map, tag_of_item
-from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.message import HandName, RobotTime, Vector3
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import (
@@ -21,7 +21,6 @@ from tandem.skills.ports.world import (
     Placed,
     PlanningScene,
     SceneObject,
-    Side,
     Sighting,
     WorldState,
 )
@@ -51,7 +50,7 @@ class Saved:
     """What an edit may change, as it was before."""
 
     items: dict[int, ItemFact]
-    held: dict[Side, HeldItem]
+    held: dict[HandName, HeldItem]
     placed: dict[int, Placed]
     removed: set[int]
     doubles: tuple[ItemFact, ...]
@@ -70,7 +69,7 @@ class Beliefs:
         kept = remembered or Remembered()
         self.version = 1 + kept.openings * VERSIONS_A_START
         self._items: dict[int, ItemFact] = {fact.item: fact for fact in kept.items}
-        self._held: dict[Side, HeldItem] = {held.side: held for held in kept.held}
+        self._held: dict[HandName, HeldItem] = {held.side: held for held in kept.held}
         self._placed: dict[int, Placed] = {placed.item: placed for placed in kept.placed}
         self._removed: set[int] = set(kept.removed)
         self._doubles = Doubles(kept.doubles)
@@ -103,11 +102,11 @@ class Beliefs:
         """Return what is known of the item, or None."""
         return self._items.get(number)
 
-    def in_hand(self, side: Side) -> HeldItem | None:
+    def in_hand(self, side: HandName) -> HeldItem | None:
         """Return what is in the hand, or None."""
         return self._held.get(side)
 
-    def hand_of(self, number: int) -> Side | None:
+    def hand_of(self, number: int) -> HandName | None:
         """Return the hand that the item is in, or None."""
         return next((side for side, held in sorted(self._held.items()) if held.item == number), None)
 
@@ -239,7 +238,7 @@ class Beliefs:
             if name not in taken:
                 return name
 
-    def wake(self, boot: str) -> tuple[Side, ...]:
+    def wake(self, boot: str) -> tuple[HandName, ...]:
         """Take in which boot of the hardware this is; return the hands that were full before it.
 
         Nobody knows what happened in the room while the hardware was off, so nothing that stood about is
@@ -267,7 +266,7 @@ class Beliefs:
         self._removed.add(number)
         self.version += 1
 
-    def attach(self, number: int, side: Side, item_in_tool: Pose, now: RobotTime) -> None:
+    def attach(self, number: int, side: HandName, item_in_tool: Pose, now: RobotTime) -> None:
         """Put the item into the hand."""
         size = self._size(number)
         self._held[side] = HeldItem(side=side, item=number, item_in_tool=item_in_tool)

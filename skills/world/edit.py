@@ -102,6 +102,9 @@ class Edit:
     def _check_attach(self, goal: EditGoal) -> Failure | None:
         if goal.side is None or goal.item_in_tool is None:
             return _refusal(goal, FailureKind.INVALID_GOAL, "attach needs side and item_in_tool")
+        if goal.side not in self._keeper.hands:
+            known = ", ".join(self._keeper.hands)
+            return _refusal(goal, FailureKind.INVALID_GOAL, f"no hand {goal.side!r}; there are {known}")
         other = self._keeper.beliefs.in_hand(goal.side)
         if other is not None and other.item != goal.item:
             message = f"the {goal.side} hand holds item {other.item}"

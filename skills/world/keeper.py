@@ -9,9 +9,9 @@ from tandem.skills.ports.actions.gripper import HandState, HandStatus, hand_stat
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.keys import Latest
-from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import CLUTTER, SCENE, SIDES, SIGHTINGS, WORLD, Side
+from tandem.skills.ports.world import CLUTTER, SCENE, SIGHTINGS, WORLD
 from tandem.skills.world.beliefs import Beliefs
 from tandem.skills.world.journal import Journal
 
@@ -42,24 +42,37 @@ class Keeper:
         bus: where perception, arms and trees are.
         clocks: robot time; UTC for the journal.
         site: furniture, items, depots.
+        hands: the robot's.
         journal: keeps what no sensor can restore; None keeps nothing (lockstep).
     """
 
     name: Final = "world/keeper"
 
-    def __init__(self, bus: Bus, clocks: Clocks, site: Site, journal: Journal | None = None) -> None:
+    def __init__(
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        site: Site,
+        hands: tuple[HandName, ...],
+        journal: Journal | None = None,
+    ) -> None:
         self._bus, self._clocks, self._journal = bus, clocks, journal
         self.beliefs = Beliefs(site, None if journal is None else journal.remembered)
         self._sightings = Latest(bus, SIGHTINGS)
         self._clutter = Latest(bus, CLUTTER)
-        self._hands = {side: Latest(bus, hand_status(side)) for side in SIDES}
-        self._attached: dict[Side, RobotTime] = {}
-        self._unsure: dict[Side, RobotTime | None] = {}
+        self._hands = {side: Latest(bus, hand_status(side)) for side in hands}
+        self._attached: dict[HandName, RobotTime] = {}
+        self._unsure: dict[HandName, RobotTime | None] = {}
         """Hands that were full before this boot, and when each first told that it holds nothing."""
         self._published, self._there = 0, frozenset[str]()
         self._published_at: RobotTime | None = None
         self._unkept_since: float | None = None
         """Host seconds of the last write that failed; None when the journal has all that is believed."""
+
+    @property
+    def hands(self) -> tuple[HandName, ...]:
+        """The robot's hands."""
+        return tuple(self._hands)
 
     @property
     def clocks(self) -> Clocks:
@@ -71,6 +84,8 @@ class Keeper:
         now = self._clocks.robot()
         if now is not None:
             self._unsure.update(dict.fromkeys(self.beliefs.wake(now.boot)))
+            for lost in sorted(self._unsure.keys() - self._hands.keys()):  # of another robot, before this one
+                self._lose(lost, now)
         self._see()
         for side, hand in self._hands.items():
             for status in hand.take():
@@ -92,11 +107,11 @@ class Keeper:
         if self.beliefs.version != version:
             self._keep_if_possible(synced=self.beliefs.firm != firm)
 
-    def attached(self, side: Side, now: RobotTime) -> None:
+    def attached(self, side: HandName, now: RobotTime) -> None:
         """Note when the hand took what it holds: only later news of it count."""
         self._attached[side] = now
 
-    def _watch(self, side: Side, status: HandStatus) -> None:
+    def _watch(self, side: HandName, status: HandStatus) -> None:
         if side in self._unsure:
             self._make_sure(side, status)
             return
@@ -109,7 +124,7 @@ class Keeper:
         self.beliefs.detach(held.item, None, None, status.stamp)
         self._keep_if_possible()
 
-    def _make_sure(self, side: Side, status: HandStatus) -> None:
+    def _make_sure(self, side: HandName, status: HandStatus) -> None:
         """Hear from a hand that was full before this boot; one that does not press for a while is empty."""
         now, held, first = self._clocks.robot(), self.beliefs.in_hand(side), self._unsure[side]
         if now is None or now.since(status.stamp) is None:
@@ -121,9 +136,14 @@ class Keeper:
             self._unsure[side] = first = status.stamp
         passed = status.stamp.since(first)
         if passed is not None and passed >= SURE_AFTER:
-            log.warning("item %d is lost: since a new boot the %s hand is empty", held.item, side)
-            del self._unsure[side]
-            self.beliefs.detach(held.item, None, None, status.stamp)
+            self._lose(side, status.stamp)
+
+    def _lose(self, hand: HandName, now: RobotTime) -> None:
+        del self._unsure[hand]
+        held = self.beliefs.in_hand(hand)
+        if held is not None:
+            log.warning("item %d is lost: since a new boot the %s hand is empty", held.item, hand)
+            self.beliefs.detach(held.item, None, None, now)
             self._keep_if_possible()
 
     def keep(self, *, synced: bool = True) -> None:

@@ -14,12 +14,12 @@ from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.ledger.sqlite import FILE, SqliteLedger
 from tandem.executive.system.processes import RESTARTS
-from tandem.executive.system.roles.registry import names as role_names
 from tandem.executive.system.systems import (
     LedgerFailure,
     ProcessSystem,
     RefusedError,
     SystemFailure,
+    roles_of,
     wait_for,
 )
 from tandem.executive.trials.demo import Caller
@@ -67,7 +67,7 @@ def test_a_process_that_nobody_can_do_without_is_named_and_the_rest_ends() -> No
         one_dies()
     assert str(caught.value).startswith(f"the {role} process ended (signal 9)")
     codes = {name: end.returncode for name, end in ends.items()}
-    assert codes == {name: -9 if name == role else 0 for name in role_names()}
+    assert codes == {name: -9 if name == role else 0 for name in roles_of(load_scenario("Defaults"))}
     assert left_behind(end.pid for end in ends.values()) == ()
 
 
@@ -205,7 +205,8 @@ def test_ctrl_c_ends_all(tmp_path: Path, when: str) -> None:
             started = children(up.pid)
             time.sleep(0.02)
         started = children(up.pid)
-        assert len(started) >= (len(role_names()) if when == "ready" else 3), said.read_text()
+        least = len(roles_of(load_scenario("Defaults"))) if when == "ready" else 3
+        assert len(started) >= least, said.read_text()
         up.send_signal(signal.SIGINT)
         assert up.wait(30.0) == ExitCode.INTERRUPTED, said.read_text()
         assert "stopped" in said.read_text()

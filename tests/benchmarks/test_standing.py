@@ -66,7 +66,7 @@ def test_a_base_that_still_rolls_does_not_stand() -> None:
     assert not scene.motion.stands
     scene.base(0.0, at=1.5)
     scene.joint(0.0, at=1.5)
-    assert scene.motion.longer == pytest.approx(0.5 - (0.3 - STILL) / DESCRIPTION.drive.acceleration)
+    assert scene.motion.longer == pytest.approx(0.5 - (0.3 - STILL) / DESCRIPTION.driven.acceleration)
 
 
 def test_a_robot_that_stands_already_is_not_timed() -> None:

@@ -17,6 +17,7 @@ from tandem.skills.ports.action import (
     result_service,
 )
 from tandem.skills.ports.actions.base import RotateGoal
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.actions.gripper import Grip, GripGoal
 from tandem.skills.ports.bus import Pending
 from tandem.skills.ports.failure import Failure, FailureKind
@@ -175,7 +176,7 @@ def mock() -> Stage:
 def edit() -> Stage:
     """Return the keeper's edits: done at once, nothing moves."""
     bus, clocks = MemoryBus(), SteppedClocks("test")
-    keeper, server = world_nodes(bus, clocks, load("lab"))
+    keeper, server = world_nodes(bus, clocks, load("lab"), PAIR)
     assert isinstance(server, ActionServer)
 
     def step() -> None:

@@ -20,7 +20,7 @@ from tandem.skills.ports.hardware import (
     Answer,
     CameraSensor,
     CancelMotion,
-    Drive,
+    DifferentialDrive,
     EndEffector,
     Gripper,
     GroupStatus,
@@ -88,17 +88,20 @@ def panda() -> RobotDescription:
         height=1.2,
         groups=(JointGroup(name="arm", limits=limits),),
         end_effectors=(hand,),
-        camera=CameraSensor(name="none", frame="panda_link0", width=2, height=2, horizontal_fov=1.0),
-        laser=LaserSensor(
-            frame="panda_link0",
-            angle_min=-1.0,
-            angle_step=0.1,
-            beams=3,
-            range_min=0.1,
-            range_max=10.0,
-            period=0.1,
+        cameras=(CameraSensor(name="none", frame="panda_link0", width=2, height=2, horizontal_fov=1.0),),
+        lasers=(
+            LaserSensor(
+                name="base",
+                frame="panda_link0",
+                angle_min=-1.0,
+                angle_step=0.1,
+                beams=3,
+                range_min=0.1,
+                range_max=10.0,
+                period=0.1,
+            ),
         ),
-        drive=Drive(
+        drive=DifferentialDrive(
             forward=1.0, backward=0.2, acceleration=0.5, turn=1.0, turn_acceleration=1.0, dead_man=0.2
         ),
         postures=(Posture(name="home", group="arm", positions=PANDA_HOME),),

@@ -42,7 +42,7 @@ from tandem.skills.ports.keys import (
     group_setpoint,
     group_status,
 )
-from tandem.skills.ports.message import Message, RobotTime, Vector3
+from tandem.skills.ports.message import HandName, Message, RobotTime, Vector3
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.skill import Command
 from tandem.skills.ports.world import (
@@ -53,7 +53,6 @@ from tandem.skills.ports.world import (
     ItemFact,
     PlanningScene,
     SceneObject,
-    Side,
     WorldState,
 )
 from tandem.skills.wire.clocks import SteppedClocks
@@ -160,7 +159,7 @@ class FieldRig:
     """A robot before a table, beliefs that a test sets, the arms' servers; stepped together."""
 
     def __init__(
-        self, description: RobotDescription, hulls: RobotHulls, sides: tuple[Side, ...] = ("left",)
+        self, description: RobotDescription, hulls: RobotHulls, sides: tuple[HandName, ...] = ("left",)
     ) -> None:
         self.bus, self.clocks, self.description = MemoryBus(), SteppedClocks("test"), description
         self.hulls = hulls
@@ -222,7 +221,7 @@ class FieldRig:
         SCENE.publish(self.bus, scene)
         ROBOT_POSE.publish(self.bus, localised(stamp))
 
-    def order(self, side: Side, order: Order, sample: int = 0, *, opened: bool = True) -> None:
+    def order(self, side: HandName, order: Order, sample: int = 0, *, opened: bool = True) -> None:
         """Tell an order of the coordination."""
         stamp = RobotTime(boot="test", seconds=self.clocks.seconds)
         orders = (ArmOrder(side=side, order=order, sample=sample),)
@@ -303,7 +302,7 @@ class FieldRig:
         boxes += [(f"item_{item}", CUBE, pose) for item, pose in self.items.items()]
         return tuple(Obstacle(name, BoxShape(size), pose) for name, size, pose in boxes)
 
-    def tool(self, side: Side = "left") -> Pose:
+    def tool(self, side: HandName = "left") -> Pose:
         """Return where the hand's tool frame is, in the base."""
         return self.hulls.robot.pose(self.description.end_effector(side).frame, self.hardware.positions)
 

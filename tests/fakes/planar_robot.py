@@ -20,7 +20,7 @@ from tandem.skills.ports.hardware import (
     Bumpers,
     CameraSensor,
     Clock,
-    Drive,
+    DifferentialDrive,
     EndEffector,
     Gripper,
     JointGroup,
@@ -31,7 +31,7 @@ from tandem.skills.ports.hardware import (
     RobotDescription,
     StopState,
 )
-from tandem.skills.ports.keys import BASE_VELOCITY, BUMPERS, CLOCK, LASER, ODOMETRY, STOP_STATE, Latest
+from tandem.skills.ports.keys import BASE_VELOCITY, BUMPERS, CLOCK, ODOMETRY, STOP_STATE, Latest, laser
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import Site, SiteBox
@@ -94,17 +94,20 @@ def describe(*, arms: tuple[str, ...] = ("arm_left", "arm_right"), radius: float
             )
             for arm in arms
         ),
-        camera=CameraSensor(name="head", frame="camera", width=1280, height=720, horizontal_fov=1.05),
-        laser=LaserSensor(
-            frame="base_laser_link",
-            angle_min=math.radians(-110),
-            angle_step=math.radians(0.5),
-            beams=441,
-            range_min=0.05,
-            range_max=10.0,
-            period=0.1,
+        cameras=(CameraSensor(name="head", frame="camera", width=1280, height=720, horizontal_fov=1.05),),
+        lasers=(
+            LaserSensor(
+                name="base",
+                frame="base_laser_link",
+                angle_min=math.radians(-110),
+                angle_step=math.radians(0.5),
+                beams=441,
+                range_min=0.05,
+                range_max=10.0,
+                period=0.1,
+            ),
         ),
-        drive=Drive(
+        drive=DifferentialDrive(
             forward=1.0, backward=0.2, acceleration=0.5, turn=1.05, turn_acceleration=1.05, dead_man=0.3
         ),
         postures=(),
@@ -167,7 +170,7 @@ class PlanarRobot:
                 Odometry(stamp=stamp, base_in_odom=self._odometry, linear=self.linear, angular=self.angular),
             )
         if self.laser_on and self.tick % round(self.description.laser.period / period) == 0:
-            LASER.publish(self.bus, LaserScan(stamp=stamp, ranges=tuple(self.ranges().tolist())))
+            laser("base").publish(self.bus, LaserScan(stamp=stamp, ranges=tuple(self.ranges().tolist())))
         if self.tick % 20 == 0:
             STOP_STATE.publish(self.bus, StopState(stopped=self.stopped))
             BUMPERS.publish(self.bus, Bumpers(stamp=stamp, pressed=self.pressed))
@@ -177,7 +180,7 @@ class PlanarRobot:
         self._odometry = _advance_to(self._odometry, by)
 
     def _move(self, period: float) -> None:
-        drive = self.description.drive
+        drive = self.description.driven
         command = self._commands.value
         fresh = self.clocks.seconds - self._commanded_at <= drive.dead_man
         asked = (

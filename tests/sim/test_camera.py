@@ -10,7 +10,7 @@ import pytest
 from tandem.sim.camera import HeadCamera, Studio
 from tandem.sim.render import InlineRenderer, Job, PainterSettings, Renderer, RenderError, WorkerRenderer
 from tandem.skills.ports.image import RgbdImage, decode
-from tandem.skills.ports.keys import RGBD
+from tandem.skills.ports.keys import rgbd
 from tandem.skills.wire.memory import MemoryBus
 from tests.sim.rooms import Room, at
 
@@ -39,7 +39,7 @@ def film(
     studio = Studio(room.world, room.robot, renderer, noise=room.scenario.noise, seed=seed)
     sensor = room.model.description.camera
     camera = HeadCamera(bus, studio, room.robot, sensor, rate=5.0, latency=0.06)
-    inbox = bus.subscribe(RGBD)
+    inbox = bus.subscribe(rgbd("head"))
     pictures = []
     for period in range(periods):
         camera.step(at(period * 0.01))
@@ -87,7 +87,7 @@ def test_a_worker_draws_the_same_and_its_death_is_told(room: Room, renderer: Cou
     try:
         studio = Studio(room.world, room.robot, worker, noise=room.scenario.noise, seed=1)
         bus = MemoryBus()
-        inbox = bus.subscribe(RGBD)
+        inbox = bus.subscribe(rgbd("head"))
         camera = HeadCamera(bus, studio, room.robot, room.model.description.camera, rate=5.0)
         camera.step(at(0.0))
         assert worker._pipe.poll(120.0), "the worker drew nothing"

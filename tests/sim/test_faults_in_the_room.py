@@ -59,7 +59,7 @@ def stage() -> Iterator[Stage]:
 
 
 def pictures(stage: Stage, seconds: float) -> list[RgbdImage]:
-    inbox = stage.bus.subscribe(keys.RGBD)
+    inbox = stage.bus.subscribe(keys.rgbd("head"))
     stage.run(seconds)
     inbox.close()
     return [decode(sample.payload) for sample in inbox.drain()]
@@ -76,7 +76,7 @@ def test_a_dark_camera_sends_black_pictures_without_depth(stage: Stage) -> None:
 
 def test_a_frozen_camera_sends_one_picture_with_new_stamps(stage: Stage) -> None:
     station = stage(CameraFrozen(at=0.0))
-    inbox = stage.bus.subscribe(keys.RGBD)
+    inbox = stage.bus.subscribe(keys.rgbd("head"))
     stage.run(0.1)
     station.world.remove("item_29")
     station.world.remove("table.0")
@@ -104,9 +104,9 @@ def test_a_camera_goes_silent_when_it_is_used(stage: Stage) -> None:
 
 def test_a_silent_laser_sends_nothing_while_the_rest_goes_on(stage: Stage) -> None:
     stage(LaserSilent(at=0.3, lasts=0.5))
-    scans, odometry = stage.bus.subscribe(keys.LASER.key), stage.bus.subscribe(keys.ODOMETRY.key)
+    scans, odometry = stage.bus.subscribe(keys.laser("base").key), stage.bus.subscribe(keys.ODOMETRY.key)
     stage.run(1.0)
-    stamps = [keys.LASER.decode(sample.payload).stamp.seconds for sample in scans.drain()]
+    stamps = [keys.laser("base").decode(sample.payload).stamp.seconds for sample in scans.drain()]
     assert [stamp for stamp in stamps if 0.31 <= stamp <= 0.8] == []
     assert stamps[-1] > 0.85
     assert len(odometry.drain()) == 50
@@ -114,7 +114,7 @@ def test_a_silent_laser_sends_nothing_while_the_rest_goes_on(stage: Stage) -> No
 
 def test_an_obstacle_ahead_is_seen_by_the_laser_and_leaves(stage: Stage) -> None:
     stage(ObstacleAppears(ahead=1.0, at=0.4, lasts=0.5))
-    laser = keys.Latest(stage.bus, keys.LASER)
+    laser = keys.Latest(stage.bus, keys.laser("base"))
     ahead = []
     for _ in range(3):
         stage.run(0.35)

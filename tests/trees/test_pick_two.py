@@ -13,9 +13,10 @@ from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.actions.bimanual import TwoHands, TwoHandsGoal
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import HeldItem, Side
+from tandem.skills.ports.world import HeldItem
 from tandem.skills.site import load
 from tandem.skills.testing.mock_robot import STRETCHED, MockRobot
 from tandem.skills.testing.mock_skill import Fault
@@ -267,7 +268,7 @@ def test_what_is_between_two_hands_is_not_dropped(leaf: str, kind: FailureKind, 
     assert ("both hands: at last: let go" in run.path()) is puts_down
 
 
-def falls_out(run: TreeBench, side: Side, *, at: str) -> None:
+def falls_out(run: TreeBench, side: HandName, *, at: str) -> None:
     """Have a hand lose its item, once, when a leaf begins; it falls back to where it stood."""
 
     def happens(robot: MockRobot) -> None:

@@ -7,8 +7,9 @@ from py_trees.common import Status
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import IDENTITY
-from tandem.skills.ports.world import HeldItem, Placed, Side
+from tandem.skills.ports.world import HeldItem, Placed
 from tandem.skills.site import load
 from tandem.trees.tasks.place import NAME, TASK, PlaceNotes, PlaceRequest
 
@@ -17,7 +18,7 @@ SITE = load("lab")
 
 def holding(**hands: int) -> TreeBench:
     run = TreeBench(SITE, items={}, localised=True)
-    sides: dict[str, Side] = {"left": "left", "right": "right"}
+    sides: dict[str, HandName] = {"left": "left", "right": "right"}
     held = tuple(HeldItem(side=sides[side], item=item, item_in_tool=IDENTITY) for side, item in hands.items())
     for side, item in hands.items():
         run.robot.hands[sides[side]] = item

@@ -8,7 +8,7 @@ from typing import Final
 from tandem.skills.grasping.tag_grasps import Place, place
 from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.world import Side
+from tandem.skills.ports.message import HandName
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard
 from tandem.trees.context import TreeContext
@@ -18,7 +18,7 @@ TURNS: Final = tuple(math.radians(angle) for angle in (0.0, 20.0, -20.0, 40.0, -
 """Turns of the item about the vertical, in the order in which they are tried."""
 
 
-def ways_to_place(context: TreeContext, board: FetchBoard, side: Side) -> tuple[Place, ...] | Failure:
+def ways_to_place(context: TreeContext, board: FetchBoard, side: HandName) -> tuple[Place, ...] | Failure:
     """Return the ways to put the item down as the hand of ``side`` holds it, one for each turn."""
     world = context.knowledge.world
     held = None if world is None else world.in_hand(side)

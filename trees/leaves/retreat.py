@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Final
 
 from tandem.skills.ports.actions.arm import MoveFeedback, MoveGoal, MoveResult, move
-from tandem.skills.ports.world import Side
+from tandem.skills.ports.message import HandName
 from tandem.trees.behaviours.act import Act
 from tandem.trees.conditions.arm_tucked import at_rest
 from tandem.trees.context import TreeContext
@@ -16,7 +16,7 @@ WAYS: Final = ((-0.12, 0.0, 0.0), (-0.07, 0.0, 0.0))
 
 
 def retreat(
-    name: str, context: TreeContext, side: Callable[[], Side]
+    name: str, context: TreeContext, side: Callable[[], HandName]
 ) -> Act[MoveGoal, MoveFeedback, MoveResult]:
     """Return the leaf; with something in the hand the skill lifts it instead, when back is no way."""
     return Act(

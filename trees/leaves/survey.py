@@ -11,8 +11,8 @@ from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.actions.arm import Candidate, SurveyFeedback, SurveyGoal, SurveyResult, survey
 from tandem.skills.ports.actions.base import ARM_MARGIN
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import FloorPose
-from tandem.skills.ports.world import Side
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard
 from tandem.trees.context import TreeContext
@@ -44,7 +44,7 @@ def survey_stands(
     name: str,
     context: TreeContext,
     board: FetchBoard,
-    side: Side,
+    side: HandName,
     reach: Callable[[], Reach | Failure],
     *,
     touch_support: bool = False,

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Final
+
 from tandem.skills.geometry.poses import compose, invert, to_pose, transform
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.message import Vector3
-from tandem.skills.ports.world import Side
+from tandem.skills.ports.message import HandName, Vector3
 from tandem.trees.behaviours.decide import Decide
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
 
-OF: dict[Side, frozenset[str]] = {"left": frozenset("LC"), "right": frozenset("RC")}
-"""The zones that a hand reaches."""
+OF: Final[Mapping[HandName, frozenset[str]]] = {"left": frozenset("LC"), "right": frozenset("RC")}
+"""The zones that a hand of two reaches."""
 WORDS = {
     "L": "only the left hand reaches it",
     "R": "only the right hand reaches it",
@@ -31,7 +33,7 @@ def within_reach(name: str, context: TreeContext, boards: tuple[HandBoard, ...])
             if isinstance(point, Failure):
                 return point
             zone = zone_at(context, point)
-            if zone not in OF[board.side]:
+            if not reaches(board.side, zone):
                 return unreachable(board, zone, point)
             zones.append(f"item {board.item} in {zone} for the {board.side} hand")
         return ", ".join(zones) or "all is in the hands already"
@@ -54,8 +56,23 @@ def target_in_base(context: TreeContext, board: HandBoard) -> Vector3 | Failure:
     return transform(compose(invert(to_pose(robot.base_in_map)), item), in_item)
 
 
+def reaches(hand: HandName, zone: str) -> bool:
+    """Say whether a hand gets to a zone."""
+    return zone in OF.get(hand, frozenset("C"))
+
+
+def zoned(context: TreeContext) -> bool:
+    """Say whether the robot has the hands that zones are worked out for."""
+    return OF.keys() <= set(context.knowledge.hands)
+
+
 def zone_at(context: TreeContext, point: Vector3) -> str:
-    """Return the zone's letter; the request has waited until the zones are known."""
+    """Return the zone's letter; the request has waited until the zones are known.
+
+    For a robot without zones every point is within reach: the approach finds out.
+    """
+    if not zoned(context):
+        return "C"
     zones = context.knowledge.zones
     return "U" if zones is None else zones.at(point)
 

@@ -1,4 +1,4 @@
-"""Have both arms tucked in: whoever is out comes in, one after the other."""
+"""Have all arms tucked in: whoever is out comes in, one after the other."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
-from tandem.skills.ports.world import SIDES, Side
+from tandem.skills.ports.message import HandName
 from tandem.trees.behaviours.each import Each
 from tandem.trees.behaviours.note import Note
 from tandem.trees.conditions.arm_tucked import arms_tucked, tucked
@@ -22,24 +22,24 @@ from tandem.trees.leaves.tuck_arm import tuck_arm
 class _Turn:
     """Whose turn it is to come in."""
 
-    side: Side = SIDES[0]
+    side: HandName
 
 
 def tuck(context: TreeContext, where: str) -> Behaviour:
     """Return the subtree that tucks in what is out; ``where`` in the tree makes its names unique."""
-    turn = _Turn()
+    turn = _Turn(next(iter(context.knowledge.hands), ""))
     return _in_turn(context, where, turn, tuck_arm(f"{where}: tuck arm", context, lambda: turn.side))
 
 
 def free_and_tuck(context: TreeContext, where: str) -> Behaviour:
-    """Return the subtree that tucks both arms in whatever they are at.
+    """Return the subtree that tucks all arms in whatever they are at.
 
     An arm that can't be tucked in as it is opens its hand, unless that holds something, draws back and is
     tucked in then: fingers may be around an item that nobody has grasped yet.
     """
-    turn = _Turn()
+    turn = _Turn(next(iter(context.knowledge.hands), ""))
 
-    def side() -> Side:
+    def side() -> HandName:
         return turn.side
 
     hand = Selector(
@@ -67,11 +67,11 @@ def free_and_tuck(context: TreeContext, where: str) -> Behaviour:
 
 def _in_turn(context: TreeContext, where: str, turn: _Turn, way: Behaviour) -> Behaviour:
     def whose() -> str:
-        turn.side = next((side for side in SIDES if not tucked(context, side)), turn.side)
+        turn.side = next((side for side in context.knowledge.hands if not tucked(context, side)), turn.side)
         return f"the {turn.side} arm"
 
     def done() -> bool:
-        return all(tucked(context, side) for side in SIDES)
+        return all(tucked(context, side) for side in context.knowledge.hands)
 
     one = Sequence(f"{where}: next arm in", memory=True, children=[Note(f"{where}: whose turn", whose), way])
     return Selector(
@@ -79,6 +79,6 @@ def _in_turn(context: TreeContext, where: str, turn: _Turn, way: Behaviour) -> B
         memory=True,
         children=[
             arms_tucked(f"{where}: arms tucked?", context),
-            Each(f"{where}: one arm after the other", one, done, len(SIDES)),
+            Each(f"{where}: one arm after the other", one, done, len(context.knowledge.hands)),
         ],
     )

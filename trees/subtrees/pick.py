@@ -11,7 +11,7 @@ from tandem.skills.grasping.item_frames import face, outward
 from tandem.skills.grasping.tag_grasps import proximity_poses
 from tandem.skills.ports.actions.gripper import Grip, GripGoal, GripResult
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.world import Side
+from tandem.skills.ports.message import HandName
 from tandem.trees.board import FetchBoard
 from tandem.trees.context import TreeContext
 from tandem.trees.fetch_notes import closes
@@ -56,7 +56,7 @@ def pick(context: TreeContext, board: FetchBoard) -> Behaviour:
 def approach_item(context: TreeContext, board: FetchBoard) -> Behaviour:
     """Return the subtree that brings the base to the item's neighbourhood (order-picking paper, III-A.3)."""
 
-    def reach(side: Side, quarter_turns: int) -> Reach | Failure:
+    def reach(side: HandName, quarter_turns: int) -> Reach | Failure:
         fact, description = board.fact(context), context.knowledge.description
         if fact is None or fact.held is not None or description is None:
             return unknown(board.item)

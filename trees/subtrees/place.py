@@ -15,7 +15,7 @@ from py_trees.decorators import FailureIsSuccess
 from tandem.skills.grasping.tag_grasps import proximity_poses
 from tandem.skills.ports.actions.gripper import Grip, GripGoal
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.world import Side
+from tandem.skills.ports.message import HandName
 from tandem.trees.behaviours.guarded import Guarded
 from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
@@ -87,7 +87,7 @@ def place(context: TreeContext, board: FetchBoard) -> Behaviour:
 def approach_slot(context: TreeContext, board: FetchBoard) -> Behaviour:
     """Return the subtree that brings the base into the slot's neighbourhood."""
 
-    def reach(side: Side, _: int) -> Reach | Failure:
+    def reach(side: HandName, _: int) -> Reach | Failure:
         ways, description = ways_to_place(context, board, side), context.knowledge.description
         if isinstance(ways, Failure) or description is None:
             return ways if isinstance(ways, Failure) else unknown(board.item)

@@ -13,7 +13,7 @@ from py_trees.composites import Selector, Sequence
 from py_trees.decorators import Inverter
 
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.world import Side
+from tandem.skills.ports.message import HandName
 from tandem.trees.behaviours.check import Check
 from tandem.trees.behaviours.decide import Decide
 from tandem.trees.board import FetchBoard
@@ -81,7 +81,7 @@ def put_back(context: TreeContext, board: FetchBoard) -> Behaviour:
 def _let_go(context: TreeContext) -> Behaviour:
     """Open the hand that closed on the item, and was not known to hold it when the task was cancelled."""
 
-    def side() -> Side:
+    def side() -> HandName:
         closed = recall(context).closed
         assert closed is not None, "asked for before"
         return closed

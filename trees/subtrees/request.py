@@ -84,7 +84,8 @@ def ready(context: TreeContext, name: str = "robot is ready", *, patience: float
 def _bind_arm(context: TreeContext, board: FetchBoard) -> Decide:
     def decide() -> str | Failure:
         world = context.knowledge.world or _nothing()
-        hands = board.site_item(context).hands
+        item = board.site_item(context)
+        hands = tuple(hand for hand in context.knowledge.hands if item.is_for(hand))
         wanted = (board.wanted_arm,) if board.wanted_arm is not None else hands
         holding = next((hand.side for hand in world.held if hand.item == board.item), None)
         if holding is not None:

@@ -13,7 +13,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.world import SIDES, Side
+from tandem.skills.ports.message import HandName
 from tandem.trees.behaviours.check import Check
 from tandem.trees.board import FetchBoard
 from tandem.trees.conditions.at_pose import at_any
@@ -30,7 +30,7 @@ def stand_near(
     what: str,
     context: TreeContext,
     board: FetchBoard,
-    reach: Callable[[Side, int], Reach | Failure],
+    reach: Callable[[HandName, int], Reach | Failure],
     *,
     faces: tuple[int, ...] = (0,),
     touch_support: bool = False,
@@ -77,7 +77,7 @@ def _go(
     *,
     context: TreeContext,
     board: FetchBoard,
-    reach: Callable[[Side, int], Reach | Failure],
+    reach: Callable[[HandName, int], Reach | Failure],
     faces: tuple[int, ...],
     touch_support: bool,
     unreachable: FailureKind,
@@ -104,7 +104,7 @@ def _go(
             ],
         )
         for turns in faces
-        for side in SIDES
+        for side in context.knowledge.hands
     ]
     return Sequence(
         f"approach {what}",
@@ -133,7 +133,7 @@ def _go(
     )
 
 
-def _may_use(board: FetchBoard, side: Side) -> bool:
+def _may_use(board: FetchBoard, side: HandName) -> bool:
     return side in board.sides
 
 

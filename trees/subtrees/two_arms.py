@@ -8,7 +8,6 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.world import SIDES
 from tandem.trees.behaviours.decide import Decide
 from tandem.trees.behaviours.meanwhile import Meanwhile
 from tandem.trees.behaviours.pause import Pause
@@ -22,6 +21,7 @@ from tandem.trees.leaves.coordinate import Mode, coordinate
 from tandem.trees.leaves.localise import localise
 from tandem.trees.leaves.look_at_table import look_at_table
 from tandem.trees.leaves.track import track
+from tandem.trees.leaves.within_reach import zoned
 from tandem.trees.recovery_kinds import unseen
 from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.recovery_steps import wait_back
@@ -145,7 +145,7 @@ def _zones_known(context: TreeContext) -> WaitFor:
     return WaitFor(
         "zones are known",
         context,
-        lambda: context.knowledge.zones is not None,
+        lambda: context.knowledge.zones is not None or not zoned(context),
         otherwise,
         patience=ZONES_WITHIN,
     )
@@ -164,7 +164,7 @@ def where_hands_are(context: TreeContext, boards: tuple[HandBoard, ...]) -> dict
 
 def _where(context: TreeContext, item: int) -> str:
     world = context.knowledge.world
-    held = [] if world is None else [side for side in SIDES if _holds(context, side, item)]
+    held = [] if world is None else [side for side in context.knowledge.hands if _holds(context, side, item)]
     fact = None if world is None else world.item(item)
     if held:
         return f"in the {held[0]} hand"

@@ -12,10 +12,10 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from pydantic import Field
 
-from tandem.skills.ports.message import Message
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.message import HandName, Message
 from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import Side
 from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.phase import Phase
 from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
@@ -25,6 +25,7 @@ from tandem.trees.closing import where_all_is
 from tandem.trees.conditions.item_placed import item_placed
 from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext
+from tandem.trees.needs import Needs, no_such_hand
 from tandem.trees.recovery_kinds import fetching_again_helps
 from tandem.trees.subtrees.get_item import get_item
 from tandem.trees.subtrees.home import home_at_last
@@ -56,7 +57,7 @@ class FetchRequest(Message):
             "is meant"
         ),
     ] = None
-    arm: Annotated[Side | None, Field(description="which arm; default: the robot chooses")] = None
+    arm: Annotated[HandName | None, Field(description="which arm; default: the robot chooses")] = None
     on_cancel: Annotated[
         Literal["hold", "put_down"],
         Field(description="with the item in the hand: keep it there, or put it back where it stood"),
@@ -72,14 +73,21 @@ def problems(asked: FetchRequest, site: Site) -> tuple[Problem, ...]:
         found.append(
             Problem(path="item", expected=f"one of the site's items: {known}", found=str(asked.item))
         )
-    elif asked.arm is not None and asked.arm not in item.hands:
+    elif asked.arm is not None and not item.is_for(asked.arm):
         found.append(
-            Problem(path="arm", expected=f"a hand for item {item.item}: {item.hands}", found=asked.arm)
+            Problem(
+                path="arm", expected=f"a hand for item {item.item}: {', '.join(item.hands)}", found=asked.arm
+            )
         )
     if site.depot(asked.to) is None:
         known = ", ".join(each.name for each in site.depots)
         found.append(Problem(path="to", expected=f"one of the site's depots: {known}", found=asked.to))
     return tuple(found)
+
+
+def misfits(asked: FetchRequest, robot: RobotDescription) -> tuple[Problem, ...]:
+    """Return what the robot can't do."""
+    return no_such_hand("arm", asked.arm, robot)
 
 
 def build(asked: FetchRequest, context: TreeContext) -> Behaviour:
@@ -143,4 +151,6 @@ TASK = TaskType(
     problems=problems,
     build=build,
     waits=unheard,
+    needs=Needs(hands=1, drive=True, camera=True),
+    misfits=misfits,
 )

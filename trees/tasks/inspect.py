@@ -28,6 +28,7 @@ from tandem.trees.inspection import Inspection, InspectResult
 from tandem.trees.leaves.drive import drive
 from tandem.trees.leaves.look_round import look_round
 from tandem.trees.leaves.rotate import rotate
+from tandem.trees.needs import Needs
 from tandem.trees.recovery_kinds import another_way_helps
 from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.home import home_at_last
@@ -185,4 +186,5 @@ TASK = TaskType(
     build=build,
     waits=unheard,
     result=InspectResult,
+    needs=Needs(drive=True, camera=True),
 )

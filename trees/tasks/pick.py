@@ -9,10 +9,10 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from pydantic import Field
 
-from tandem.skills.ports.message import Message
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.message import HandName, Message
 from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import Side
 from tandem.trees.behaviours.check import Check
 from tandem.trees.behaviours.phase import Phase
 from tandem.trees.conditions.robot_heard import unheard
@@ -20,6 +20,7 @@ from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
 from tandem.trees.hand_requests import hand_problems, item_problems
 from tandem.trees.leaves.choose_arm import Choice, choose_arm
+from tandem.trees.needs import Needs, no_such_hand
 from tandem.trees.subtrees.hand_pick import Method, hand_pick
 from tandem.trees.subtrees.two_arms import take_up, watched, where_hands_are
 from tandem.trees.task import TaskType
@@ -30,7 +31,7 @@ class PickRequest(Message):
 
     task: Literal["pick"] = "pick"
     item: Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
-    arm: Annotated[Side | None, Field(description="which arm; default: the nearer one")] = None
+    arm: Annotated[HandName | None, Field(description="which arm; default: the nearer one")] = None
     method: Annotated[Method, Field(description="how the hand approaches it")] = "apf_rrtconnect"
 
 
@@ -42,9 +43,14 @@ def problems(asked: PickRequest, site: Site) -> tuple[Problem, ...]:
     return tuple(found)
 
 
+def misfits(asked: PickRequest, robot: RobotDescription) -> tuple[Problem, ...]:
+    """Return what the robot can't do."""
+    return no_such_hand("arm", asked.arm, robot)
+
+
 def build(asked: PickRequest, context: TreeContext) -> Behaviour:
     """Return the tree: a pick for each arm, of which the chosen one is run."""
-    boards = (HandBoard("left", asked.item), HandBoard("right", asked.item))
+    boards = tuple(HandBoard(hand, asked.item) for hand in context.knowledge.hands)
     choice = Choice()
     context.closing = lambda: where_hands_are(context, boards)
     picks = [
@@ -70,7 +76,7 @@ def build(asked: PickRequest, context: TreeContext) -> Behaviour:
     )
 
 
-def _is_chosen(choice: Choice, side: Side) -> bool:
+def _is_chosen(choice: Choice, side: HandName) -> bool:
     return choice.side == side
 
 
@@ -81,4 +87,6 @@ TASK = TaskType(
     problems=problems,
     build=build,
     waits=unheard,
+    needs=Needs(hands=1, camera=True),
+    misfits=misfits,
 )

@@ -12,6 +12,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Sequence
 from pydantic import Field
 
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
@@ -28,6 +29,7 @@ from tandem.trees.hand_requests import hand_problems, item_problems
 from tandem.trees.leaves.coordinate import Mode
 from tandem.trees.leaves.hand.still_held import still_held
 from tandem.trees.leaves.within_reach import within_reach
+from tandem.trees.needs import Needs
 from tandem.trees.subtrees.hand_pick import Method, hand_pick
 from tandem.trees.subtrees.two_arms import take_up, watched, where_hands_are
 from tandem.trees.task import TaskType
@@ -131,4 +133,5 @@ TASK = TaskType(
     problems=problems,
     build=build,
     waits=unheard,
+    needs=Needs(named=PAIR, camera=True),
 )

@@ -9,10 +9,11 @@ from py_trees.composites import Selector, Sequence
 from pydantic import Field
 
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.message import Count, Message
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.message import Count, HandName, Message
 from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import HeldItem, Side
+from tandem.skills.ports.world import HeldItem
 from tandem.trees.behaviours.decide import Decide
 from tandem.trees.behaviours.phase import Phase
 from tandem.trees.board import FetchBoard
@@ -21,6 +22,7 @@ from tandem.trees.conditions.item_placed import item_placed
 from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext
 from tandem.trees.leaves.bind_slot import bind_slot, free_slots
+from tandem.trees.needs import Needs, no_such_hand
 from tandem.trees.subtrees.place import place
 from tandem.trees.subtrees.request import know_where, ready
 from tandem.trees.task import TaskType
@@ -38,9 +40,9 @@ class PlaceRequest(Message):
     slot: Annotated[
         int | None, Field(ge=0, le=999, description="number of the slot; default: the first free one")
     ] = None
-    arm: Annotated[Side | None, Field(description="which hand; default: the first that holds something")] = (
-        None
-    )
+    arm: Annotated[
+        HandName | None, Field(description="which hand; default: the first that holds something")
+    ] = None
 
 
 class PlaceResult(Message):
@@ -55,7 +57,7 @@ class PlaceNotes(Message):
     """Kept with the task (``TaskNotes.keep``): a tree of after a restart must know what was in the hand."""
 
     item: Count
-    side: Side
+    side: HandName
 
 
 def problems(asked: PlaceRequest, site: Site) -> tuple[Problem, ...]:
@@ -68,6 +70,11 @@ def problems(asked: PlaceRequest, site: Site) -> tuple[Problem, ...]:
         most = len(depot.slots) - 1
         return (Problem(path="slot", expected=f"a slot of {asked.to}, 0 to {most}", found=str(asked.slot)),)
     return ()
+
+
+def misfits(asked: PlaceRequest, robot: RobotDescription) -> tuple[Problem, ...]:
+    """Return what the robot can't do."""
+    return no_such_hand("arm", asked.arm, robot)
 
 
 def build(asked: PlaceRequest, context: TreeContext) -> Behaviour:
@@ -131,7 +138,9 @@ def _bind_hand(context: TreeContext, board: FetchBoard) -> str | Failure:
     return f"item {found.item} of the {found.side} hand"
 
 
-def _chosen(held: tuple[HeldItem, ...], wanted: Side | None, noted: PlaceNotes | None) -> PlaceNotes | None:
+def _chosen(
+    held: tuple[HeldItem, ...], wanted: HandName | None, noted: PlaceNotes | None
+) -> PlaceNotes | None:
     """Return what is to be put down: what was begun with, or else what a hand holds."""
     if noted is not None:
         return noted
@@ -166,4 +175,6 @@ TASK = TaskType(
     build=build,
     waits=unheard,
     result=PlaceResult,
+    needs=Needs(hands=1, drive=True),
+    misfits=misfits,
 )

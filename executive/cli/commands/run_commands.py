@@ -213,7 +213,9 @@ def up(
         metrics=_metrics(metrics),
         traces=_traces(traces),
         silent_after=silent_after,
-        listen=checked_endpoints(bus, listen or (), insecure=insecure) if "router" in roles else (),
+        listen=checked_endpoints(bus, listen or (), insecure=insecure)
+        if not roles or "router" in roles
+        else (),
         only=roles,
         broken=broken,
     )

@@ -17,6 +17,7 @@ from tandem.executive.service.tasks.task_book import TaskBook
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.endpoint import AnyDocument, Call, endpoint
+from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import Service
 from tandem.skills.ports.limits import Limits
 from tandem.skills.ports.message import Message
@@ -47,6 +48,7 @@ class Intake:
         book: takes what is right.
         kinds: of tasks, by name.
         site: what is known beforehand.
+        robot: says what is known of the robot; None while nothing is.
         bounds: what one client may ask for.
     """
 
@@ -58,9 +60,11 @@ class Intake:
         kinds: Mapping[str, TaskType[Message]],
         site: Site,
         *,
+        robot: Callable[[], RobotDescription | None],
         bounds: Bounds,
     ) -> None:
         self._bus, self._book, self._kinds, self._site = bus, book, kinds, site
+        self._robot = robot
         limits = Limits(per_step=AT_ONCE // 2, rate=bounds.rate, burst=bounds.burst)
         service = Service(REQUEST, AnyDocument, TaskAnswer, limits=limits)
         self._endpoints = Endpoints(
@@ -120,7 +124,7 @@ class Intake:
             return Refused((Problem(path=WHOLE, expected=text),))
 
     def _consider(self, fields: dict[str, JsonValue]) -> TaskAnswer:
-        asked = self._checked(lambda: check_request(fields, self._kinds, self._site))
+        asked = self._checked(lambda: check_request(fields, self._kinds, self._site, self._robot()))
         if isinstance(asked, Refused):
             return TaskAnswer(accepted=False, problems=asked.problems, client_id=asked.client_id)
         try:

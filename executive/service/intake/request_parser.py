@@ -13,6 +13,7 @@ from pydantic import JsonValue, ValidationError
 from tandem.executive.ledger.sender import BY_FIELD
 from tandem.executive.service.intake.envelope import FIELDS, Envelope
 from tandem.skills.ports.documents import parse
+from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import PLAIN_TEXT, Message
 from tandem.skills.ports.problems import Problem, problems_of, show
 from tandem.skills.ports.site import Site
@@ -55,9 +56,12 @@ def read_request(payload: bytes, kinds: Mapping[str, TaskType[Message]], site: S
 
 
 def check_request(
-    document: dict[str, JsonValue], kinds: Mapping[str, TaskType[Message]], site: Site
+    document: dict[str, JsonValue],
+    kinds: Mapping[str, TaskType[Message]],
+    site: Site,
+    robot: RobotDescription | None = None,
 ) -> Asked | Refused:
-    """Check a document against the kinds of task, their models, and what is known beforehand."""
+    """Check a document against the kinds of task, their models, what is known beforehand, and the robot."""
     client_id = document.get(ID_FIELD, "")
     if not isinstance(client_id, str) or len(client_id) > MAX_ID or not PLAIN.fullmatch(client_id):
         expected = f"text of at most {MAX_ID} characters, without control characters"
@@ -68,7 +72,9 @@ def check_request(
         known = " or ".join(show(each) for each in kinds) or "a task (none is installed)"
         found = show(name) if KIND_FIELD in document else ""
         return Refused((Problem(path=KIND_FIELD, expected=known, found=found),), client_id)
-    return _checked(document, kind, site, client_id)
+    asked = _checked(document, kind, site, client_id)
+    problems = kind.against(asked.request, robot) if isinstance(asked, Asked) else ()
+    return Refused(problems, client_id) if problems else asked
 
 
 def _checked(

@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from functools import partial
 
 from tandem.executive.config.extras import SKILLS
-from tandem.executive.system.roles.role import Role, Surroundings, skill_rights
+from tandem.executive.system.roles.role import Family, Role, Surroundings, skill_rights
 from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.message import HandName
 from tandem.skills.ports.node import Node
-from tandem.skills.ports.world import SIDES, Side
 
 
-def _nodes(side: Side, at: Surroundings) -> Sequence[Node]:
+def _nodes(side: HandName, at: Surroundings) -> Sequence[Node]:
     from tandem.skills.arm.process import nodes as arm_nodes  # noqa: PLC0415
     from tandem.skills.gripper.process import nodes as gripper_nodes  # noqa: PLC0415
 
@@ -31,22 +31,22 @@ def _nodes(side: Side, at: Surroundings) -> Sequence[Node]:
     ]
 
 
-def _needed(side: Side, description: RobotDescription) -> bool:
-    return any(each.side == side for each in description.end_effectors)
-
-
-ROLES = tuple(
-    Role(
+def _role(side: HandName) -> Role:
+    return Role(
         name=f"arm_{side}",
-        starts=60 + place,
+        starts=60,
         kind="skills",
         extra=SKILLS,
-        needed=partial(_needed, side),
         nodes=partial(_nodes, side),
         rights=skill_rights(
             tells=("hw/group/*/setpoint",),
             asks=("hw/group/*/goal", "hw/group/*/cancel", "hw/gripper/*/command"),
         ),
     )
-    for place, side in enumerate(SIDES)
-)
+
+
+def _hands(description: RobotDescription) -> Sequence[HandName]:
+    return description.hands
+
+
+FAMILY = Family(prefix="arm_", parts=_hands, role=_role)

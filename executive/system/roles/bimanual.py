@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from tandem.executive.config.extras import SKILLS
 from tandem.executive.system.roles.role import Role, Surroundings, skill_rights
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
 
@@ -31,7 +32,7 @@ def _nodes(at: Surroundings) -> Sequence[Node]:
 
 
 def _needed(description: RobotDescription) -> bool:
-    return len(description.end_effectors) > 1
+    return set(PAIR) <= set(description.hands)
 
 
 ROLES = (

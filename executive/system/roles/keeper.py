@@ -11,7 +11,7 @@ from tandem.skills.ports.node import Node
 def _nodes(at: Surroundings) -> Sequence[Node]:
     from tandem.skills.world.process import nodes  # noqa: PLC0415
 
-    return nodes(at.bus, at.clocks, at.site, at.journal, charge=at.charge)
+    return nodes(at.bus, at.clocks, at.site, at.description.hands, at.journal, charge=at.charge)
 
 
 ROLES = (

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from tandem.executive.config.extras import SKILLS
 from tandem.executive.system.roles.role import Role, Surroundings, skill_rights
+from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
 
 
@@ -15,12 +16,17 @@ def _nodes(at: Surroundings) -> Sequence[Node]:
     return nodes(at.bus, at.clocks, at.description, at.site, at.compute, charge=at.charge)
 
 
+def _needed(description: RobotDescription) -> bool:
+    return bool(description.cameras)
+
+
 ROLES = (
     Role(
         name="perception",
         starts=30,
         kind="skills",
         extra=SKILLS,
+        needed=_needed,
         nodes=_nodes,
         rights=skill_rights(tells=("world/**",), asks=("hw/group/*/goal", "hw/group/*/cancel")),
     ),

@@ -9,14 +9,14 @@ import importlib
 import pkgutil
 from collections.abc import Iterable, Mapping
 from functools import cache
-from types import MappingProxyType
+from types import MappingProxyType, ModuleType
 from typing import Final
 
 from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.security.rights import Rights
 from tandem.executive.security.role import Part
 from tandem.executive.system import roles
-from tandem.executive.system.roles.role import Kind, Role
+from tandem.executive.system.roles.role import Family, Kind, Role
 from tandem.executive.system.roles.skill_type import SkillType
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.plugins import NONE, Group, Loaded, load
@@ -33,13 +33,24 @@ _PART: Final[Mapping[Kind, Part]] = MappingProxyType(
 
 
 @cache
+def _modules() -> tuple[ModuleType, ...]:
+    return tuple(
+        importlib.import_module(f"{roles.__name__}.{module.name}")
+        for module in pkgutil.iter_modules(roles.__path__)
+    )
+
+
+@cache
 def shipped() -> Mapping[str, Role]:
-    """Return the roles whose files are here, in the order in which they are started."""
-    found: list[Role] = []
-    for module in pkgutil.iter_modules(roles.__path__):
-        loaded = importlib.import_module(f"{roles.__name__}.{module.name}")
-        found.extend(getattr(loaded, "ROLES", ()))
+    """Return the roles whose files are here, but those of families, in the order of their start."""
+    found = [role for module in _modules() for role in getattr(module, "ROLES", ())]
     return MappingProxyType({role.name: role for role in _in_order(found)})
+
+
+@cache
+def families() -> tuple[Family, ...]:
+    """Return the families whose files are here."""
+    return tuple(module.FAMILY for module in _modules() if hasattr(module, "FAMILY"))
 
 
 def plugged_roles(left_out: Mapping[str, str] = NONE) -> Loaded[Role]:
@@ -60,31 +71,47 @@ def plugged(left_out: Mapping[str, str] = NONE) -> Mapping[str, Role]:
 
 
 def every(left_out: Mapping[str, str] = NONE) -> Mapping[str, Role]:
-    """Return all roles, in the order in which they are started."""
+    """Return all roles but those of families, in the order in which they are started."""
     found = _in_order((*shipped().values(), *plugged(left_out).values()))
     return MappingProxyType({role.name: role for role in found})
 
 
-def names(*, on_request: bool = False, left_out: Mapping[str, str] | None = None) -> tuple[str, ...]:
-    """Return the roles of a whole system.
-
-    Args:
-        on_request: also those that nothing needs.
-        left_out: also those of plug-ins, but for these; None: only those that ship.
-    """
-    found = shipped() if left_out is None else every(left_out)
-    return tuple(role.name for role in found.values() if on_request or not role.on_request)
-
-
-def skill_roles(description: RobotDescription, left_out: Mapping[str, str] | None = None) -> tuple[Role, ...]:
-    """Return the roles of skills that a robot needs, in the order in which lockstep steps them.
+def needed_roles(
+    description: RobotDescription, left_out: Mapping[str, str] | None = None
+) -> tuple[Role, ...]:
+    """Return the roles of a robot's whole system, in the order in which they are started.
 
     Args:
         description: of the robot.
-        left_out: as for ``names``.
+        left_out: also those of plug-ins, but for these; None: only those that ship.
     """
     found = shipped() if left_out is None else every(left_out)
-    return tuple(role for role in found.values() if role.kind == "skills" and role.needed(description))
+    fixed = [role for role in found.values() if not role.on_request and role.needed(description)]
+    parts = [family.role(part) for family in families() for part in family.parts(description)]
+    return tuple(_in_order([*fixed, *parts]))
+
+
+def names(description: RobotDescription, left_out: Mapping[str, str] | None = None) -> tuple[str, ...]:
+    """Return the names of the roles of a robot's whole system, as ``needed_roles`` does."""
+    return tuple(role.name for role in needed_roles(description, left_out))
+
+
+def skill_roles(description: RobotDescription, left_out: Mapping[str, str] | None = None) -> tuple[Role, ...]:
+    """Return the roles of skills that a robot needs, in the order in which lockstep steps them."""
+    return tuple(role for role in needed_roles(description, left_out) if role.kind == "skills")
+
+
+def role_named(name: str, left_out: Mapping[str, str] | None = None) -> Role | None:
+    """Return the role of a name, or None; with ``left_out`` also those of plug-ins, but for these."""
+    found = shipped() if left_out is None else every(left_out)
+    of_families = (family.named(name) for family in families())
+    return found.get(name) or next((role for role in of_families if role is not None), None)
+
+
+def known_names(left_out: Mapping[str, str] | None = None) -> tuple[str, ...]:
+    """Return what roles may be called, for people; ``arm_NAME`` stands for one of each hand."""
+    found = shipped() if left_out is None else every(left_out)
+    return (*found, *(f"{family.prefix}NAME" for family in families()))
 
 
 def role_of(settings: WorkerSettings) -> Role:
@@ -98,14 +125,13 @@ def role_of(settings: WorkerSettings) -> Role:
         named = getattr(importlib.import_module(module), attribute)
         assert isinstance(named, Role), f"{settings.played_by} is no role"
         return named
-    if settings.role in shipped():
-        return shipped()[settings.role]
-    found = every(settings.left_out)
-    if settings.role not in found:
+    role = role_named(settings.role) or role_named(settings.role, settings.left_out)
+    if role is None:
         broken = (*plugged_roles(settings.left_out).broken, *plugged_skills(settings.left_out).broken)
         why = "".join(f"; {each}" for each in broken if each.plugin.name == settings.role)
-        raise LookupError(f"role {settings.role!r}: expected one of {', '.join(found)}{why}")
-    return found[settings.role]
+        known = ", ".join(known_names(settings.left_out))
+        raise LookupError(f"role {settings.role!r}: expected one of {known}{why}")
+    return role
 
 
 def part_of(role: Role) -> Part:
@@ -116,7 +142,8 @@ def part_of(role: Role) -> Part:
 def rights_of_parts(left_out: Mapping[str, str] = NONE) -> Mapping[Part, Rights]:
     """Return what each part of the robot may do: all that any of its roles may, plug-ins' with them."""
     found: dict[Part, Rights] = {}
-    for role in every(left_out).values():
+    of_families = [family.role("any") for family in families()]
+    for role in (*every(left_out).values(), *of_families):
         found[part_of(role)] = found.get(part_of(role), Rights()).also(role.rights)
     return MappingProxyType(found)
 

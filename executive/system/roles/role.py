@@ -92,6 +92,23 @@ class Role:
     """Loads what playing the role will need, in a process that waits to take the place of a dead one."""
 
 
+@dataclass(frozen=True)
+class Family:
+    """Roles of which a robot has one for each part of a kind. A file declares one as ``FAMILY``."""
+
+    prefix: str
+    """What their names begin with, such as ``arm_``; the part's name follows."""
+    parts: Callable[[RobotDescription], Sequence[str]]
+    """The names of a robot's parts."""
+    role: Callable[[str], Role]
+    """Makes the role of a part."""
+
+    def named(self, name: str) -> Role | None:
+        """Return the role of that name, or None if it is none of these."""
+        part = name.removeprefix(self.prefix)
+        return self.role(part) if part not in {"", name} else None
+
+
 _EVERY_PROCESS: Final = Rights(announces=("alive/**", "claim/**"), sees=("alive/**", "claim/**"))
 _EVERY_SKILL: Final = Rights(
     tells=("skill/**", "sim/follow", "beat", "refused"),

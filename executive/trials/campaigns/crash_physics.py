@@ -29,8 +29,8 @@ from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.hearing import Heard
 from tandem.skills.ports.keys import Latest
-from tandem.skills.ports.message import Message, RobotTime
-from tandem.skills.ports.world import WORLD, Side, WorldState
+from tandem.skills.ports.message import HandName, Message, RobotTime
+from tandem.skills.ports.world import WORLD, WorldState
 from tandem.skills.site import load
 
 Kind = Literal["fetch", "pick_two"]
@@ -159,7 +159,7 @@ def wrong_in_truth(kind: Kind, truth: Truth, scenario: str) -> tuple[str, ...]:
     if kind == "fetch":
         lies = lies_on(truth, load(load_scenario(scenario).site), ITEM, DEPOT)
         return () if lies else (f"item {ITEM} does not lie in the {DEPOT}",)
-    hands: tuple[tuple[Side, int], ...] = (("left", ITEM), ("right", RIGHT_ITEM))
+    hands: tuple[tuple[HandName, int], ...] = (("left", ITEM), ("right", RIGHT_ITEM))
     return tuple(
         f"item {item} is not in the {side} hand alone: it touches {', '.join(touched) or 'nothing'}"
         for side, item in hands
@@ -167,7 +167,7 @@ def wrong_in_truth(kind: Kind, truth: Truth, scenario: str) -> tuple[str, ...]:
     )
 
 
-def _in_hand(side: Side, touched: tuple[str, ...]) -> bool:
+def _in_hand(side: HandName, touched: tuple[str, ...]) -> bool:
     return bool(touched) and all(each.startswith(f"robot/gripper_{side}_") for each in touched)
 
 
@@ -242,7 +242,7 @@ class Killer:
         if world is None:
             return False
         if node.endswith("close"):
-            side: Side = "right" if node.startswith("right") else "left"
+            side: HandName = "right" if node.startswith("right") else "left"
             return world.in_hand(side) is not None
         return node == "let go" and any(each.item == ITEM for each in world.placed)
 

@@ -15,11 +15,11 @@ from tandem.skills.ports.endpoint import answering
 from tandem.skills.ports.fencing import Grantor
 from tandem.skills.ports.hardware import Clock
 from tandem.skills.ports.keys import CLOCK, Service
-from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.message import HandName, Message, RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import Side, WorldState
+from tandem.skills.ports.world import WorldState
 from tandem.skills.testing.mock_robot import MockRobot
 
 ITEM: Final = 29
@@ -182,7 +182,7 @@ def _done_before(world: WorldState, action: str, goal_id: str, goal: Message) ->
     """Say whether it is believed that what a gripper is to bring about is so already."""
     if not isinstance(goal, GripGoal):
         return False
-    side: Side = "left" if "left" in action else "right"
+    side: HandName = "left" if "left" in action else "right"
     holds = any(hand.side == side for hand in world.held)
     if goal.grip is Grip.GRASP:
         return holds

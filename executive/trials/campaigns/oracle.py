@@ -15,7 +15,7 @@ from tandem.skills.geometry.poses import distance, floor_distance, to_floor, wra
 from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.world import SIDES, WORLD
+from tandem.skills.ports.world import WORLD
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -127,10 +127,12 @@ class Oracle:
                 yield f"{group.name} moves at {max(speeds):.3f} rad/s {REST:g} s after the end"
 
     def _arms_out(self) -> Iterator[str]:
-        for posture in self._station.model.description.postures:
-            if posture.name != "home" or posture.group not in {f"arm_{side}" for side in SIDES}:
+        description = self._station.model.description
+        arms = {hand.group for hand in description.end_effectors}
+        for posture in description.postures:
+            if posture.name != "home" or posture.group not in arms:
                 continue
-            joints = self._station.model.description.group(posture.group).joints
+            joints = description.group(posture.group).joints
             readings = self._station.body.read(joints)
             off = max(
                 abs(reading.position - at) for reading, at in zip(readings, posture.positions, strict=True)

@@ -25,10 +25,10 @@ from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.actions.base import ARM_MARGIN
 from tandem.skills.ports.hardware import JointStates, RobotDescription
-from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import PlanningScene, SceneObject, Side
+from tandem.skills.ports.world import PlanningScene, SceneObject
 
 FACES: Final = (0, 1, 2, -1)
 """An item's tagged faces, by quarter turns: the robot may see it from anywhere."""
@@ -47,7 +47,7 @@ class Reachable:
         self._site, self._description = site, description
         self._floor = FloorPlan(site)
         hulls, settings = load_hulls(description, 0), PlannerSettings()
-        self._planners: Mapping[Side, MovePlanner] = {
+        self._planners: Mapping[HandName, MovePlanner] = {
             hand.side: MovePlanner(Arm(hulls, description, hand.group), settings, "draw")
             for hand in description.end_effectors
         }
@@ -74,7 +74,12 @@ class Reachable:
         )
 
     def _reaches(
-        self, side: Side, tag_in_map: Pose, size: tuple[float, float, float], tag: int, scene: PlanningScene
+        self,
+        side: HandName,
+        tag_in_map: Pose,
+        size: tuple[float, float, float],
+        tag: int,
+        scene: PlanningScene,
     ) -> bool:
         hand, out = self._description.end_effector(side), outward(tag_in_map)
         ways = [grasp(tag_in_map, size[0], pitch) for pitch in PITCHES]
@@ -90,7 +95,7 @@ class Reachable:
         )
         return any(self._from(stand, side, goal, scene) for stand in stands if self._room(stand))
 
-    def _from(self, stand: FloorPose, side: Side, goal: MoveGoal, scene: PlanningScene) -> bool:
+    def _from(self, stand: FloorPose, side: HandName, goal: MoveGoal, scene: PlanningScene) -> bool:
         moment = Moment(self._joints, scene, stand)
         return _result(self._planners[side].reaches(goal, moment, np.random.default_rng(0)))
 

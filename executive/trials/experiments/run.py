@@ -15,14 +15,13 @@ from tandem.executive.trials.experiments.settings import CARTON, LEFT, RIGHT, Op
 from tandem.executive.trials.experiments.timeline import Span, Timeline
 from tandem.executive.trials.experiments.witness import Touch, Witness, lean, tilt
 from tandem.executive.trials.trial import trial, warm_up
-from tandem.skills.ports.actions.bimanual import RIGHT_OF_WAY
+from tandem.skills.ports.actions.bimanual import PAIR, RIGHT_OF_WAY
 from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.keys import Latest
-from tandem.skills.ports.message import Message, Vector3
+from tandem.skills.ports.message import HandName, Message, Vector3
 from tandem.skills.ports.site import Site, SiteItem
 from tandem.skills.ports.tasks import TaskState
-from tandem.skills.ports.world import SIDES, Side
 from tandem.skills.site import load
 
 TASK_WITHIN: Final = 240.0
@@ -109,13 +108,13 @@ class _Running:
         self._items = {
             side: _known(site, number)
             for side, number in zip(
-                SIDES, (CARTON, CARTON) if options.kind == "coordinated" else (LEFT, RIGHT), strict=True
+                PAIR, (CARTON, CARTON) if options.kind == "coordinated" else (LEFT, RIGHT), strict=True
             )
         }
         self._timeline = Timeline(system.bus, system.clocks)
         things = tuple(dict.fromkeys(self._items.values()))
         self._witness = Witness(system.lockstep.station, things)
-        self._offsets: dict[Side, Vector3] = {}
+        self._offsets: dict[HandName, Vector3] = {}
         self._held_up: dict[str, bool] = {}
         self._mover: Mover | None = None
         self._rule, self._stops = Latest(system.bus, RIGHT_OF_WAY), 0
@@ -152,7 +151,7 @@ class _Running:
         rule = self._rule.refresh()
         self._stops = self._stops if rule is None else max(self._stops, rule.episode)
         if not self._offsets and self._timeline.succeeded("both hands: squeeze") is not None:
-            self._offsets = {side: self._witness.offset(side, self._items[side]) for side in SIDES}
+            self._offsets = {side: self._witness.offset(side, self._items[side]) for side in PAIR}
         return False
 
     def close(self) -> None:
@@ -167,7 +166,7 @@ class _Running:
         how["sequential"] = self._options.sequential
         return {"task": "pick_two", "left": LEFT, "right": RIGHT, **how}
 
-    def _picks(self, state: str) -> dict[Side, bool]:
+    def _picks(self, state: str) -> dict[HandName, bool]:
         """Say for each hand whether the pick was right, in truth, and stays so for a while."""
         if self._options.kind == "coordinated":
             item = self._items["left"].item
@@ -191,7 +190,7 @@ class _Running:
             for side, each in self._items.items()
         }
 
-    def _arm(self, side: Side, pick: bool) -> ArmRun:  # noqa: FBT001 - one of its columns
+    def _arm(self, side: HandName, pick: bool) -> ArmRun:  # noqa: FBT001 - one of its columns
         who, timeline = f"{side} arm", self._timeline
         field = timeline.succeeded(f"{who}: approach")
         near = field or timeline.succeeded(f"{who}: plan before item")

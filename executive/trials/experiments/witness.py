@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Final
 from tandem.sim.scene import item_name
 from tandem.skills.geometry.poses import invert, rotate, transform
 from tandem.skills.grasping.hand_grasps import TIP
-from tandem.skills.ports.message import Message, Vector3
+from tandem.skills.ports.actions.bimanual import PAIR
+from tandem.skills.ports.message import HandName, Message, Vector3
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import SiteItem
-from tandem.skills.ports.world import SIDES, Side
 
 if TYPE_CHECKING:
     from tandem.sim.station import Station
@@ -21,7 +21,7 @@ CLEAR: Final = 0.02
 """Metres above where it stood from which on a thing is off the table: beyond what a push may raise it."""
 PATH_EVERY: Final = 10
 """Steps between two points of a hand's path: 0.1 s."""
-ARM_LINKS: Final = {side: (f"arm_{side}_", f"gripper_{side}_", f"wrist_{side}_") for side in SIDES}
+ARM_LINKS: Final = {side: (f"arm_{side}_", f"gripper_{side}_", f"wrist_{side}_") for side in PAIR}
 _UP: Final[Vector3] = (0.0, 0.0, 1.0)
 
 
@@ -45,7 +45,7 @@ class Witness:
     station: Station
     items: tuple[SiteItem, ...]
     touches: list[Touch] = field(default_factory=list)
-    paths: dict[Side, list[Vector3]] = field(default_factory=lambda: {"left": [], "right": []})
+    paths: dict[HandName, list[Vector3]] = field(default_factory=lambda: {"left": [], "right": []})
     heights: dict[int, float] = field(default_factory=dict)
     """Highest that each item's centre has been above where it stood (m)."""
     tilts: dict[int, float] = field(default_factory=dict)
@@ -58,7 +58,7 @@ class Witness:
         self._stood = {each.item: self.pose(each.item).position[2] for each in self.items}
         links = {index: name for name, index in self.station.body.link_index.items()}
         self._arm_of = {
-            index: side for index, name in links.items() for side in SIDES if name.startswith(ARM_LINKS[side])
+            index: side for index, name in links.items() for side in PAIR if name.startswith(ARM_LINKS[side])
         }
 
     def step(self) -> bool:
@@ -71,7 +71,7 @@ class Witness:
             if height > CLEAR:
                 self.tilts[each.item] = max(self.tilts.get(each.item, 0.0), tilt(pose))
         if self._steps % PATH_EVERY == 0:
-            for side in SIDES:
+            for side in PAIR:
                 self.paths[side].append(self.tool(side).position)
         self._steps += 1
         return False
@@ -80,14 +80,14 @@ class Witness:
         """Return where an item's centre truly is in the map."""
         return self.station.world.pose(item_name(item))
 
-    def tool(self, side: Side) -> Pose:
+    def tool(self, side: HandName) -> Pose:
         """Return where a hand's tool frame truly is in the map."""
         from tandem.sim.camera import pose_of  # noqa: PLC0415 - pybullet prints when it is imported
 
         frame = self.station.model.description.end_effector(side).frame
         return pose_of(self.station.body.frame_matrix(frame))
 
-    def offset(self, side: Side, item: SiteItem) -> Vector3:
+    def offset(self, side: HandName, item: SiteItem) -> Vector3:
         """Return the finger tips' place from the item's grasp point of that side, in the item's axes (m)."""
         point = next(each for each in item.grasp_points if each.side == side)
         tip = transform(self.tool(side), (TIP, 0.0, 0.0))
@@ -95,7 +95,7 @@ class Witness:
         px, py, pz = point.position
         return (x - px, y - py, z - pz)
 
-    def held_by(self, side: Side, item: int) -> bool:
+    def held_by(self, side: HandName, item: int) -> bool:
         """Say whether both fingers of a hand touch the item, and nothing but that hand does."""
         fingers = set(next(hand for hand in self.station.model.hands if hand.side == side).finger_links)
         names = self.station.world.names_by_id()

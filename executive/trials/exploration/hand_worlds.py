@@ -12,11 +12,12 @@ from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.executive.trials.exploration.worlds import Make, stop
 from tandem.skills.geometry.poses import about
 from tandem.skills.grasping.item_frames import tag_of_item
-from tandem.skills.ports.actions.bimanual import COORDINATE
+from tandem.skills.ports.actions.bimanual import COORDINATE, PAIR
 from tandem.skills.ports.actions.perception import TRACK
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import IDENTITY, Pose
-from tandem.skills.ports.world import SIDES, HeldItem, ItemFact, Side
+from tandem.skills.ports.world import HeldItem, ItemFact
 from tandem.skills.site import load
 from tandem.skills.testing.mock_robot import STRETCHED, MockRobot
 from tandem.skills.testing.mock_skill import Fault
@@ -32,8 +33,8 @@ Happening = Callable[[MockRobot], None]
 
 _BUSY: Final = Fault(failure=Failure(kind=FailureKind.BUSY, message="in this world it is busy once"))
 _GONE: Final = Fault(failure=Failure(kind=FailureKind.ITEM_GONE, message="in this world it has moved"))
-_SLOW: Final = {f"{side} arm: approach": Fault(late=20.0) for side in SIDES}
-_SLOWER: Final = {f"{side} arm: approach": Fault(late=50.0) for side in SIDES}
+_SLOW: Final = {f"{side} arm: approach": Fault(late=20.0) for side in PAIR}
+_SLOWER: Final = {f"{side} arm: approach": Fault(late=50.0) for side in PAIR}
 _BLIND: Final = {
     leaf: Fault(failure=Failure(kind=FailureKind.CAMERA_SILENT, message="in this world nothing is seen"))
     for leaf in ("track", "coordinate")
@@ -81,7 +82,7 @@ def pick_two_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
     world = partial(_world, "pick_two", {"left": LEFT, "right": RIGHT})
     together = partial(_world, "pick_two", {"left": LEFT, "right": RIGHT, "parallel_pick": True})
     corners: dict[str, Make] = {**_common(world)}
-    for side in SIDES:
+    for side in PAIR:
         corners |= _of_hand(world, side)
     return MappingProxyType({"in turns": partial(world), "together": partial(together)}), MappingProxyType(
         {
@@ -97,13 +98,13 @@ def pick_two_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
                 f"{side} hand late, together": partial(
                     together, faults={f"{side} arm: approach": Fault(late=2.0)}
                 )
-                for side in SIDES
+                for side in PAIR
             },
             **{
                 f"{side} hand fails before, together": partial(
                     together, faults={f"{side} arm: approach": _FORBIDDEN}
                 )
-                for side in SIDES
+                for side in PAIR
             },
             # The first is back long before the second, which then takes the last steps alone.
             "left item falls out while the right is picked": partial(
@@ -150,7 +151,7 @@ def pick_both_hands_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
                     "both hands: squeeze",
                     *(f"{side} arm: {where}: {leaf}" for where in _WHERE for leaf in leaves),
                 )
-                for side in SIDES
+                for side in PAIR
                 for name, leaves in {
                     "a long way back": ("to safety",),
                     "can't draw back": ("to safety", "draw back"),
@@ -195,7 +196,7 @@ def _common(world: Callable[..., TreeBench]) -> dict[str, Make]:
     }
 
 
-def _of_hand(world: Callable[..., TreeBench], side: Side) -> dict[str, Make]:
+def _of_hand(world: Callable[..., TreeBench], side: HandName) -> dict[str, Make]:
     """Return what befalls one arm: its item moves, its way is barred, it can't get back."""
     who = f"{side} arm"
     fails = partial(_always, world)
@@ -327,12 +328,12 @@ def _see(robot: MockRobot) -> None:
     robot.believe(items=tuple(facts))
 
 
-def drop(side: Side, robot: MockRobot) -> None:
+def drop(side: HandName, robot: MockRobot) -> None:
     """Let what a hand holds fall back to where it stood."""
     robot.hands[side] = None
     robot.believe(held=tuple(each for each in robot.world.held if each.side != side))
 
 
-def _hold(side: Side, item: int, robot: MockRobot) -> None:
+def _hold(side: HandName, item: int, robot: MockRobot) -> None:
     robot.hands[side] = item
     robot.believe(held=(HeldItem(side=side, item=item, item_in_tool=IDENTITY),))

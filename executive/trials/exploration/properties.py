@@ -11,8 +11,8 @@ from py_trees.common import Status
 
 from tandem.executive.trials.exploration.exploring import STEPS_WITHIN, Make, broken, moves_stretched
 from tandem.executive.trials.exploration.tree_bench import TreeBench
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.world import SIDES
 from tandem.skills.testing.mock_robot import MockRobot
 from tandem.skills.testing.mock_skill import Fault
 from tandem.trees.behaviours.act import Act
@@ -111,7 +111,7 @@ def _after_cancel(bench: TreeBench) -> tuple[str, ...]:
     at_rest = bench.interrupt()
     held = [
         name
-        for name in ("base", "head", *(f"{part}_{side}" for part in ("arm", "gripper") for side in SIDES))
+        for name in ("base", "head", *(f"{part}_{side}" for part in ("arm", "gripper") for side in PAIR))
         if bench.context.resources.holder(name) is not None
     ]
     wrong = [] if at_rest and not bench.robot.busy else ["skills are at work after a cancel"]
@@ -119,7 +119,7 @@ def _after_cancel(bench: TreeBench) -> tuple[str, ...]:
 
 
 def _drop(robot: MockRobot) -> None:
-    for side in SIDES:
+    for side in PAIR:
         if robot.world.in_hand(side) is not None:
             robot.drop(side)
 

@@ -10,13 +10,14 @@ from typing import Final
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.geometry.poses import from_axes
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.keys import STOP_STATE
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import SIDES, HeldItem, ItemFact, Placed
+from tandem.skills.ports.world import HeldItem, ItemFact, Placed
 from tandem.skills.site import load
 from tandem.skills.testing.mock_robot import STRETCHED, TUCKED, MockRobot
 from tandem.skills.testing.mock_skill import Fault
@@ -144,7 +145,7 @@ def fetch_corners(site: Site | None = None) -> Mapping[str, Make]:
     )
 
 
-_FACES: Final = tuple(f"{side} arm{face}" for face in ("", ", left face", ", right face") for side in SIDES)
+_FACES: Final = tuple(f"{side} arm{face}" for face in ("", ", left face", ", right face") for side in PAIR)
 
 
 def _surveys(world: Callable[..., TreeBench]) -> Mapping[str, Make]:
@@ -158,7 +159,7 @@ def _surveys(world: Callable[..., TreeBench]) -> Mapping[str, Make]:
                 request={"arm": side},
             )
             for what in ("item", "item again")
-            for side in SIDES
+            for side in PAIR
         },
     }
 
@@ -246,7 +247,7 @@ def _hold(item: int, robot: MockRobot) -> None:
 
 def _full(robot: MockRobot) -> None:
     items = {"left": OTHER, "right": 11}
-    robot.believe(held=tuple(HeldItem(side=s, item=items[s], item_in_tool=IDENTITY) for s in SIDES))
+    robot.believe(held=tuple(HeldItem(side=s, item=items[s], item_in_tool=IDENTITY) for s in PAIR))
 
 
 def _placed(robot: MockRobot) -> None:
@@ -288,5 +289,5 @@ def stop(robot: MockRobot) -> None:
 
 
 def _drop(robot: MockRobot) -> None:
-    for side in SIDES:
+    for side in PAIR:
         robot.drop(side)

@@ -8,8 +8,7 @@ from tandem.skills.arm.field.record import Record
 from tandem.skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
-from tandem.skills.ports.message import Vector3
-from tandem.skills.ports.world import Side
+from tandem.skills.ports.message import HandName, Vector3
 
 PERIOD: Final = 0.05
 """Robot seconds between two messages without a change."""
@@ -25,7 +24,7 @@ class Teller:
         side: its hand's.
     """
 
-    def __init__(self, bus: Bus, clocks: Clocks, group: str, side: Side) -> None:
+    def __init__(self, bus: Bus, clocks: Clocks, group: str, side: HandName) -> None:
         self._bus, self._clocks, self._side = bus, clocks, side
         self._topic = approach_status(group)
         self._told_at = float("-inf")

@@ -8,10 +8,9 @@ from typing import Annotated, Final
 from pydantic import Field
 
 from tandem.skills.ports.keys import Topic
-from tandem.skills.ports.message import MOST, Count, Message, RobotTime, Vector3
+from tandem.skills.ports.message import MOST, Count, HandName, Message, RobotTime, Vector3
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.skill import ActionType
-from tandem.skills.ports.world import Side
 
 GOAL_RADIUS: Final = 0.10
 """Metres before the grasp at which the field ends: the "goal radius" of the two-arm thesis, 4.3."""
@@ -85,7 +84,7 @@ class ApproachStatus(Message):
     """
 
     stamp: RobotTime
-    side: Side
+    side: HandName
     active: bool
     phase: ApproachPhase = ApproachPhase.FIELD
     distance: float = 0.0

@@ -8,10 +8,12 @@ from typing import Annotated, Final, Literal
 from pydantic import Field
 
 from tandem.skills.ports.keys import Topic
-from tandem.skills.ports.message import MOST, Count, Message, RobotTime, Vector3
+from tandem.skills.ports.message import MOST, Count, HandName, Message, RobotTime, Vector3
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.skill import ActionType
-from tandem.skills.ports.world import Side
+
+PAIR: Final[tuple[HandName, HandName]] = ("left", "right")
+"""The hands of a robot that has these skills; the tasks for two hands name them."""
 
 
 class Crossing(Message):
@@ -47,7 +49,7 @@ class Order(StrEnum):
 class ArmOrder(Message):
     """One arm's order. ``sample``: for BACK, the sample of its record to which it goes back."""
 
-    side: Side
+    side: HandName
     order: Order
     sample: Annotated[int, Field(ge=0, le=MOST)] = 0
 
@@ -64,7 +66,7 @@ class RightOfWay(Message):
     """Counts the stops; 0 before the first."""
     open: bool = False
     """Whether an arm is held or sent back."""
-    leader: Side | None = None
+    leader: HandName | None = None
     orders: tuple[ArmOrder, ...] = ()
 
     def of(self, side: str) -> ArmOrder | None:
@@ -93,7 +95,7 @@ class CoordinateFeedback(Message):
     """How often the arms were stopped, which one leads, and whether both are safe."""
 
     episode: Count
-    leader: Side | None = None
+    leader: HandName | None = None
     left_safe: bool = True
     right_safe: bool = True
 

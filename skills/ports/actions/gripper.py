@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Field
 
 from tandem.skills.ports.keys import Topic
-from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.message import HandName, Message, RobotTime
 from tandem.skills.ports.skill import ActionType
 
 
@@ -63,7 +63,7 @@ class HandStatus(Message):
     """At 10 Hz and on each change, also while no goal runs; width in metres, force in newtons."""
 
     stamp: RobotTime
-    side: Literal["left", "right"]
+    side: HandName
     state: HandState
     width: float
     force: float

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Final, Literal
+from typing import Final
 
-from tandem.skills.ports.message import Count, Message
+from tandem.skills.ports.message import Count, HandName, Message
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.skill import ActionType
 
@@ -34,7 +34,7 @@ class EditGoal(Message):
 
     edit: SceneEdit
     item: Count
-    side: Literal["left", "right"] | None = None
+    side: HandName | None = None
     item_in_tool: Pose | None = None
     item_in_map: Pose | None = None
     depot: str | None = None

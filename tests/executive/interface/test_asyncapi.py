@@ -58,7 +58,7 @@ def test_every_reference_leads_somewhere() -> None:
 def test_every_key_is_a_channel(module: object) -> None:
     addresses = {channel["address"] for channel in DOCUMENT["channels"].values()}
     entries = [each for each in vars(module).values() if isinstance(each, Topic | Service)]
-    wanted = [each.key for each in entries] + [tasks.REQUEST, tasks.TASK_PICTURE, keys.RGBD]
+    wanted = [each.key for each in entries] + [tasks.REQUEST, tasks.TASK_PICTURE, keys.rgbd("{camera}")]
     assert [key for key in wanted if f"{{site}}/{{robot}}/{key}" not in addresses] == []
 
 

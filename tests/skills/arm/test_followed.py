@@ -8,9 +8,9 @@ from tandem.skills.arm.followed import FollowedItem
 from tandem.skills.geometry.poses import compose, from_rpy
 from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.message import RobotTime, Vector3
+from tandem.skills.ports.message import HandName, RobotTime, Vector3
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.world import WORLD, ItemFact, Side, WorldState
+from tandem.skills.ports.world import WORLD, ItemFact, WorldState
 from tandem.skills.wire.memory import MemoryBus
 from tests.fakes.field_rig import CUBE, TAG_ON_ITEM
 
@@ -29,7 +29,7 @@ class Beliefs:
         self,
         x: float | None,
         yaw: float = 0.0,
-        held: Side | None = None,
+        held: HandName | None = None,
         *,
         pitch: float = 0.0,
         size: Vector3 = CUBE,
@@ -72,7 +72,7 @@ def test_another_side_of_it_is_not_another_place() -> None:
     [(0.63, None, "has moved by 0.030 m"), (None, None, "stand anywhere"), (0.6, "right", "stand anywhere")],
     ids=["moved", "gone", "in a hand"],
 )
-def test_it_is_gone(x: float | None, held: Side | None, words: str) -> None:
+def test_it_is_gone(x: float | None, held: HandName | None, words: str) -> None:
     beliefs = Beliefs()
     beliefs.tell(x, held=held)
     failure = beliefs.followed.moved()

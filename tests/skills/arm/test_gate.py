@@ -6,8 +6,7 @@ import pytest
 
 from tandem.skills.arm.gate import Gate
 from tandem.skills.ports.actions.bimanual import ORDER_LOST_AFTER, RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
-from tandem.skills.ports.message import RobotTime
-from tandem.skills.ports.world import Side
+from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus
 
@@ -29,7 +28,7 @@ LATE = ORDER_LOST_AFTER + 0.1
     ids=["go", "hold", "back", "stop", "other side", "no hand", "open and silent", "closed and silent"],
 )
 def test_what_an_arm_must_do(
-    *, side: Side | None, order: Order, opened: bool, later: float, expected: Order | None
+    *, side: HandName | None, order: Order, opened: bool, later: float, expected: Order | None
 ) -> None:
     bus, clocks = MemoryBus(), SteppedClocks("test")
     gate = Gate(bus, clocks, side)

@@ -20,7 +20,7 @@ from tandem.skills.bimanual.coordination import (
     Stage,
 )
 from tandem.skills.ports.actions.bimanual import Order
-from tandem.skills.ports.world import Side
+from tandem.skills.ports.message import HandName
 
 GO, HOLD, BACK, STOP = Order.GO, Order.HOLD, Order.BACK, Order.STOP
 HOME = ArmNow(safe=True)
@@ -47,7 +47,7 @@ class Trace:
 
     def __post_init__(self) -> None:
         self.state, self.seconds = Coordination(mode=self.mode), 0.0
-        self.leaders: list[tuple[int, Side]] = []
+        self.leaders: list[tuple[int, HandName]] = []
 
     def see(
         self,
@@ -96,7 +96,7 @@ def test_without_a_risk_both_go() -> None:
         "right",
     ],
 )
-def test_who_leads(left: ArmNow, right: ArmNow, leader: Side) -> None:
+def test_who_leads(left: ArmNow, right: ArmNow, leader: HandName) -> None:
     trace = Trace()
     trace.see(left, right, risk=True)
     assert trace.state.leader == leader

@@ -7,11 +7,10 @@ import pytest
 from tandem.skills.bimanual.coordination import Mode
 from tandem.skills.bimanual.coordinator import Coordinator
 from tandem.skills.ports.actions.approach import ApproachStatus, approach_status
-from tandem.skills.ports.actions.bimanual import CROSSING, RIGHT_OF_WAY, Crossing, Order, RightOfWay
+from tandem.skills.ports.actions.bimanual import CROSSING, PAIR, RIGHT_OF_WAY, Crossing, Order, RightOfWay
 from tandem.skills.ports.hardware import CancelMotion
 from tandem.skills.ports.keys import JOINT_STATES, Latest, group_cancel
 from tandem.skills.ports.message import RobotTime, Vector3
-from tandem.skills.ports.world import SIDES
 from tandem.skills.wire.memory import MemoryBus
 from tests.skills.reflex.two_arms import ASIDE, IN_FRONT, joint_states, positions, robot
 
@@ -30,14 +29,14 @@ class Rig:
         assert description.arms_crossing is not None
         self.node = Coordinator(self.bus, description, description.arms_crossing, hulls)
         self._heard = Latest(self.bus, RIGHT_OF_WAY)
-        self._cancels = {side: self.bus.serve(group_cancel(f"arm_{side}").key) for side in SIDES}
+        self._cancels = {side: self.bus.serve(group_cancel(f"arm_{side}").key) for side in PAIR}
         self.risk = self.near = False
         self.moving, self.approaching = True, True
         self.still: set[str] = set()
         self.done: set[str] = set()
-        self.where: dict[str, tuple[float, ...]] = dict.fromkeys(SIDES, ASIDE)
+        self.where: dict[str, tuple[float, ...]] = dict.fromkeys(PAIR, ASIDE)
         self.goals = dict(GOALS)
-        self.ends: dict[str, tuple[float, ...]] = dict.fromkeys(SIDES, ())
+        self.ends: dict[str, tuple[float, ...]] = dict.fromkeys(PAIR, ())
         self.at = {"left": 5, "right": 5}
 
     def round(self) -> RightOfWay:
@@ -45,12 +44,12 @@ class Rig:
         self.seconds += PERIOD
         stamp = RobotTime(boot="test", seconds=self.seconds)
         speed = 0.5 if self.moving else 0.0
-        speeds = {f"arm_{side}_3_joint": 0.0 if side in self.still else speed for side in SIDES}
+        speeds = {f"arm_{side}_3_joint": 0.0 if side in self.still else speed for side in PAIR}
         crossing = Crossing(
             stamp=stamp, risk=self.risk, distance=0.1, threshold=0.2, clearance=0.03, near=self.near
         )
         CROSSING.publish(self.bus, crossing)
-        for side, distance in zip(SIDES, (0.2, 0.4), strict=True):
+        for side, distance in zip(PAIR, (0.2, 0.4), strict=True):
             status = ApproachStatus(
                 stamp=stamp,
                 side=side,
@@ -158,8 +157,8 @@ def test_eager_one_gives_way_as_soon_as_both_have_told_ways_that_cross(
     rig: Rig, mode: Mode, ends: tuple[float, ...], leader: str | None
 ) -> None:
     rig.node.begin(mode)
-    rig.ends = dict.fromkeys(SIDES, ends)
-    rig.goals = dict.fromkeys(SIDES, (0.6, 0.0, 0.8)) if ends == IN_FRONT else GOALS
+    rig.ends = dict.fromkeys(PAIR, ends)
+    rig.goals = dict.fromkeys(PAIR, (0.6, 0.0, 0.8)) if ends == IN_FRONT else GOALS
     told = [rig.round() for _ in range(40)]
     assert told[-1].leader == leader
     assert {each.episode for each in told} == {0}, "nobody was stopped"
@@ -167,8 +166,8 @@ def test_eager_one_gives_way_as_soon_as_both_have_told_ways_that_cross(
 
 def test_eager_who_gives_way_stands_where_it_would_come_into_the_leaders_way(rig: Rig) -> None:
     rig.node.begin("eager")
-    rig.ends = dict.fromkeys(SIDES, IN_FRONT)
-    rig.goals = dict.fromkeys(SIDES, (0.6, 0.0, 0.8))
+    rig.ends = dict.fromkeys(PAIR, IN_FRONT)
+    rig.goals = dict.fromkeys(PAIR, (0.6, 0.0, 0.8))
     for _ in range(40):
         rig.round()
     rig.where["right"] = IN_FRONT
@@ -179,8 +178,8 @@ def test_eager_who_gives_way_stands_where_it_would_come_into_the_leaders_way(rig
 def test_eager_a_leader_that_waits_holds_nobody_up(rig: Rig, *, waits: bool, goes: bool) -> None:
     """It may wait for the other one, to grasp together."""
     rig.node.begin("eager")
-    rig.ends = dict.fromkeys(SIDES, IN_FRONT)
-    rig.goals = dict.fromkeys(SIDES, (0.6, 0.0, 0.8))
+    rig.ends = dict.fromkeys(PAIR, IN_FRONT)
+    rig.goals = dict.fromkeys(PAIR, (0.6, 0.0, 0.8))
     for _ in range(40):
         rig.round()
     rig.where["right"], rig.still = IN_FRONT, {"left"}

@@ -10,14 +10,20 @@ import pytest
 from tandem.skills.bimanual.hold import TwoArms
 from tandem.skills.bimanual.two_hands import HoldWithTwo
 from tandem.skills.geometry.poses import conjugate, from_axes, rotate
-from tandem.skills.ports.actions.bimanual import TwoHands, TwoHandsFeedback, TwoHandsGoal, TwoHandsResult
+from tandem.skills.ports.actions.bimanual import (
+    PAIR,
+    TwoHands,
+    TwoHandsFeedback,
+    TwoHandsGoal,
+    TwoHandsResult,
+)
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.hardware import Wrench
 from tandem.skills.ports.keys import JOINT_STATES, Latest, group_setpoint, wrench
 from tandem.skills.ports.message import Quaternion, RobotTime, Vector3
 from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.skill import Command, Outcome
-from tandem.skills.ports.world import ROBOT_POSE, SIDES, WORLD, ItemFact, WorldState
+from tandem.skills.ports.world import ROBOT_POSE, WORLD, ItemFact, WorldState
 from tandem.skills.site import load
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus
@@ -48,7 +54,7 @@ class Rig:
         self.arms = TwoArms(self.bus, self.clocks, self.description, self.hulls)
         self.skill = HoldWithTwo(self.bus, self.clocks, SITE, self.arms)
         self.at = positions()
-        self._points = {side: Latest(self.bus, group_setpoint(f"arm_{side}")) for side in SIDES}
+        self._points = {side: Latest(self.bus, group_setpoint(f"arm_{side}")) for side in PAIR}
         self.carton = Pose(position=(0.55, 0.0, 0.91))
         self.believe(from_axes((0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (-1.0, 0.0, 0.0)))
         stamp = RobotTime(boot="test", seconds=0.0)
@@ -83,7 +89,7 @@ class Rig:
     def period(self) -> None:
         """Let 10 ms pass."""
         self.clocks.advance(0.01)
-        for side in SIDES:
+        for side in PAIR:
             point = self._points[side].refresh()
             joints = self.description.group(f"arm_{side}").joints
             if point is not None and side != self.stuck:
@@ -91,7 +97,7 @@ class Rig:
         now = self.clocks.seconds
         JOINT_STATES.publish(self.bus, joint_states(now, self.at))
         tools = self.hulls.robot.poses([arm.frame for arm in self.arms.arms], self.at)
-        for side, tool in zip(SIDES, tools, strict=True):
+        for side, tool in zip(PAIR, tools, strict=True):
             told = Wrench(
                 stamp=RobotTime(boot="test", seconds=now),
                 side=side,
@@ -169,7 +175,7 @@ def test_letting_go_draws_both_hands_back() -> None:
     assert not rig.arms.leading
 
 
-@pytest.mark.parametrize("side", SIDES)
+@pytest.mark.parametrize("side", PAIR)
 def test_a_hand_that_feels_nothing_is_named(side: str) -> None:
     rig = Rig(soft=frozenset((side,)))
     failure = rig.run(SQUEEZE).failure
@@ -178,7 +184,7 @@ def test_a_hand_that_feels_nothing_is_named(side: str) -> None:
     assert not rig.arms.leading
 
 
-@pytest.mark.parametrize("side", SIDES)
+@pytest.mark.parametrize("side", PAIR)
 def test_an_arm_that_fails_is_named_and_the_other_goes_on_holding(side: str) -> None:
     rig = held()
     rig.stuck = side

@@ -15,7 +15,7 @@ from tandem.skills.ports.hardware import (
     Answer,
     CameraSensor,
     CancelMotion,
-    Drive,
+    DifferentialDrive,
     GroupStatus,
     JointGroup,
     JointLimit,
@@ -27,7 +27,7 @@ from tandem.skills.ports.hardware import (
     TrajectoryGoal,
 )
 from tandem.skills.ports.image import RgbdImage, encode
-from tandem.skills.ports.keys import JOINT_STATES, RGBD, STOP_STATE, group_cancel, group_goal, group_status
+from tandem.skills.ports.keys import JOINT_STATES, STOP_STATE, group_cancel, group_goal, group_status, rgbd
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
@@ -63,11 +63,22 @@ DESCRIPTION = RobotDescription(
     height=1.4,
     groups=(HEAD,),
     end_effectors=(),
-    camera=CameraSensor(name="head", frame="optical", width=1280, height=720, horizontal_fov=math.pi / 3),
-    laser=LaserSensor(
-        frame="base", angle_min=-1, angle_step=0.1, beams=21, range_min=0.1, range_max=5, period=0.1
+    cameras=(CameraSensor(name="head", frame="optical", width=1280, height=720, horizontal_fov=math.pi / 3),),
+    lasers=(
+        LaserSensor(
+            name="base",
+            frame="base",
+            angle_min=-1,
+            angle_step=0.1,
+            beams=21,
+            range_min=0.1,
+            range_max=5,
+            period=0.1,
+        ),
     ),
-    drive=Drive(forward=1, backward=0.2, acceleration=0.5, turn=1, turn_acceleration=1, dead_man=0.2),
+    drive=DifferentialDrive(
+        forward=1, backward=0.2, acceleration=0.5, turn=1, turn_acceleration=1, dead_man=0.2
+    ),
     postures=(),
     period=0.01,
 )
@@ -139,13 +150,13 @@ class Stage:
                     moving=False,
                 ),
             )
-        if tick % 10 == 0 and self.camera_works and self.bus.listened(RGBD):
+        if tick % 10 == 0 and self.camera_works and self.bus.listened(rgbd("head")):
             self.painted.append(self.clocks.seconds)
             self._late.append(
                 (self.clocks.seconds + 0.06, encode(self.painter(self.camera_in_map(), self.now)))
             )
         while self._late and self._late[0][0] <= self.clocks.seconds:
-            self.bus.publish(RGBD, self._late.pop(0)[1])
+            self.bus.publish(rgbd("head"), self._late.pop(0)[1])
 
     def _take_goals(self) -> None:
         for request in self._goals.drain():

@@ -13,7 +13,7 @@ from tandem.skills.perception.look import Look
 from tandem.skills.ports.actions.perception import LookGoal, LookResult
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.image import RgbdImage
-from tandem.skills.ports.keys import RGBD, Latest
+from tandem.skills.ports.keys import Latest, rgbd
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.skill import Command, Outcome
@@ -62,7 +62,7 @@ def drive(
         try:
             run.send((command_at or {}).get(step, Command.GO_ON))
         except StopIteration as stop:
-            assert not stage.bus.listened(RGBD), "rendering goes on though nobody looks"
+            assert not stage.bus.listened(rgbd("head")), "rendering goes on though nobody looks"
             outcome: Outcome[LookResult] = stop.value
             return outcome
     raise AssertionError("the look did not end")

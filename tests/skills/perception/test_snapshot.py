@@ -9,7 +9,7 @@ from tandem.skills.perception.snapshot import Snapshots
 from tandem.skills.ports.actions.perception import PICTURE
 from tandem.skills.ports.hearing import Reason
 from tandem.skills.ports.image import RgbdImage
-from tandem.skills.ports.keys import RGBD
+from tandem.skills.ports.keys import rgbd
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import Pose
 from tandem.skills.wire.workers import InlineCompute
@@ -25,15 +25,15 @@ def painter(_: Pose, now: RobotTime) -> RgbdImage:
 
 
 def ask(stage: Stage, seconds: float = 1.5) -> bytes | None:
-    node = Snapshots(stage.bus, stage.clocks, InlineCompute(stage.clocks))
+    node = Snapshots(stage.bus, stage.clocks, InlineCompute(stage.clocks), "head")
     node.step()
-    assert not stage.bus.listened(RGBD), "nobody asked"
+    assert not stage.bus.listened(rgbd("head")), "nobody asked"
     pending = stage.bus.query(PICTURE, b"")
     for _ in range(round(seconds / 0.01)):
         stage.step()
         node.step()
         if (answer := pending.poll()) is not None:
-            assert not stage.bus.listened(RGBD), "it goes on listening"
+            assert not stage.bus.listened(rgbd("head")), "it goes on listening"
             return answer
     return None
 
@@ -55,12 +55,12 @@ def test_a_silent_camera_gives_nothing_within_its_time() -> None:
 
 def test_what_is_no_picture_is_not_taken_for_the_next_one() -> None:
     stage = Stage(painter, camera_works=False)
-    node = Snapshots(stage.bus, stage.clocks, InlineCompute(stage.clocks))
+    node = Snapshots(stage.bus, stage.clocks, InlineCompute(stage.clocks), "head")
     pending = stage.bus.query(PICTURE, b"")
     node.step()
     for payload in (b"", b"\x01\x00\x00\x00{", b"\xff" * 100):
-        stage.bus.publish(RGBD, payload)
+        stage.bus.publish(rgbd("head"), payload)
         stage.step()
         node.step()
         assert pending.poll() is None
-    assert stage.bus.ear.refused[(RGBD, Reason.MALFORMED)] == 3
+    assert stage.bus.ear.refused[(rgbd("head"), Reason.MALFORMED)] == 3

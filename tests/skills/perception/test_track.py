@@ -13,7 +13,7 @@ from tandem.skills.perception.track import GONE_AFTER, Track
 from tandem.skills.ports.actions.perception import LookFeedback, TrackGoal, TrackResult
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.image import RgbdImage
-from tandem.skills.ports.keys import RGBD, Latest
+from tandem.skills.ports.keys import Latest, rgbd
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.skill import Command, Outcome
@@ -117,7 +117,7 @@ def test_it_ends_by_a_cancel_and_the_camera_rests() -> None:
     tracking.step(Command.CANCEL)
     assert tracking.outcome is not None
     assert tracking.outcome.canceled
-    assert not tracking.stage.bus.listened(RGBD)
+    assert not tracking.stage.bus.listened(rgbd("head"))
 
 
 def test_only_what_is_asked_for_is_told() -> None:

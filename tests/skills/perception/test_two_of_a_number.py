@@ -16,6 +16,7 @@ import pytest
 from tandem.skills import site
 from tandem.skills.geometry.poses import compose, distance, invert
 from tandem.skills.perception.look import Look
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.actions.perception import LookGoal, LookResult
 from tandem.skills.ports.image import RgbdImage
 from tandem.skills.ports.message import RobotTime
@@ -42,7 +43,7 @@ def look(where: Callable[[RobotTime], tuple[Pose, ...]]) -> tuple[LookResult, Ke
         return picture(faces, rng, samples=4, seconds=now.seconds)
 
     stage = Stage(painter, ROBOT)
-    keeper = Keeper(stage.bus, stage.clocks, LAB)
+    keeper = Keeper(stage.bus, stage.clocks, LAB, PAIR)
     skill = Look(stage.bus, stage.clocks, DESCRIPTION, LAB, InlineCompute(stage.clocks))
     run = skill.run(LookGoal(item=29, tilts=(-0.35,), pictures=3), "t/look/1")
     stage.step()

@@ -22,12 +22,12 @@ from tandem.skills.ports.image import header_of
 from tandem.skills.ports.keys import (
     CLOCK,
     JOINT_STATES,
-    LASER,
-    RGBD,
     Latest,
     Topic,
     group_setpoint,
     group_status,
+    laser,
+    rgbd,
 )
 from tandem.skills.ports.message import Message, RobotTime
 from tandem.skills.ports.refusals import CHANGED_EVERY, REPEATED_EVERY, RefusalTeller
@@ -104,7 +104,7 @@ def test_a_wrong_message_is_silence(stand: Stand, payload: bytes, reason: Reason
         ),
         (group_status("tail"), GroupStatus(stamp=at(1), group="tail", goal_id="", state=MotionState.ACTIVE)),
         (group_setpoint("arm_left"), SetPoint(stamp=at(1), positions=(0.0,) * 9, velocities=(0.0,) * 9)),
-        (LASER, LaserScan(stamp=at(1), ranges=(1.0,))),
+        (laser("base"), LaserScan(stamp=at(1), ranges=(1.0,))),
     ],
     ids=["another group's", "no group of the robot", "too many joints", "too few beams"],
 )
@@ -140,11 +140,11 @@ def picture(**other: object) -> bytes:
     ],
 )
 def test_a_wrong_picture_is_silence(stand: Stand, payload: bytes, reason: Reason) -> None:
-    pictures: Heard[RgbdHeader] = Heard(stand.bus, RGBD, header_of)
-    stand.teller.publish(RGBD, payload)
+    pictures: Heard[RgbdHeader] = Heard(stand.bus, rgbd("head"), header_of)
+    stand.teller.publish(rgbd("head"), payload)
     assert pictures.take() == []
-    assert stand.refused() == {(RGBD, reason): 1}
-    stand.teller.publish(RGBD, picture())
+    assert stand.refused() == {(rgbd("head"), reason): 1}
+    stand.teller.publish(rgbd("head"), picture())
     assert [header.camera for _, header, _ in pictures.take()] == [ROBOT.camera.name]
 
 

@@ -13,6 +13,7 @@ from tandem.skills.ports.action import (
     goal_service,
     result_service,
 )
+from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.actions.world import EditGoal, SceneEdit
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.keys import Latest
@@ -39,7 +40,7 @@ class Desk:
         self.clocks.advance(5.0)
         self.world = Latest(self.bus, WORLD)
         self.scene = Latest(self.bus, SCENE)
-        self.nodes: tuple[Node, ...] = nodes(self.bus, self.clocks, LAB, journal)
+        self.nodes: tuple[Node, ...] = nodes(self.bus, self.clocks, LAB, PAIR, journal)
         self.sent = 0
 
     def see(self, item: int) -> None:

@@ -8,15 +8,14 @@ import pytest
 
 from tandem.skills.ports.actions.gripper import HandState, HandStatus, hand_status
 from tandem.skills.ports.actions.world import SceneEdit
-from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.world import Side
 from tests.skills.world.test_edit import Desk
 
 E = SceneEdit
 
 
-def tell(desk: Desk, state: HandState, *, side: Side = "left", ago: float = 0.0, boot: str = "b") -> None:
+def tell(desk: Desk, state: HandState, *, side: HandName = "left", ago: float = 0.0, boot: str = "b") -> None:
     stamp = RobotTime(boot=boot, seconds=desk.clocks.seconds - ago)
     status = HandStatus(stamp=stamp, side=side, state=state, width=0.0, force=0.0)
     hand_status(side).publish(desk.bus, status)

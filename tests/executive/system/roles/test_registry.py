@@ -6,7 +6,14 @@ import pytest
 
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
 from tandem.executive.system.playing import play
-from tandem.executive.system.roles.registry import names, role_of, shipped, skill_roles
+from tandem.executive.system.roles.registry import (
+    names,
+    needed_roles,
+    role_named,
+    role_of,
+    shipped,
+    skill_roles,
+)
 from tandem.executive.trials.campaigns.mock_roles import CRASHING, MOCKED
 from tandem.skills.testing.mock_description import mock_description
 
@@ -14,12 +21,14 @@ SETTINGS = WorkerSettings(role="base", endpoint="tcp/127.0.0.1:1", prefix="lab/r
 
 
 def test_a_whole_system_starts_the_router_first_and_the_executive_last() -> None:
-    assert names()[:2] == ("router", "hardware")
-    assert names()[-1] == "executive"
-    assert set(names(on_request=True)) - set(names()) == {"observer"}
+    whole = names(mock_description())
+    assert whole[:2] == ("router", "hardware")
+    assert whole[-1] == "executive"
+    assert "observer" in shipped()
+    assert "observer" not in whole
 
 
-@pytest.mark.parametrize("role", shipped().values(), ids=lambda role: role.name)
+@pytest.mark.parametrize("role", needed_roles(mock_description()), ids=lambda role: role.name)
 def test_a_role_is_played_in_one_way(role: object) -> None:
     ways = [getattr(role, way) for way in ("nodes", "play", "route")]
     assert sum(way is not None for way in ways) == 1
@@ -30,6 +39,16 @@ def test_a_robot_with_one_hand_needs_neither_the_other_arm_nor_what_takes_two() 
     left = both.model_copy(update={"end_effectors": (both.end_effector("left"),)})
     needed, all_of_them = ({role.name for role in skill_roles(each)} for each in (left, both))
     assert all_of_them - needed == {"arm_right", "bimanual"}
+
+
+def test_a_robot_has_a_role_for_each_hand_whatever_it_is_called() -> None:
+    robot = mock_description()
+    hook = robot.end_effector("left").model_copy(update={"side": "hook"})
+    robot = robot.model_copy(update={"end_effectors": (hook,), "cameras": ()})
+    needed = [role.name for role in skill_roles(robot)]
+    assert needed == ["keeper", "base", "arm_hook"]
+    assert role_of(SETTINGS.model_copy(update={"role": "arm_hook"})).name == "arm_hook"
+    assert role_named("arm_") is None
 
 
 def test_what_ships_knows_no_mock_and_played_by_names_it() -> None:
