@@ -1,6 +1,6 @@
 """What to do: tasks in ``tasks/``, made of ``subtrees/``, ``leaves/``, ``conditions/`` and ``behaviours/``.
 
-Tasks: task, registry, hand_requests; nodes of plug-ins: nodes.
+Tasks: task, needs, registry, hand_requests; nodes of plug-ins: nodes.
 A task's surroundings: context, branch, knowledge, clients, client, resources, elapsed, failure_log,
 task_notes, dialogue.
 What leaves hand to each other: board, hand_board, hand_task, fetch_notes, inspection.

@@ -46,7 +46,7 @@ DELIVERY: Final[tuple[tuple[str, Delivery], ...]] = (
     ("hw/joints/state", Delivery.CONTROL),
     ("hw/base/velocity", Delivery.CONTROL),
     ("hw/base/odometry", Delivery.CONTROL),
-    ("hw/base/laser", Delivery.CONTROL),
+    ("hw/*/laser", Delivery.CONTROL),
     ("hw/group/*/setpoint", Delivery.CONTROL),
     ("hw/gripper/*/state", Delivery.CONTROL),
     ("hw/wrench/*", Delivery.CONTROL),
