@@ -286,6 +286,16 @@ class MockRobot:
         self.world = WorldState.model_validate(document)
         self.tell()
 
+    def serve(self, action: ActionType[G, F, R], idle: F, effect: Callable[[G], Outcome[R]]) -> None:
+        """Have a skill of one's own mocked, too.
+
+        Args:
+            action: its contract.
+            idle: the feedback while it runs.
+            effect: returns how a goal ends.
+        """
+        self._serve(action, idle, effect)
+
     def _serve(self, action: ActionType[G, F, R], idle: F, effect: object, *, endless: bool = False) -> None:
         def recorded(goal: G) -> Outcome[R]:
             outcome: Outcome[R] = effect(goal)  # type: ignore[operator]

@@ -144,3 +144,8 @@ def test_the_skill_of_the_gripper_works_with_another_robot(
     assert heard is not None
     assert heard.stamp.boot == "one-gripper"
     assert heard.stamp.seconds == pytest.approx(clocks.seconds)
+
+
+def test_a_task_need_not_be_registered_to_be_tried() -> None:
+    bench = TreeBench(SITE, items={29: TAG})
+    assert bench.run(example("look_around").TASK, {"views": 2}) is Status.SUCCESS
