@@ -42,6 +42,7 @@ from tandem.executive.system.isolation import isolate_children
 from tandem.executive.system.quiet_screen import Screen
 from tandem.skills.ports.sources import DocumentError
 
+PROJECT: Final = "tandem.yaml"
 _LOG = logging.getLogger(__name__)
 
 _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
@@ -131,6 +132,14 @@ def _common(
     log_format: Annotated[
         LogFormat, typer.Option("--log-format", help="Format of the log: plain text, or JSON lines.")
     ] = "text",
+    project: Annotated[
+        Path | None,
+        typer.Option(
+            "--project",
+            metavar="DIR|FILE",
+            help="Folder with a tandem.yaml, or such a file. Default: the current folder's, if it has one.",
+        ),
+    ] = None,
     version: Annotated[  # noqa: ARG001 - its callback does the work
         bool,
         typer.Option("--version", help="Print the version and exit.", is_eager=True, callback=_print_version),
@@ -141,6 +150,12 @@ def _common(
     if screen is not None:
         screen.lead_to(log, verbose=verbose)
     context.obj = logs
+    if project is not None or Path(PROJECT).is_file():
+        from tandem.executive.cli.defaults import defaults  # noqa: PLC0415 - most commands need none
+        from tandem.executive.config.project import find_project, read_project  # noqa: PLC0415
+
+        file = find_project(project, Path(PROJECT))
+        context.default_map = defaults(context.command, read_project(file))
 
 
 def _tell_of(error: Exception) -> ExitCode:

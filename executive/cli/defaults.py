@@ -1,0 +1,42 @@
+"""Makes the defaults of the commands' options out of a project's file (``executive.config.project``)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from typer.core import TyperCommand, TyperGroup
+
+from tandem.executive.config.project import Project
+
+SYSTEM: Final = ("up", "run")
+"""Commands that start the project's system; ``demo`` is Tandem's own, and takes nothing from a project."""
+OF_ROOM: Final = frozenset({"--scenario", "--site"})
+"""Options that mean the same wherever they stand."""
+
+
+def defaults(command: object, project: Project) -> dict[str, object]:
+    """Return a command's defaults as click's ``default_map`` has them: by its options, or by its commands."""
+    said = {
+        f"--{key.replace('_', '-')}": ",".join(value) if key == "only" else value
+        for key, value in project.model_dump(by_alias=True, exclude_none=True).items()
+    }
+    assert isinstance(command, TyperGroup), "the command as a whole is a group"
+    return {
+        name: _of(each, said, whole=name in SYSTEM)
+        for name, each in command.commands.items()
+        if name != "demo"
+    }
+
+
+def _of(command: object, said: Mapping[str, object], *, whole: bool) -> dict[str, object]:
+    if isinstance(command, TyperGroup):
+        return {name: _of(each, said, whole=whole) for name, each in command.commands.items()}
+    assert isinstance(command, TyperCommand), "a command is typer's"
+    found: dict[str, object] = {}
+    for parameter in command.params:
+        for option in said.keys() & set(parameter.opts):
+            shared = getattr(parameter, "envvar", None) or option in OF_ROOM
+            if (whole or shared) and parameter.name is not None:
+                found[parameter.name] = said[option]
+    return found
