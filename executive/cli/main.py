@@ -19,6 +19,7 @@ from tandem.executive.cli.commands import (
     campaign_command,
     experiment_command,
     keys_command,
+    new_command,
     plugins_command,
     request_command,
     run_commands,
@@ -61,6 +62,7 @@ _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     experiment_command.add_to,
     bench_command.add_to,
     keys_command.add_to,
+    new_command.add_to,
     plugins_command.add_to,
     doctor.add_to,
 )

@@ -53,6 +53,7 @@ STARTS_A_SYSTEM: Final = {"up"}
 """Shows the robot's keys itself: here by the fixture and by a test of its own."""
 CONNECTS_NOWHERE: Final = {
     "demo",
+    "new",
     "plugins",
     "schema",
     "zones",
