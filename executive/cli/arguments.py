@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import inspect
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Final, get_type_hints
 
@@ -122,8 +122,12 @@ _SHARED: Final[dict[str, tuple[object, object]]] = {
 }
 
 
-def shared_options(words: Sequence[str]) -> BusOptions:
+def shared_options(words: Sequence[str], defaults: Mapping[str, object] | None = None) -> BusOptions:
     """Return where the robot is, out of the words of a command whose own options are not known yet.
+
+    Args:
+        words: of the command.
+        defaults: of the project, by parameter.
 
     Raises:
         CommandError: as ``bus_options``.
@@ -137,7 +141,10 @@ def shared_options(words: Sequence[str]) -> BusOptions:
     app = typer.Typer(add_completion=False)
     app.command(context_settings={"ignore_unknown_options": True, "allow_extra_args": True})(where)
     context = typer.main.get_command(app).make_context(
-        "where", [each for each in words if each not in HELPS], help_option_names=[]
+        "where",
+        [each for each in words if each not in HELPS],
+        help_option_names=[],
+        default_map=dict(defaults or {}),
     )
     return _bus(**{name: context.params[name] for name in _SHARED})
 

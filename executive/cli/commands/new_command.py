@@ -26,7 +26,7 @@ FILES: Final[Mapping[str, str]] = MappingProxyType(
         "src/{{ package }}/rooms.py": "rooms.py",
         "src/{{ package }}/workshop.yaml": "workshop.yaml",
         "src/{{ package }}/first.yaml": "first.yaml",
-        "tests/test_patrol.py": "test_patrol.py",
+        "tests/test_{{ task }}.py": "test_patrol.py",
     }
 )
 """Files of the project, and the templates that they are made of."""
@@ -61,7 +61,12 @@ def project(name: str) -> dict[str, str]:
     from importlib.metadata import version  # noqa: PLC0415
     from importlib.resources import files  # noqa: PLC0415
 
-    named = {"package": name, "distribution": name.replace("_", "-"), "version": version("tandem-executive")}
+    named = {
+        "package": name,
+        "distribution": name.replace("_", "-"),
+        "task": "patrol",
+        "version": version("tandem-executive"),
+    }
     templates = files("tandem.executive.cli") / "template"
 
     def filled(text: str) -> str:

@@ -37,23 +37,26 @@ class KindsGroup(TyperGroup):
     def list_commands(self, ctx: Context) -> list[str]:
         """Return the names of all commands; without a robot those in the code."""
         with suppress(CommandError):
-            self._add_kinds(())
+            self._add_kinds(ctx, ())
         return super().list_commands(ctx)
 
     def resolve_command(self, ctx: Context, args: list[str]) -> tuple[str | None, Command | None, list[str]]:
         """Return the command that the words name; kinds are asked of the robot that the others name."""
         name = args[0]
         if name not in self.commands and not name.startswith("-"):
-            known = self._add_kinds(args[1:])
+            known = self._add_kinds(ctx, args[1:])
             if name not in known:
                 offered = ", ".join(known) or "none"
                 raise CommandError(f"the robot offers no task {name!r}; it offers {offered}")
         return super().resolve_command(ctx, args)
 
-    def _add_kinds(self, words: Sequence[str]) -> list[str]:
-        kinds = kinds_of_robot(shared_options(words))
+    def _add_kinds(self, ctx: Context, words: Sequence[str]) -> list[str]:
+        defaults = {} if ctx.default_map is None else ctx.default_map  # of the project's tandem.yaml
+        way = defaults.get("json", {})
+        kinds = kinds_of_robot(shared_options(words, way))
         for kind in kinds:
             self.commands.setdefault(kind.name, command_of(kind))
+            defaults.setdefault(kind.name, way)
         return [kind.name for kind in kinds]
 
 

@@ -49,7 +49,7 @@ def test_paths_are_relative_to_the_file_and_names_stay_names(project: Path) -> N
 
 def made(project: Path, *words: str) -> Mapping[str, object]:
     """Return a command's defaults."""
-    whole = get_command(build(()))
+    whole = get_command(build())
     found: object = defaults(whole, read_project(project / "tandem.yaml"))
     for word in words:
         assert isinstance(found, dict)
@@ -76,7 +76,7 @@ def test_a_client_takes_the_way_to_the_robot_and_a_campaign_the_room(project: Pa
 
 
 def test_every_key_of_the_file_is_an_option_of_up() -> None:
-    whole = get_command(build(()))
+    whole = get_command(build())
     assert isinstance(whole, TyperGroup)
     up = whole.commands["up"]
     assert isinstance(up, TyperCommand)
@@ -134,3 +134,10 @@ def test_a_wrong_one_is_refused(
     (project / "tandem.yaml").write_text(text)
     assert main(["plugins"]) == 2
     assert error in capsys.readouterr().err
+
+
+def test_a_request_finds_the_robot_of_the_project(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (project / "tandem.yaml").write_text("connect: tcp/127.0.0.1:7999\n")
+    for words in (("fetch", "--item", "3"), ("json", "{}")):
+        assert main(["request", *words]) == 3
+        assert "no router answers at tcp/127.0.0.1:7999" in capsys.readouterr().err
