@@ -23,6 +23,7 @@ from tandem.executive.cli.commands import (
     plugins_command,
     request_command,
     run_commands,
+    run_task_command,
     scenario_commands,
     schema_command,
     stop_commands,
@@ -48,6 +49,7 @@ _LOG = logging.getLogger(__name__)
 
 _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     run_commands.add_to,
+    run_task_command.add_to,
     request_command.add_to,
     task_commands.add_to,
     verb_commands.add_to,

@@ -13,12 +13,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Final
 
-from tandem.executive.cli.commands.request_command import ANY_KIND
+from tandem.executive.cli.commands import request_command, run_task_command
 from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
 from tandem.executive.cli.main import build
 from tandem.executive.interface.field_docs import first_paragraph
 from tandem.executive.interface.tables import interface_tables, table
 
+_OF_KINDS: Final = {"request": request_command.ANY_KIND, "run": run_task_command.ANY_KIND}
+"""Groups with a command for each kind of task."""
 _MARKED: Final = re.compile(r"(<!-- begin (\w+) -->\n).*?(<!-- end \2 -->)", re.DOTALL)
 
 
@@ -56,8 +58,9 @@ def _command_table() -> str:
             _command_row(f"{group.name} ", each.name, each.callback, each.help)
             for each in of.registered_commands
         ]
-        if group.name == "request":
-            rows.append((f"`tandem request {ANY_KIND[0]}`", ANY_KIND[1]))
+        if group.name in _OF_KINDS:
+            kind, what = _OF_KINDS[group.name]
+            rows.append((f"`tandem {group.name} {kind}`", what))
     return table(("command", "what it does"), rows)
 
 

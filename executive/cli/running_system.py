@@ -1,4 +1,4 @@
-"""What ``tandem demo`` and ``tandem up`` do: put a whole system together, run it, and end it."""
+"""What ``tandem demo``, ``run`` and ``up`` do: put a whole system together, run it, and end it."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import json
 import signal
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
@@ -35,13 +36,12 @@ from tandem.sim.truth import Truth, lies_on
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.sources import DocumentError
+from tandem.skills.ports.tasks import TaskStatus
 from tandem.skills.site import load, locate
 from tandem.skills.testing.faulty_bus import BusFaults
 
 DEMO_REQUEST: Final[dict[str, JsonValue]] = {"task": "fetch", "item": 29, "to": "depot"}
 PICTURE: Final = Path("tandem-demo.png")
-TASK_WITHIN: Final = 900.0
-"""Robot seconds for the demo's task."""
 
 
 def run_demo(options: RunOptions) -> ExitCode:
@@ -51,6 +51,24 @@ def run_demo(options: RunOptions) -> ExitCode:
         scenario, site, bus_faults = _checked(options)
         with _system(options, scenario, bus_faults, console) as system:
             return _fetch(options, system, site, console)
+
+    return _ended(work)
+
+
+def run_once(options: RunOptions) -> ExitCode:
+    """Carry out the request of the options and end; OK only when the task has succeeded."""
+
+    def work(console: Console) -> ExitCode:
+        scenario, _, bus_faults = _checked(options)
+        with _system(options, scenario, bus_faults, console) as system:
+            ran = _carry_out(options, system, options.request, console)
+            if ran is None:
+                return ExitCode.BAD_INPUT
+            if options.picture is not None:
+                _show_end(options.picture, ran.caller, console)
+            _tell_end(ran, console)
+            _write_report(options, ran.recorder, system, notes={}, start=ran.before, end=ran.after)
+            return ExitCode.OK if succeeded(ran.status) else ExitCode.TASK_FAILED
 
     return _ended(work)
 
@@ -157,36 +175,61 @@ def _system(
         yield processes
 
 
-def _fetch(options: RunOptions, system: System, site: Site, console: Console) -> ExitCode:
-    request = json.loads(options.request) if options.request else DEMO_REQUEST
+@dataclass(frozen=True)
+class _Ran:
+    """A request that was carried out: how it ended, and where the items truly were before and after."""
+
+    status: TaskStatus
+    caller: Caller
+    recorder: Recorder
+    before: dict[int, Pose]
+    after: dict[int, Pose]
+    truth: Truth
+
+
+def _carry_out(options: RunOptions, system: System, request: str, console: Console) -> _Ran | None:
+    """Send a request and see it to its end, told as it goes; None when it was rejected."""
     recorder = Recorder(system.bus, system.clocks)
     caller = Caller(system, lambda line: console.print(line, markup=False), also=recorder)
     before = caller.truth()
-    console.print(f"request: {json.dumps(request)}", markup=False)
+    console.print(f"request: {request}", markup=False)
     answer = caller.request(request)
     if not answer.accepted:
         for problem in answer.problems:
-            console.print(f"rejected: {problem.path}: {problem.expected}", style="red", markup=False)
-        return ExitCode.BAD_INPUT
-    status = caller.follow(answer.task, within=TASK_WITHIN)
+            found = f", found {problem.found}" if problem.found else ""
+            line = f"rejected: {problem.path}: expected {problem.expected}{found}"
+            console.print(line, style="red", markup=False)
+        return None
+    status = caller.follow(answer.task, within=options.within)
     after = caller.truth()
-    item, depot = int(str(request["item"])), str(request.get("to", "depot"))
-    there = lies_on(after, site, item, depot)
-    _show_end(options, caller, console)
-    ended = status.state.value.lower() if status.failure is None else f"failed: {status.failure.message}"
-    console.print(f"task {answer.task} {ended}", markup=False)
+    return _Ran(status, caller, recorder, _items(before), _items(after), after)
+
+
+def _fetch(options: RunOptions, system: System, site: Site, console: Console) -> ExitCode:
+    ran = _carry_out(options, system, json.dumps(DEMO_REQUEST), console)
+    if ran is None:
+        return ExitCode.BAD_INPUT
+    item, depot = int(str(DEMO_REQUEST["item"])), str(DEMO_REQUEST["to"])
+    there = lies_on(ran.truth, site, item, depot)
+    _show_end(options.picture or PICTURE, ran.caller, console)
+    _tell_end(ran, console)
     console.print(f"ground truth: item {item} {'is' if there else 'is not'} in {depot}", markup=False)
     notes: dict[str, JsonValue] = {"item": item, "in_depot": there}
-    _write_report(options, recorder, system, notes=notes, start=_items(before), end=_items(after))
-    return ExitCode.OK if there and succeeded(status) else ExitCode.TASK_FAILED
+    _write_report(options, ran.recorder, system, notes=notes, start=ran.before, end=ran.after)
+    return ExitCode.OK if there and succeeded(ran.status) else ExitCode.TASK_FAILED
 
 
-def _show_end(options: RunOptions, caller: Caller, console: Console) -> None:
+def _tell_end(ran: _Ran, console: Console) -> None:
+    status = ran.status
+    ended = status.state.value.lower() if status.failure is None else f"failed: {status.failure.message}"
+    console.print(f"task {status.task} {ended}", markup=False)
+
+
+def _show_end(path: Path, caller: Caller, console: Console) -> None:
     picture = caller.photograph()
     if picture is None:
         console.print("no picture: the camera did not answer")
         return
-    path = options.picture or PICTURE
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(picture)
     console.print(f"picture of the final scene: {path.resolve()}", markup=False)

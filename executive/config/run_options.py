@@ -90,7 +90,9 @@ class RunOptions:
     broken: tuple[Broken, ...] = ()
     """Plug-ins that can't be loaded, and are left out."""
     request: str = ""
-    """The demo's request as a JSON document; empty: the demo's own choice."""
+    """What ``tandem run`` asks for, as a JSON document."""
+    within: float = 900.0
+    """Robot seconds that its task may take."""
 
     @property
     def left_out(self) -> Mapping[str, str]:

@@ -86,13 +86,14 @@ class Caller:
         self._trees = Latest(system.bus, TREE, depth=1024)
         self._story = Story(say)
 
-    def request(self, document: dict[str, JsonValue]) -> TaskAnswer:
-        """Send a request and return the answer.
+    def request(self, document: dict[str, JsonValue] | str) -> TaskAnswer:
+        """Send a request, as a document or as its text, and return the answer.
 
         Raises:
             SystemFailure: when nobody answers.
         """
-        pending = self._system.bus.query(REQUEST, json.dumps(document).encode(), timeout=ANSWER_WITHIN)
+        text = document if isinstance(document, str) else json.dumps(document)
+        pending = self._system.bus.query(REQUEST, text.encode(), timeout=ANSWER_WITHIN)
         answer = wait_for(self._system, pending, ANSWER_WITHIN)
         if answer is None:
             raise SystemFailure("the executive did not answer the request")

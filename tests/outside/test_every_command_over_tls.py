@@ -55,6 +55,8 @@ CONNECTS_NOWHERE: Final = {
     "demo",
     "new",
     "plugins",
+    "run KIND",
+    "run json",
     "schema",
     "zones",
     "bench",

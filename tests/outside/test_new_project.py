@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import json
-import os
+import re
 import shutil
+import signal
 import subprocess
 import sys
+import time
 import venv
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 import pytest
 
-from tests.outside._command import ROOT, free_port, users_folder
+from tests.outside._command import ROOT, environment, free_port, users_folder
 
 pytestmark = [pytest.mark.processes, pytest.mark.xdist_group("processes")]
 WITHIN: Final = 300.0
@@ -35,11 +39,33 @@ class Place:
 
 
 def run(*words: str, cwd: Path) -> subprocess.CompletedProcess[str]:
-    kept = {k: v for k, v in os.environ.items() if not k.startswith(("TANDEM_", "PYTHONPATH"))}
-    env = kept | {"XDG_STATE_HOME": str(cwd / "state")}
     return subprocess.run(
-        words, cwd=cwd, env=env, capture_output=True, text=True, check=False, timeout=WITHIN
+        words, cwd=cwd, env=environment(), capture_output=True, text=True, check=False, timeout=WITHIN
     )
+
+
+@contextmanager
+def started(place: Place, *words: str) -> Iterator[str]:
+    """Run a system until the context ends; entered with what it said when it was ready."""
+    log = place.folder / "up.log"
+    with log.open("w") as file:
+        process = subprocess.Popen(
+            [str(place.programs / "tandem"), *words],
+            cwd=place.folder,
+            env=environment(),
+            stdout=file,
+            stderr=file,
+        )
+        try:
+            deadline = time.monotonic() + WITHIN
+            while "press Ctrl-C" not in log.read_text("utf-8"):
+                assert process.poll() is None, log.read_text("utf-8")
+                assert time.monotonic() < deadline, log.read_text("utf-8")
+                time.sleep(0.1)
+            yield log.read_text("utf-8")
+        finally:
+            process.send_signal(signal.SIGINT)
+            process.wait(60)
 
 
 def install(python: Path, what: Path, cwd: Path) -> None:
@@ -68,6 +94,10 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Place:
     libraries = [path for path in sys.path if "site-packages" in path]
     (packages,) = made.glob("lib/python*/site-packages")
     (packages / "libraries.pth").write_text("\n".join(libraries))
+    robots = next(
+        Path(path) / "cmeel.prefix" for path in libraries if (Path(path) / "cmeel.prefix/share").is_dir()
+    )
+    (packages / "cmeel.prefix").symlink_to(robots)  # the robot's files are looked for in the environment
     python = made / "bin" / "python"
     install(python, wheel, folder)
     user = users_folder(folder / "user")
@@ -110,3 +140,20 @@ def test_a_name_that_is_taken_or_none_is_refused(place: Place) -> None:
         done = place.run("tandem", "new", name)
         assert done.returncode == 2
         assert why in done.stderr
+
+
+def test_its_task_runs_in_lockstep(place: Place) -> None:
+    done = place.run("tandem", "run", "patrol", "--spots", '["table"]', "--lockstep")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "ok   1. table: look" in done.stdout
+    assert "task patrol-0001 succeeded" in done.stdout
+
+
+def test_its_system_starts_where_its_settings_say_and_does_its_task(place: Place) -> None:
+    port = re.findall(r"connect: \S+:(\d+)", (place.folder / "tandem.yaml").read_text("utf-8"))[0]
+    with started(place, "up", "--speed", "max") as said:
+        assert f"ready: {place.folder}/src/my_robot_app/first.yaml on workshop/tiago" in said
+        assert f":{port}" in said
+        done = place.run("tandem", "request", "patrol", "--spots", '["table"]', "--wait")
+        assert done.returncode == 0, done.stdout + done.stderr
+    assert (place.folder / "data").is_dir()

@@ -1,6 +1,6 @@
 """The commands: one file each, or one for a family.
 
-Run a robot: run_commands, stop_commands, doctor_command, keys_command, plugins_command,
+Run a robot: run_commands, run_task_command, stop_commands, doctor_command, keys_command, plugins_command,
 new_command.
 Ask for tasks: request_command, verb_commands, task_commands, history_command.
 Look on: watch_command, why_command, tree_commands, zones_command.

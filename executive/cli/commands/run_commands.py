@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import functools
+import inspect
 import os
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, cast, get_args
+from typing import Annotated, Final, cast, get_args, get_type_hints
 
 import typer
 
@@ -107,11 +110,45 @@ Only = Annotated[
 
 def add_to(app: typer.Typer) -> None:
     """Add the commands."""
-    app.command("demo")(demo)
+    app.command("demo")(starts_system(demo))
     app.command("up")(connects(up))
 
 
-def demo(
+def demo(*, options: RunOptions) -> None:
+    """Start a simulated robot, fetch an item and stop. Exits 0 only if the item really is in the depot."""
+    from tandem.executive.cli.running_system import run_demo  # noqa: PLC0415 - loads the whole system
+
+    raise typer.Exit(run_demo(options))
+
+
+def starts_system(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the options of a system that it starts and ends; it receives them as ``options``.
+
+    Args:
+        command: takes a keyword ``options: RunOptions``, which no option of its own stands for.
+    """
+
+    @functools.wraps(command)
+    def starting(context: typer.Context, **named: object) -> None:
+        shared = {each: named.pop(each) for each in SYSTEM_OPTIONS}
+        made: Callable[..., RunOptions] = _whole_system  # typer has checked them
+        command(**named, options=made(context, **shared))
+
+    hints = get_type_hints(command, include_extras=True)
+    given = getattr(command, "__signature__", inspect.signature(command)).parameters.values()
+    own = [each.replace(annotation=hints.get(each.name, each.annotation)) for each in given]
+    shared_hints = get_type_hints(_whole_system, include_extras=True)
+    shared = [
+        each.replace(annotation=shared_hints[each.name])
+        for each in inspect.signature(_whole_system).parameters.values()
+    ]
+    parameters = [shared[0], *(each for each in own if each.name != "options"), *shared[1:]]
+    starting.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    starting.__annotations__ = {each.name: each.annotation for each in parameters}
+    return starting
+
+
+def _whole_system(
     context: typer.Context,
     *,
     scenario: Scenario = "Demo",
@@ -126,15 +163,15 @@ def demo(
     connect: OwnEndpoint = DEFAULT_ENDPOINT,
     site_key: OwnSite = DEFAULT_SITE,
     robot: OwnRobot = DEFAULT_ROBOT,
-) -> None:
-    """Start a simulated robot, fetch an item and stop. Exits 0 only if the item really is in the depot."""
+) -> RunOptions:
+    """Return the options of a whole system, checked."""
     from tandem.executive.cli.opening import checked_roles, refuse_without_extras  # noqa: PLC0415
     from tandem.executive.system.plugin_probe import broken as broken_plugins  # noqa: PLC0415
 
     logs = _logs(context)
     _require_window(gui=gui, lockstep=lockstep)
     refuse_without_extras(checked_roles(None))
-    options = RunOptions(
+    return RunOptions(
         bus=bus_options(connect, site_key, robot),
         scenario=_scenario(scenario, site, faults),
         site=site,
@@ -150,9 +187,10 @@ def demo(
         verbose=logs.verbose,
         log_format=logs.format,
     )
-    from tandem.executive.cli.running_system import run_demo  # noqa: PLC0415 - loads the whole system
 
-    raise typer.Exit(run_demo(options))
+
+SYSTEM_OPTIONS: Final = tuple(inspect.signature(_whole_system).parameters)[1:]
+"""Names of the options that ``starts_system`` adds."""
 
 
 def up(

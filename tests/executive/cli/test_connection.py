@@ -24,7 +24,7 @@ SHARED: Final = {
     "--keys": "TANDEM_KEYS",
     "--as": "TANDEM_AS",
 }
-OF_ITS_OWN: Final = {"demo", "campaign crash", "campaign restart", "campaign soak"}
+OF_ITS_OWN: Final = {"demo", "run json", "campaign crash", "campaign restart", "campaign soak"}
 """They start a system of their own, and must not meet the robot that TANDEM_CONNECT names."""
 
 
