@@ -14,6 +14,7 @@ from typer.core import TyperCommand, TyperGroup
 from typer.main import get_command
 
 from tandem.executive.cli.commands.request_command import command_of
+from tandem.executive.cli.commands.run_task_command import command_of as run_command_of
 from tandem.executive.cli.main import build
 from tandem.executive.cli.pages import fill, tables
 from tandem.executive.service.intake.kind_schemas import kinds_offered
@@ -110,6 +111,10 @@ def command() -> TyperGroup:
     kinds = kinds_offered(discover()).kinds
     request.commands.update({kind.name: command_of(kind) for kind in kinds})
     request.commands["KIND"] = command_of(kinds[0])  # as the table names them all
+    run = made.commands["run"]
+    assert isinstance(run, TyperGroup)
+    run.commands |= {kind.name: run_command_of(kind) for kind in discover().values()}
+    run.commands |= dict.fromkeys(("KIND", "patrol"), run.commands["fetch"])  # `tandem new` makes a patrol
     return made
 
 
