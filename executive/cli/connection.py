@@ -18,7 +18,7 @@ from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import client_in
 from tandem.skills.ports.bus import Pending
 from tandem.skills.ports.keys import DESCRIPTION, Nothing, Service
-from tandem.skills.ports.message import Message
+from tandem.skills.ports.message import Message, read_leniently
 from tandem.skills.ports.tasks import TASK_CANCEL, by_client
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
@@ -79,7 +79,7 @@ class Connection:
         if document is None:
             raise CommandError(self._nobody(of), ExitCode.NOBODY_THERE)
         try:
-            return model.model_validate_json(document)
+            return read_leniently(model, document)
         except ValidationError as error:
             raise CommandError(
                 f"{key}: the answer is from another version of tandem: {error.error_count()} fields differ",

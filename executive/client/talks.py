@@ -20,7 +20,7 @@ from tandem.executive.client.errors import DeclinedError, NotConnectedError, Oth
 from tandem.skills.ports.bus import Bus, Pending
 from tandem.skills.ports.endpoint import Refusal
 from tandem.skills.ports.keys import Service
-from tandem.skills.ports.message import Message
+from tandem.skills.ports.message import Message, read_leniently
 
 T = TypeVar("T")
 Sent = TypeVar("Sent", bound=Message)
@@ -70,7 +70,7 @@ class Talks:
         if document is None:
             raise NotConnectedError(self._nobody())
         try:
-            return model.model_validate_json(document)
+            return read_leniently(model, document)
         except ValidationError as error:
             raise OtherVersionError(
                 f"{key}: the answer is from another version of tandem: {error.error_count()} fields differ"

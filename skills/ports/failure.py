@@ -58,6 +58,12 @@ class FailureKind(StrEnum):
     OTHER_ARM_FAILED = "OTHER_ARM_FAILED"
     INTERRUPTED = "INTERRUPTED"
     SUPERSEDED = "SUPERSEDED"
+    OTHER = "OTHER"
+
+    @classmethod
+    def _missing_(cls, value: object) -> FailureKind | None:
+        """Read a kind of another release, or of somebody else's skill, as ``OTHER``."""
+        return cls.OTHER if isinstance(value, str) else None
 
 
 class Helper(StrEnum):
@@ -137,6 +143,9 @@ KINDS: Final = MappingProxyType(
         ),
         _K.SUPERSEDED: KindFacts(
             "another process has the sender's role; the command was refused", False, Helper.OPERATOR
+        ),
+        _K.OTHER: KindFacts(
+            "a kind that this version does not know; see the message", False, Helper.OPERATOR
         ),
     }
 )

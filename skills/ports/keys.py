@@ -33,8 +33,10 @@ from tandem.skills.ports.hardware import (
 from tandem.skills.ports.hearing import Entrance
 from tandem.skills.ports.lease import LeaseAnswer, Leased, LeaseRequest, Leases
 from tandem.skills.ports.limits import SMALL, Limits
-from tandem.skills.ports.message import Message
+from tandem.skills.ports.message import Message, read_leniently
 
+TOLD: Final = ("task/", "tree/", "world/")
+"""How the keys begin that clients of any version hear."""
 M = TypeVar("M", bound=Message)
 Asked = TypeVar("Asked", bound=Message)
 Answered = TypeVar("Answered", bound=Message)
@@ -62,6 +64,8 @@ class Topic(Generic[M]):
 
     def decode(self, payload: bytes) -> M:
         """Return the message; pydantic's ValidationError when it is none."""
+        if self.key.startswith(TOLD):
+            return read_leniently(self.model, payload)
         return self.model.model_validate_json(payload)
 
 
@@ -87,7 +91,7 @@ class Service(Generic[Asked, Answered]):
 
     def decode_answer(self, payload: bytes) -> Answered:
         """Return the answer; pydantic's ValidationError when it is none."""
-        return self.answered.model_validate_json(payload)
+        return read_leniently(self.answered, payload)
 
 
 class Latest(Generic[M]):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final
+from typing import Annotated, Final, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -30,6 +30,21 @@ class Message(BaseModel):
     """Base of all that crosses the bus or stands in a file."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+M = TypeVar("M", bound=Message)
+
+
+def read_leniently(model: type[M], document: bytes) -> M:
+    """Return what a process of another version told, without the fields that this version does not know.
+
+    Messages to clients gain fields from release to release, and a client is seldom as new as the robot. What
+    is asked of a robot is read strictly: there an unknown field is a mistake that somebody wants to hear of.
+
+    Raises:
+        ValidationError: pydantic's, when it is no such message.
+    """
+    return model.model_validate_json(document, extra="ignore")
 
 
 class RobotTime(Message):

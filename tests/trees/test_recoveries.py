@@ -45,6 +45,7 @@ ROWS = (
     Row(K.DESTINATION_FULL, "detach", "", K.DESTINATION_FULL),
     Row(K.HAND_FULL, "attach", "", K.HAND_FULL),
     Row(K.HAND_EMPTY, "attach", "", K.HAND_EMPTY),
+    Row(K.OTHER, "attach", "", K.OTHER),
     Row(K.TILTED, "attach", "", K.TILTED),
     Row(K.OTHER_ARM_FAILED, "attach", "", K.OTHER_ARM_FAILED),
     *(
