@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 
-.PHONY: setup demo test check bench figures clean-figures format clean
+.PHONY: setup demo test check docs bench figures clean-figures format clean
 
 setup: $(STAMP)
 
@@ -25,6 +25,12 @@ check: $(STAMP)
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+
+# The pages as a site: out/docs/index.html. A link that leads nowhere is an error.
+docs: $(STAMP)
+	$(BIN)/pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[docs]'
+	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet --builder html docs out/docs
+	@echo "out/docs/index.html"
 
 bench: $(STAMP)
 	$(BIN)/tandem bench
