@@ -1,4 +1,4 @@
-"""The documentation as a site: ``make docs`` builds it into ``out/docs``. The pages read just as well without."""
+"""The documentation as a site: ``make docs`` builds it into ``out/docs``. The pages read as well without."""
 # ruff: noqa: INP001 - read by Sphinx, and no package
 
 from __future__ import annotations

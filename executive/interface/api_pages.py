@@ -32,7 +32,7 @@ _OF_PY_TREES: Final = ("initialise", "update", "terminate")
 _INDEX: Final = """# API
 
 A package of your own may import the names on these pages. Version {version} of this surface: a name that
-stands here is removed or changed with a new version only, and the [CHANGELOG](../../CHANGELOG.md) says so.
+stands here is removed or changed with a new version only, and the CHANGELOG says so.
 All other modules of Tandem may change at any time. `tandem.api.VERSION` is the version of what is installed.
 
 | module | what it holds |
