@@ -12,7 +12,7 @@ import sys
 from enum import EnumMeta
 from pathlib import Path
 from types import ModuleType
-from typing import Final
+from typing import Final, get_origin
 
 from tandem.skills.ports.message import Message
 
@@ -21,6 +21,7 @@ MODULES: Final = (
     "tandem.testing",
     "tandem.api",
     "tandem.api.actions",
+    "tandem.api.detectors",
     "tandem.api.robots",
     "tandem.api.roles",
     "tandem.api.skills",
@@ -77,6 +78,8 @@ def _entry(name: str, value: object) -> list[str]:
     if inspect.isclass(value) or inspect.isfunction(value):
         methods = _methods(value) if inspect.isclass(value) else []
         return [f"```text\n{_signature(name, value)}\n```", _doc(value), *methods]
+    if get_origin(value) is not None:
+        return [f"```text\n{name} = {_plain(str(value))}\n```"]
     said = next((getattr(value, each) for each in ("name", "key", "words") if hasattr(value, each)), value)
     return [f"```text\n{name}: {type(value).__name__} ({said})\n```"]
 

@@ -68,7 +68,7 @@ class Lockstep:
         left_out: Mapping[str, str] | None = None,
     ) -> None:
         self.hub = MemoryHub()
-        self._seed, self._bus_faults = seed, bus_faults
+        self._seed, self._bus_faults, self._left_out = seed, bus_faults, left_out
         self.clocks = SteppedClocks()
         site = load(scenario.site) if site is None else site
         how = StationSettings(boot=self.clocks.boot, seed=seed)
@@ -95,6 +95,7 @@ class Lockstep:
                 compute=InlineCompute(self.clocks),
                 seed=seed,
                 charge=True,
+                left_out=self._left_out,
             )
             return nodes_of(role, at)
 

@@ -45,6 +45,12 @@ def _sites(left_out: Mapping[str, str]) -> Loaded[object]:
     return plugged(left_out)
 
 
+def _detectors(left_out: Mapping[str, str]) -> Loaded[object]:
+    from tandem.skills.perception.detectors import plugged  # noqa: PLC0415
+
+    return plugged(left_out)
+
+
 GROUPS: Final[Mapping[Group, Callable[[Mapping[str, str]], Loaded[object]]]] = MappingProxyType(
     {
         Group.TASKS: _tasks,
@@ -53,6 +59,7 @@ GROUPS: Final[Mapping[Group, Callable[[Mapping[str, str]], Loaded[object]]]] = M
         Group.ROBOTS: _robots,
         Group.SITES: _sites,
         Group.NODES: _nodes,
+        Group.DETECTORS: _detectors,
     }
 )
 """Each returns the plug-ins of its group, without those that are known not to load."""

@@ -56,6 +56,7 @@ def play_skills(stage: Stage, role: Role) -> None:
                     site=site,
                     compute=compute,
                     seed=settings.seed,
+                    left_out=settings.left_out,
                     journal=None if settings.journal is None else Path(settings.journal),
                 )
                 nodes = nodes_of(role, at) if role.needed(description) else ()

@@ -3,5 +3,5 @@
 Skills: look, track, snapshot, process.
 A run: session, eye, camera, frames, head, ramp, blind.
 Where to look: aim, cover, gaze.
-Reading a picture: jobs, tags, corners, tag_pose, depth, clutter, arms, open_view, merge, rigid.
+Reading a picture: jobs, detectors, tags, corners, tag_pose, depth, clutter, arms, open_view, merge, rigid.
 """

@@ -5,7 +5,8 @@ What ``perception/look`` and ``perception/track`` share. The camera is pointed e
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable
+import logging
+from collections.abc import Generator, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -14,6 +15,8 @@ from tandem.skills.grasping.item_frames import standing_in_map
 from tandem.skills.perception import tags
 from tandem.skills.perception.blind import BlindCheck
 from tandem.skills.perception.camera import Camera
+from tandem.skills.perception.detectors import Detector
+from tandem.skills.perception.detectors import detectors as builtin
 from tandem.skills.perception.frames import CameraMount, JointHistory, RobotPoseHistory
 from tandem.skills.perception.jobs import Shot, TagJob, TagsFound, find_tags
 from tandem.skills.perception.session import LookError, Session
@@ -36,6 +39,7 @@ WORK_AFTER: Final = 20.0
 BLIND_AFTER: Final = 1.5
 """Robot seconds for which a run waits for a picture that shows something, once one did not."""
 
+_LOG = logging.getLogger(__name__)
 Steps = Generator[LookFeedback | Slice, Command, None]
 
 
@@ -68,12 +72,22 @@ class Eye:
         description: the robot's: its camera and where that is mounted.
         site: the items' tags and sizes.
         compute: who reads the pictures.
+        detectors: what recognises items in them, by name; tags when there is none.
     """
 
-    def __init__(self, bus: Bus, description: RobotDescription, site: Site, compute: Compute) -> None:
+    def __init__(
+        self,
+        bus: Bus,
+        description: RobotDescription,
+        site: Site,
+        compute: Compute,
+        *,
+        detectors: Mapping[str, Detector] | None = None,
+    ) -> None:
         self._site, self._compute = site, compute
+        self._detectors = tuple((detectors or builtin(None)).values())
+        self._troubles: set[str] = set()
         self._mount, self._blind = CameraMount(description), BlindCheck()
-        self._sizes = tuple((each.item, each.tag_size) for each in site.items)
         self._world = Latest(bus, WORLD, depth=4)
 
     def know_where(self, view: View) -> Steps:
@@ -125,10 +139,17 @@ class Eye:
         Raises:
             LookError: TIMED_OUT when the worker does not come back.
         """
-        job = self._compute.submit(find_tags, TagJob(shot, self._sizes, standing), cost=tags.COST)
+        job = self._compute.submit(
+            find_tags, TagJob(shot, self._site.items, standing, self._detectors), cost=tags.COST
+        )
         if not (yield from view.session.until(job.done, WORK_AFTER)):
             raise LookError(FailureKind.TIMED_OUT, "the picture was not read in time")
-        return job.result()
+        found = job.result()
+        for trouble in found.troubles:
+            if trouble not in self._troubles:  # it comes with each picture
+                _LOG.error("a detector raised %s", trouble)
+                self._troubles.add(trouble)
+        return found
 
     def facts(self) -> tuple[ItemFact, ...]:
         """Return what is believed of the items."""

@@ -9,10 +9,14 @@ import numpy as np
 from tandem.skills.geometry.poses import compose, conjugate, rotate, to_pose
 from tandem.skills.grasping.item_frames import tag_of_item
 from tandem.skills.perception import clutter, tags
+from tandem.skills.perception.detectors import Detection, Detector
 from tandem.skills.perception.open_view import in_the_open
 from tandem.skills.perception.rigid import Matrix
-from tandem.skills.ports.image import decode
+from tandem.skills.ports.image import RgbdImage, decode
+from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.plugins import in_words
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.site import SiteItem
 from tandem.skills.ports.world import Box, Sighting
 
 
@@ -27,11 +31,12 @@ class Shot:
 
 @dataclass(frozen=True)
 class TagJob:
-    """Find the tags of these sizes (m, by tag), and which items are not where they are believed to stand."""
+    """Find these items, and which of them are not where they are believed to stand."""
 
     shot: Shot
-    sizes: tuple[tuple[int, float], ...]
+    items: tuple[SiteItem, ...]
     believed: tuple[tuple[int, Box], ...] = ()
+    detectors: tuple[Detector, ...] = (tags.of_items,)
 
 
 @dataclass(frozen=True)
@@ -46,6 +51,8 @@ class TagsFound:
     absent: tuple[int, ...]
     unread: tuple[int, ...] = ()
     hidden: tuple[int, ...] = ()
+    troubles: tuple[str, ...] = ()
+    """What detectors raised, in words; the others have read the picture."""
 
 
 @dataclass(frozen=True)
@@ -74,8 +81,9 @@ def find_tags(job: TagJob) -> TagsFound:
     base_in_map = to_pose(job.shot.base_in_map)
     up_in_base = rotate(conjugate(base_in_map.orientation), (0.0, 0.0, 1.0))
     up_in_camera = rotate(conjugate(job.shot.camera_in_base.orientation), up_in_base)
+    detections, troubles = _detect(job, image, up_in_camera)
     found = []
-    for seen in tags.find(image, dict(job.sizes), up_in_camera):
+    for seen in detections:
         tag_in_base = compose(job.shot.camera_in_base, seen.tag_in_camera)
         found.append(
             Sighting(
@@ -90,7 +98,7 @@ def find_tags(job: TagJob) -> TagsFound:
             )
         )
     camera_in_map = compose(base_in_map, job.shot.camera_in_base)
-    seen_items, sizes = {each.item for each in found}, dict(job.sizes)
+    seen_items, sizes = {each.item for each in found}, {each.item: each.tag_size for each in job.items}
     missing = [(item, box) for item, box in job.believed if item not in seen_items]
     absent = tuple(item for item, box in missing if clutter.seen_through(image, camera_in_map, box))
     unread = tuple(
@@ -104,7 +112,26 @@ def find_tags(job: TagJob) -> TagsFound:
         for item, box in missing
         if item not in (*absent, *unread) and clutter.covered(image, camera_in_map, box)
     )
-    return TagsFound(tuple(found), absent, unread, hidden)
+    return TagsFound(tuple(found), absent, unread, hidden, troubles)
+
+
+def _detect(job: TagJob, image: RgbdImage, up: Vector3) -> tuple[list[Detection], tuple[str, ...]]:
+    """Return what the detectors find of the items, and what those raised that could not.
+
+    Raises:
+        Exception: what the first one raised, when none could read the picture.
+    """
+    found, raised = list[Detection](), list[Exception]()
+    known = {each.item for each in job.items}
+    for detector in job.detectors:
+        try:
+            found += [each for each in detector(image, job.items, up) if each.item in known]
+        except Exception as error:  # noqa: BLE001 - a plug-in's mistake costs what it would have seen
+            raised.append(error)
+    if raised and len(raised) == len(job.detectors):
+        raise raised[0]
+    found.sort(key=lambda each: (each.item, -each.quality))
+    return found, tuple(in_words(error) for error in raised)
 
 
 def warm_up(edge: int) -> int:

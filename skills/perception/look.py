@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -14,6 +15,7 @@ from tandem.skills.perception.aim import Aim
 from tandem.skills.perception.arms import Arms
 from tandem.skills.perception.camera import Camera
 from tandem.skills.perception.cover import ViewsJob, further_views
+from tandem.skills.perception.detectors import Detector
 from tandem.skills.perception.eye import WORK_AFTER, Eye, Steps, View
 from tandem.skills.perception.frames import JointHistory, RobotPoseHistory
 from tandem.skills.perception.head import SETTLE, Head
@@ -79,16 +81,24 @@ class Look:
         description: the robot's: its head, its camera and where that is mounted.
         site: the items' tags and sizes, and the furniture.
         compute: who reads the pictures.
+        detectors: what recognises items in them, by name; tags when there is none.
     """
 
     period: Final = 0.02
 
     def __init__(
-        self, bus: Bus, clocks: Clocks, description: RobotDescription, site: Site, compute: Compute
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        description: RobotDescription,
+        site: Site,
+        compute: Compute,
+        *,
+        detectors: Mapping[str, Detector] | None = None,
     ) -> None:
         self._bus, self._clocks, self._site, self._compute = bus, clocks, site, compute
         self._aim, self._arms, self._lens = Aim(description), Arms(description), description.camera
-        self._eye = Eye(bus, description, site, compute)
+        self._eye = Eye(bus, description, site, compute, detectors=detectors)
         self._body_radius = description.footprint_radius
         self._sizes = {each.item: each.size for each in site.items}
         self._furniture = tuple(box_in_map(box) for each in site.furniture for box in each.boxes)

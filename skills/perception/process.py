@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from tandem.skills.perception.detectors import Detector
 from tandem.skills.perception.jobs import warm_up
 from tandem.skills.perception.look import Look
 from tandem.skills.perception.snapshot import Snapshots
@@ -22,17 +25,18 @@ def nodes(
     site: Site,
     compute: Compute,
     *,
+    detectors: Mapping[str, Detector] | None = None,
     charge: bool = False,
 ) -> tuple[Node, ...]:
     """Return the servers of look and track, and the snapshots.
 
-    ``compute`` reads pictures; ``charge`` is the server's, for lockstep.
+    ``compute`` reads pictures, with the ``detectors``; ``charge`` is the server's, for lockstep.
 
     The worker is started now: its first picture should not wait for OpenCV to load.
     """
     compute.submit(warm_up, 64, cost=0.0)
-    look = Look(bus, clocks, description, site, compute)
-    track = Track(bus, clocks, description, site, compute)
+    look = Look(bus, clocks, description, site, compute, detectors=detectors)
+    track = Track(bus, clocks, description, site, compute, detectors=detectors)
     return (
         ActionServer(bus, clocks, look, charge=charge),
         ActionServer(bus, clocks, track, charge=charge),

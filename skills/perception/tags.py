@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Final
 
 import cv2
@@ -14,11 +13,12 @@ from numpy.typing import NDArray
 from tandem.skills.geometry.poses import length
 from tandem.skills.perception import corners as edges
 from tandem.skills.perception import depth as depth_image
+from tandem.skills.perception.detectors import Detection
 from tandem.skills.perception.rigid import Matrix
 from tandem.skills.perception.tag_pose import DepthPoints, Estimate, estimate
 from tandem.skills.ports.image import RgbdImage
 from tandem.skills.ports.message import Vector3
-from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.site import SiteItem
 
 COST: Final = 0.06
 """Robot seconds that one picture is charged in lockstep."""
@@ -35,23 +35,14 @@ _MAX_PIXEL_ERROR: Final = 1.0
 _DEPTH_POINTS: Final = 150
 
 
-@dataclass(frozen=True)
-class TagSeen:
-    """One tagged face in one picture."""
-
-    item: int
-    tag_in_camera: Pose
-    distance: float
-    """Metres from the camera."""
-    quality: float
-    """0 to 1: falls with distance, viewing angle, pixel error and disagreement with the depth."""
-    position_sigma: float
-    """Metres."""
+def of_items(image: RgbdImage, items: tuple[SiteItem, ...], up_in_camera: Vector3) -> tuple[Detection, ...]:
+    """Return the items whose tags a picture shows: the detector ``tags``."""
+    return find(image, {each.item: each.tag_size for each in items}, up_in_camera)
 
 
 def find(
     image: RgbdImage, tag_sizes: Mapping[int, float], up_in_camera: Vector3 | None = None
-) -> tuple[TagSeen, ...]:
+) -> tuple[Detection, ...]:
     """Return the known tags of a picture, by item and best first; an item may show two faces.
 
     Args:
@@ -125,7 +116,7 @@ def _pose(
     return found
 
 
-def _rated(item: int, found: Estimate) -> TagSeen:
+def _rated(item: int, found: Estimate) -> Detection:
     """Each doubt takes its share of the quality."""
     gap = 0.0 if found.depth_gap is None else found.depth_gap
     doubts = (
@@ -135,7 +126,7 @@ def _rated(item: int, found: Estimate) -> TagSeen:
         0.25 if found.depth_gap is None else 0.0,
         0.0 if found.upright else 0.5,
     )
-    return TagSeen(
+    return Detection(
         item=item,
         tag_in_camera=found.tag_in_camera,
         distance=length(found.tag_in_camera.position),

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Generator
+from collections.abc import Generator, Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -20,6 +20,7 @@ from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.geometry.poses import angle_between, compose, to_pose
 from tandem.skills.perception.aim import Aim
 from tandem.skills.perception.camera import Camera
+from tandem.skills.perception.detectors import Detector
 from tandem.skills.perception.eye import Eye, Steps, View
 from tandem.skills.perception.frames import JointHistory, RobotPoseHistory
 from tandem.skills.perception.gaze import Gaze
@@ -78,15 +79,26 @@ class Track:
         description: the robot's: its head, its camera and where that is mounted.
         site: the items' tags and sizes.
         compute: who reads the pictures.
+        detectors: what recognises items in them, by name; tags when there is none.
     """
 
     period: Final = 0.02
 
     def __init__(
-        self, bus: Bus, clocks: Clocks, description: RobotDescription, site: Site, compute: Compute
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        description: RobotDescription,
+        site: Site,
+        compute: Compute,
+        *,
+        detectors: Mapping[str, Detector] | None = None,
     ) -> None:
         self._bus, self._clocks, self._site = bus, clocks, site
-        self._eye, self._stop = Eye(bus, description, site, compute), Latest(bus, STOP_STATE)
+        self._eye, self._stop = (
+            Eye(bus, description, site, compute, detectors=detectors),
+            Latest(bus, STOP_STATE),
+        )
         self._faces: dict[int, Quaternion] = {}
         self._places: dict[int, Vector3] = {}
         self._aim, self._lens = Aim(description), description.camera

@@ -11,9 +11,11 @@ from tandem.skills.ports.node import Node
 
 
 def _nodes(at: Surroundings) -> Sequence[Node]:
+    from tandem.skills.perception.detectors import detectors  # noqa: PLC0415
     from tandem.skills.perception.process import nodes  # noqa: PLC0415
 
-    return nodes(at.bus, at.clocks, at.description, at.site, at.compute, charge=at.charge)
+    seen_by = detectors(at.left_out)
+    return nodes(at.bus, at.clocks, at.description, at.site, at.compute, detectors=seen_by, charge=at.charge)
 
 
 def _needed(description: RobotDescription) -> bool:

@@ -6,7 +6,7 @@ numpy, the base's no camera library.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, Literal
@@ -42,6 +42,8 @@ class Surroundings:
     charge: bool = False
     """Whether computations cost their declared robot time (lockstep)."""
     journal: Path | None = None
+    left_out: Mapping[str, str] | None = None
+    """Plug-ins that are known not to load; None: all plug-ins are left out."""
 
 
 @dataclass(frozen=True)

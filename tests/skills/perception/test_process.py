@@ -17,6 +17,8 @@ from tandem.skills.wire.workers import InlineCompute
 from tests.skills.perception.pictures import Face, picture, tag_at
 from tests.skills.perception.stage import DESCRIPTION, Stage
 
+ITEMS = tuple(each for each in site.load("lab").items if each.item == 29)
+
 
 @pytest.mark.parametrize(
     ("action", "goal"), [("perception/look", {"tilts": [-0.4]}), ("perception/track", {"items": [29]})]
@@ -35,7 +37,7 @@ def test_look_and_track_are_served(action: str, goal: dict[str, JsonValue]) -> N
 def test_jobs_and_their_results_survive_the_way_to_a_worker_and_back() -> None:
     image = picture((Face(29, tag_at(1.0, 0.2, 0.4), 0.048),), np.random.default_rng(1), samples=3)
     shot = Shot(encode(image), Pose(), FloorPose(x=0, y=0, yaw=0))
-    tags = pickle.loads(pickle.dumps(TagJob(shot, ((29, 0.048),))))  # noqa: S301
+    tags = pickle.loads(pickle.dumps(TagJob(shot, ITEMS)))  # noqa: S301
     clutter = pickle.loads(pickle.dumps(ClutterJob(shot, Known((), ()), (), np.zeros((0, 3)))))  # noqa: S301
     found = find_tags(tags)
     assert [each.item for each in found.sightings] == [29]
