@@ -17,6 +17,7 @@ from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.fault_file import check_faults
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.ledger.port import LedgerError, LedgerLockedError
+from tandem.executive.render.failure_words import result_lines
 from tandem.executive.system import startup_notice as taking_up
 from tandem.executive.system.first_request import hint
 from tandem.executive.system.free_endpoint import EndpointError
@@ -222,7 +223,7 @@ def _fetch(options: RunOptions, system: System, site: Site, console: Console) ->
 def _tell_end(ran: _Ran, console: Console) -> None:
     status = ran.status
     ended = status.state.value.lower() if status.failure is None else f"failed: {status.failure.message}"
-    console.print(f"task {status.task} {ended}", markup=False)
+    console.print("\n".join((f"task {status.task} {ended}", *result_lines(status))), markup=False)
 
 
 def _show_end(path: Path, caller: Caller, console: Console) -> None:

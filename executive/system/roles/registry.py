@@ -19,7 +19,7 @@ from tandem.executive.system import roles
 from tandem.executive.system.roles.role import Family, Kind, Role
 from tandem.executive.system.roles.skill_type import SkillType
 from tandem.skills.ports.hardware import RobotDescription
-from tandem.skills.ports.plugins import NONE, Group, Loaded, load
+from tandem.skills.ports.plugins import NONE, Group, Loaded, installed, load
 
 _PART: Final[Mapping[Kind, Part]] = MappingProxyType(
     {
@@ -55,12 +55,12 @@ def families() -> tuple[Family, ...]:
 
 def plugged_roles(left_out: Mapping[str, str] = NONE) -> Loaded[Role]:
     """Return the roles of other packages."""
-    return load(Group.ROLES, _checked_role, taken=shipped(), left_out=left_out)
+    return load(Group.ROLES, _checked_role, taken=_taken(), left_out=left_out)
 
 
 def plugged_skills(left_out: Mapping[str, str] = NONE) -> Loaded[Role]:
     """Return the skills of other packages, each as the role of the process that serves it."""
-    taken = {*shipped(), *plugged_roles(left_out).found}
+    taken = {*_taken(), *plugged_roles(left_out).found}
     return load(Group.SKILLS, _checked_skill, taken=taken, left_out=left_out)
 
 
@@ -150,6 +150,13 @@ def rights_of_parts(left_out: Mapping[str, str] = NONE) -> Mapping[Part, Rights]
 
 def _in_order(found: Iterable[Role]) -> list[Role]:
     return sorted(found, key=lambda each: each.starts)
+
+
+def _taken() -> frozenset[str]:
+    """Return the names that plug-ins can't have: roles that ship, and what a family calls one of its own."""
+    asked = {each.name for group in (Group.ROLES, Group.SKILLS) for each in installed(group)}
+    ours = {name for name in asked if any(family.named(name) is not None for family in families())}
+    return frozenset({*shipped(), *ours})
 
 
 def _checked_role(name: str, value: object) -> Role:

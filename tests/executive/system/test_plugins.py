@@ -98,7 +98,7 @@ def somebody(installed: Installed) -> Installed:
 @pytest.mark.usefixtures("somebody")
 def test_each_group_is_found() -> None:
     assert "nothing" in discover()
-    assert {"waving", "horn"} <= set(names(left_out={}))
+    assert {"waving", "horn"} <= set(names(mock_description(), {}))
     assert list(plugged_nodes().found) == ["beep"]
     assert Path(locate("hall")).name == "hall.yaml"
     assert load("hall").name == "lab"
@@ -233,3 +233,8 @@ def test_a_site_that_is_not_there_is_refused_with_those_that_are(
 @pytest.mark.usefixtures("somebody")
 def test_roles_say_where_they_come_from() -> None:
     assert plugged_roles().origins["horn"].package == "somebody"
+
+
+def test_an_arms_name_is_taken(installed: Installed) -> None:
+    installed.add("somebody", {"mine": role("arm_left")}, {"tandem.roles": {"arm_left": "mine:ROLE"}})
+    assert [each.error[:27] for each in plugged_roles().broken] == ["the name 'arm_left' is take"]

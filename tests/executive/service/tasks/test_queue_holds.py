@@ -23,6 +23,7 @@ from tandem.skills.ports.tasks import TASK_INFO, TaskState, TaskStatus
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext
+from tandem.trees.knowledge import Knowledge
 from tandem.trees.registry import discover
 from tandem.trees.task import TaskType
 
@@ -139,6 +140,18 @@ def test_a_robot_that_was_not_heard_holds_the_tasks_that_need_it(here: Surroundi
     here.step(100, seconds=1.0)
     assert states(here, fetch, free) == [S.QUEUED, S.SUCCEEDED]
     assert "hw/description" in status(here, fetch).waits_for
+
+
+def test_a_kind_that_cannot_say_what_it_waits_for_holds_its_own_tasks_only() -> None:
+    def raises(_: Knowledge) -> str:
+        raise KeyError("gripper")
+
+    here = Surroundings(kinds={"wait": KIND, "failing": replace(FAILING, waits=raises)})
+    broken, free = here.ask({"task": "failing"}).task, here.ask(WAIT).task
+    here.world(1)
+    here.step(20)
+    assert states(here, broken, free) == [S.QUEUED, S.SUCCEEDED]
+    assert "what says what failing waits for raised KeyError('gripper')" in status(here, broken).waits_for
 
 
 @pytest.mark.parametrize("kind", sorted(discover()))
