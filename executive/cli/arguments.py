@@ -67,6 +67,9 @@ OwnRobot = Annotated[str, typer.Option("--robot", help="Second part of every top
 Output = Annotated[
     Path | None, typer.Option("--output", "-o", help="Write to this file instead of standard output.")
 ]
+Json = Annotated[
+    bool, typer.Option("--json", help="Print JSON instead; docs/json.md has the shape of each command.")
+]
 SiteFile = Annotated[str, typer.Option("--site", metavar="NAME|FILE", help="Site to use: a name or a file.")]
 OtherSite = Annotated[
     str,

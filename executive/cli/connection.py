@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 from types import TracebackType
 from typing import Final, Self, TypeVar
 
-from pydantic import ValidationError
+from pydantic import JsonValue, ValidationError
 
 from tandem.executive.cli.allowed import refuse_unless_allowed
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.client.talks import reason_of
 from tandem.executive.config.run_options import BusOptions
+from tandem.executive.ledger.sender import asked_by
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import client_in
 from tandem.skills.ports.bus import Pending
@@ -94,6 +96,11 @@ class Connection:
         """Return where this client cancels: a requester its own tasks, everybody else any."""
         requester = self._identity is not None and self._identity.role() == "requester"
         return self.own(TASK_CANCEL.key) if requester else TASK_CANCEL.key
+
+    def owns(self, request: Mapping[str, JsonValue]) -> bool:
+        """Say whether this client may cancel what was asked for so: a requester its own, others any."""
+        requester = self._identity is not None and self._identity.role() == "requester"
+        return not requester or asked_by(request) == self.options.holder
 
     def require_right(self, key: str) -> None:
         """Raise REFUSED, with who may, when the key that is shown does not allow a question at this key."""

@@ -9,15 +9,18 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from enum import StrEnum
 from pathlib import Path
 from typing import Final
 
 from tandem.executive.cli.commands import request_command, run_task_command
 from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
 from tandem.executive.cli.main import build
-from tandem.executive.interface.field_docs import first_paragraph
-from tandem.executive.interface.tables import interface_tables, table
+from tandem.executive.cli.shapes import EACH, LINES, shapes
+from tandem.executive.interface.field_docs import first_paragraph, models_within
+from tandem.executive.interface.tables import all_models, interface_tables, message_tables, table
+from tandem.skills.ports.message import Message
 
 _OF_KINDS: Final = {"request": request_command.ANY_KIND, "run": run_task_command.ANY_KIND}
 """Groups with a command for each kind of task."""
@@ -26,7 +29,13 @@ _MARKED: Final = re.compile(r"(<!-- begin (\w+) -->\n).*?(<!-- end \2 -->)", re.
 
 def tables() -> dict[str, str]:
     """Return each table's Markdown by its name."""
-    return {**interface_tables(), "exit_codes": _exit_code_table(), "commands": _command_table()}
+    return {
+        **interface_tables(),
+        "exit_codes": _exit_code_table(),
+        "commands": _command_table(),
+        "json_commands": _json_table(),
+        "json_shapes": _json_shapes(),
+    }
 
 
 def fill(page: str) -> str:
@@ -46,6 +55,36 @@ def marked(page: str) -> list[str]:
 
 def _exit_code_table() -> str:
     return table(("code", "meaning"), [(str(code.value), MEANINGS[code]) for code in ExitCode])
+
+
+def _json_table() -> str:
+    rows, known = [], all_models()
+    for command, shape in shapes().items():
+        page = "interface.md" if shape in known else ""
+        name = f"[{shape.__name__}]({page}#{shape.__name__.lower()})"
+        how = "an array of " if command in EACH else "a line each: " if command in LINES else ""
+        rows.append((f"`tandem {command}`", f"{how}{name}"))
+    return table(("command", "what it prints"), sorted(rows))
+
+
+def _json_shapes() -> str:
+    own = _of_commands(shapes().values())
+    text = message_tables(own)
+    elsewhere = re.compile(r"\(#(?!(?:" + "|".join(each.__name__.lower() for each in own) + r")\))")
+    return elsewhere.sub("(interface.md#", text)
+
+
+def _of_commands(models: Iterable[type[Message]]) -> set[type[Message | StrEnum]]:
+    """Return the models of the command line alone, with those of their fields."""
+    known, found = all_models(), set[type[Message | StrEnum]]()
+    waiting: list[type[Message | StrEnum]] = list(models)
+    while waiting:
+        model = waiting.pop()
+        if model not in known and model not in found:
+            found.add(model)
+            fields = model.model_fields.values() if issubclass(model, Message) else ()
+            waiting += [below for info in fields for below in models_within(info.annotation)]
+    return found
 
 
 def _command_table() -> str:

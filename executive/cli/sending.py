@@ -11,6 +11,7 @@ from pydantic import JsonValue
 from tandem.executive.cli.connection import Connection
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.shapes import Requested, print_json
 from tandem.executive.cli.waiting import Waiting
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.render.failure_words import result_lines
@@ -19,15 +20,18 @@ from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.tasks import REQUEST, TASK_STATUS, TaskAnswer, TaskState, TaskStatus
 
 
-def send_fields(document: dict[str, JsonValue], options: BusOptions, *, wait: bool) -> None:
+def send_fields(
+    document: dict[str, JsonValue], options: BusOptions, *, wait: bool, as_json: bool = False
+) -> None:
     """Send a request that was given by options."""
-    send(json.dumps(document).encode(), options, wait=wait)
+    send(json.dumps(document).encode(), options, wait=wait, as_json=as_json)
 
 
-def send(payload: bytes, options: BusOptions, *, wait: bool) -> None:
+def send(payload: bytes, options: BusOptions, *, wait: bool, as_json: bool = False) -> None:
     """Send a document; print the task's id, or what is wrong.
 
-    An id that was printed is an accepted request, also when no robot is there yet.
+    An id that was printed is an accepted request, also when no robot is there yet. With ``as_json`` and
+    ``wait`` it is printed to standard error, and the document at the task's end.
 
     Raises:
         CommandError: BAD_INPUT for a rejected request, REFUSED, NOBODY_THERE, TASK_FAILED with ``wait``.
@@ -38,20 +42,31 @@ def send(payload: bytes, options: BusOptions, *, wait: bool) -> None:
         if not answer.accepted:
             raise CommandError(describe_problems(answer))
         # First of all: it is stored, and runs, whatever becomes of this command.
-        typer.echo(answer.task)
-        _say_when_no_robot(connection, answer.task)
-        if wait:
-            _end_as(Waiting(connection, answer.task, statuses).end())
+        if wait or not as_json:
+            typer.echo(answer.task, err=as_json)
+        robot = _robot(connection, answer.task)
+        status = Waiting(connection, answer.task, statuses).end() if wait else None
+        if as_json:
+            told = Requested(task=answer.task, retry_of=_retried(payload), robot=robot, status=status)
+            print_json(told)
+        if status is not None:
+            _end_as(status, silent=as_json)
 
 
-def _say_when_no_robot(connection: Connection, task: str) -> None:
-    """Say that an accepted task waits for a robot: it is no error, and it runs as soon as there is one."""
-    if connection.robot_name() is None:
+def _retried(payload: bytes) -> str:
+    return str(json.loads(payload).get("retry_of", ""))
+
+
+def _robot(connection: Connection, task: str) -> str | None:
+    """Return the robot's name. Say that an accepted task waits for one: it is no error, and runs with it."""
+    name = connection.robot_name()
+    if name is None:
         typer.echo(
             f"no robot answers on {connection.options.prefix}: {task} is queued and runs when one does; "
             f"cancel it with `tandem cancel {task}`",
             err=True,
         )
+    return name
 
 
 def describe_problems(answer: TaskAnswer) -> str:
@@ -89,13 +104,14 @@ def _with_id(payload: bytes) -> bytes:
     return payload.replace(b"{", f'{{"id": "{uuid.uuid4().hex}"{", " if document else ""}'.encode(), 1)
 
 
-def _end_as(status: TaskStatus) -> None:
+def _end_as(status: TaskStatus, *, silent: bool) -> None:
     took = ""
     seconds = None if status.started is None or status.ended is None else status.ended.since(status.started)
     if seconds is not None:
         took = f" after {seconds:.1f} s of robot time"
     if status.state is TaskState.SUCCEEDED:
-        typer.echo("\n".join((f"{status.state}{took}", *result_lines(status))))
+        if not silent:
+            typer.echo("\n".join((f"{status.state}{took}", *result_lines(status))))
         return
     why = "" if status.failure is None else f"\n{describe_failure(status.failure, '  ')}"
     found = "".join(f"\n{line}" for line in result_lines(status))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from enum import StrEnum
 from typing import Final
 
@@ -114,8 +114,13 @@ def _failure_table() -> str:
 
 
 def _message_tables() -> str:
+    return message_tables(all_models())
+
+
+def message_tables(models: Iterable[type[Message | StrEnum]]) -> str:
+    """Return a section for each message or enumeration, by name."""
     parts = []
-    for model in sorted(_all_models(), key=lambda each: each.__name__):
+    for model in sorted(models, key=lambda each: each.__name__):
         parts.append(f"### {model.__name__}\n\n{whole_doc(model)}\n")
         if issubclass(model, Message):
             parts.append(_field_table(model) if model.model_fields else "No fields.")
@@ -134,7 +139,8 @@ def _field_table(model: type[Message]) -> str:
     return table(("field", "type", "default", "meaning"), rows)
 
 
-def _all_models() -> set[type[Message | StrEnum]]:
+def all_models() -> set[type[Message | StrEnum]]:
+    """Return every message and enumeration of the interface."""
     waiting: list[type[Message | StrEnum]] = [RgbdHeader, *(kind.request for kind in discover().values())]
     waiting += [kind.result for kind in discover().values() if kind.result is not None]
     for entry in all_entries():

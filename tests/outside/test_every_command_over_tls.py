@@ -29,6 +29,7 @@ EXPECTED: Final[dict[str, tuple[list[str], int, set[str]]]] = {
     "tasks": ([], 0, ALL),
     "export": ([], 0, CLIENTS),
     "cancel": (["fetch-none"], 2, {"requester", "operator"}),
+    "retry": (["fetch-none"], 2, CLIENTS),
     "pause": ([], 2, {"operator"}),
     "resume": (["fetch-none"], 2, {"operator"}),
     "step": (["fetch-none"], 2, {"operator"}),

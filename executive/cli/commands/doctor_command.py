@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 import platform
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 import typer
 
-from tandem.executive.cli.arguments import connects
+from tandem.executive.cli.arguments import Json, connects
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.cli.start import unsupported
@@ -55,21 +55,32 @@ def add_to(app: typer.Typer) -> None:
 
 def doctor(
     *,
+    as_json: Json = False,
     bus: BusOptions,
 ) -> None:
     """Check versions, renderer and robot. Exits 1 if something essential is missing."""
     looks: tuple[Callable[[], list[Finding]], ...] = (
         _machine, _packages, _files, _renderer, lambda: _robot(bus),
     )  # fmt: skip
-    missing = []
+    found: list[Finding] = []
     for look in looks:
         for finding in look():
+            found.append(finding)
             sign = "ok     " if finding.good else "MISSING" if finding.vital else "note   "
-            typer.echo(f"{sign} {finding.subject}: {finding.text}")
-            if finding.vital and not finding.good:
-                missing.append(finding.subject)
+            if not as_json:
+                typer.echo(f"{sign} {finding.subject}: {finding.text}")
+    missing = tuple(each.subject for each in found if each.vital and not each.good)
+    if as_json:
+        _print(found, missing)
     if missing:
         raise CommandError(f"missing: {', '.join(missing)}", ExitCode.TASK_FAILED)
+
+
+def _print(found: Sequence[Finding], missing: tuple[str, ...]) -> None:
+    from tandem.executive.cli.shapes import Findings, Found, print_json  # noqa: PLC0415
+
+    each = tuple(Found(subject=f.subject, good=f.good, vital=f.vital, words=f.text) for f in found)
+    print_json(Findings(findings=each, missing=missing))
 
 
 def _machine() -> list[Finding]:

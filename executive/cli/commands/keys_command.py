@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import datetime as dt
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
+from tandem.executive.cli.arguments import Json
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.security.role import Role
 
@@ -60,12 +61,15 @@ def new(
         typer.echo(f"{holder.common_name}: {folder / holder.stem}.pem, {folder / holder.stem}.key")
 
 
-def list_keys(folder: Folder = DEFAULT_FOLDER) -> None:
+def list_keys(folder: Folder = DEFAULT_FOLDER, *, as_json: Json = False) -> None:
     """List the keys and whether they are valid."""
     from tandem.executive.security.holders import read_holders  # noqa: PLC0415
 
     with _said():
         known = read_holders(folder)
+    if as_json:
+        _print(known.holders)
+        return
     for holder in known.holders:
         typer.echo(f"{holder.common_name:40} {_state(holder)}")
     if not known.holders:
@@ -80,6 +84,24 @@ def revoke(name: Name, folder: Folder = DEFAULT_FOLDER) -> None:
         gone = authority.revoke(folder, name)
     for holder in gone:
         typer.echo(f"{holder.common_name} is revoked")
+
+
+def _print(holders: Iterable[Holder]) -> None:
+    from tandem.executive.cli.shapes import Key, KeyList, print_json  # noqa: PLC0415
+
+    now = _now().timestamp()
+    keys = (
+        Key(
+            name=each.name,
+            role=each.role,
+            part=each.part,
+            expires_at=each.expires_at,
+            revoked=each.revoked,
+            valid=not each.revoked and each.expires_at >= now,
+        )
+        for each in holders
+    )
+    print_json(KeyList(keys=tuple(keys)))
 
 
 def _state(holder: Holder) -> str:

@@ -6,9 +6,8 @@ from typing import Annotated
 
 import typer
 
+from tandem.executive.cli.arguments import Json
 from tandem.executive.cli.exit_codes import ExitCode
-
-Json = Annotated[bool, typer.Option("--json", help="Print a JSON array.")]
 
 
 def add_to(app: typer.Typer) -> None:
@@ -21,13 +20,13 @@ def plugins(
     within: Annotated[
         float, typer.Option("--within", min=0.1, max=600.0, help="Seconds that the import of one may take.")
     ] = 10.0,
-    json_lines: Json = False,
+    as_json: Json = False,
 ) -> None:
     """List the installed plug-ins, and try to load each. Exits 1 if one can't be loaded."""
     from tandem.executive.system.plugin_probe import Fared, probe  # noqa: PLC0415
 
     fared = probe(within=within)
-    if json_lines:
+    if as_json:
         from pydantic import TypeAdapter  # noqa: PLC0415
 
         typer.echo(TypeAdapter(tuple[Fared, ...]).dump_json(fared, indent=2).decode())

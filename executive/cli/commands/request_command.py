@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 from typer.core import TyperCommand, TyperGroup
 
-from tandem.executive.cli.arguments import connects, shared_options
+from tandem.executive.cli.arguments import Json, connects, shared_options
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.kinds import kinds_of_robot
 from tandem.executive.cli.schema_options import fields_of
@@ -70,6 +70,13 @@ def add_to(app: typer.Typer) -> None:
 Wait = Annotated[bool, typer.Option("--wait", "-w", help="Wait until the task ends. Exit 1 if it fails.")]
 
 
+_OWN: Final = tuple(
+    inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=False, annotation=annotation)
+    for name, annotation in (("wait", Wait), ("as_json", Json))
+)
+"""Options that every kind has beside the fields of its request."""
+
+
 def from_json(
     document: Annotated[
         str,
@@ -80,12 +87,13 @@ def from_json(
     ],
     wait: Wait = False,  # noqa: FBT002
     *,
+    as_json: Json = False,
     bus: BusOptions,
 ) -> None:
     """Send a JSON request unchanged: as an argument, from a file or from standard input."""
     from tandem.executive.cli.sending import send  # noqa: PLC0415
 
-    send(read_document(document), bus, wait=wait)
+    send(read_document(document), bus, wait=wait, as_json=as_json)
 
 
 def read_document(said: str) -> bytes:
@@ -111,17 +119,16 @@ def command_of(kind: KindOfTask) -> TyperCommand:
     """Return a command with an option for each property of the request's schema."""
     fields = fields_of(kind.request)
 
-    def command(*, wait: bool, bus: BusOptions, **given: object) -> None:
+    def command(*, wait: bool, as_json: bool, bus: BusOptions, **given: object) -> None:
         from tandem.executive.cli.sending import send_fields  # noqa: PLC0415
 
         document: dict[str, JsonValue] = {"task": kind.name, "id": uuid.uuid4().hex}
         for field in fields:
             if given[field.parameter] not in (None, []):
                 document[field.name] = field.read(given[field.parameter])
-        send_fields(document, bus, wait=wait)
+        send_fields(document, bus, wait=wait, as_json=as_json)
 
-    waits = inspect.Parameter("wait", inspect.Parameter.KEYWORD_ONLY, default=False, annotation=Wait)
-    parameters = [*(field.as_parameter() for field in fields), waits]
+    parameters = [*(field.as_parameter() for field in fields), *_OWN]
     command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
     command.__annotations__ = {each.name: each.annotation for each in parameters}
     return single(kind.name, kind.summary, connects(command))

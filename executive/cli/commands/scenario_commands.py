@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tandem.executive.cli.arguments import OtherSite
+from tandem.executive.cli.arguments import Json, OtherSite
 
 if TYPE_CHECKING:
+    from tandem.executive.cli.shapes import ScenarioFacts
     from tandem.executive.config.fault_file import FaultFile
     from tandem.sim.scenario import Scenario
 
@@ -22,8 +23,11 @@ def add_to(app: typer.Typer) -> None:
     app.add_typer(group, name="scenario")
 
 
-def list_all() -> None:
+def list_all(*, as_json: Json = False) -> None:
     """List the scenarios that come with Tandem."""
+    if as_json:
+        _print_list()
+        return
     from rich.console import Console  # noqa: PLC0415
     from rich.table import Table  # noqa: PLC0415
 
@@ -45,17 +49,48 @@ def check(
         Path | None, typer.Option("--faults", metavar="FILE", help="Also check this fault file.")
     ] = None,
     site: OtherSite = "",
+    as_json: Json = False,
 ) -> None:
     """Check a scenario against its schema and its site. Exits 2 if it is invalid."""
     scenario = checked(file, site)
+    more = None if faults is None else checked_faults(faults, scenario)
+    if as_json:
+        _print_checked(scenario, more)
+        return
     typer.echo(
         f"{file}: valid scenario: {scenario.name}, {len(scenario.items)} items, "
         f"{len(scenario.obstacles)} obstacles, {len(scenario.faults)} faults, site {scenario.site}"
     )
-    if faults is not None:
-        more = checked_faults(faults, scenario)
+    if more is not None:
         bus = "no bus faults" if more.bus is None else "a faulty bus"
         typer.echo(f"{faults}: valid faults: {len(more.faults)} of robot and room, {bus}")
+
+
+def _print_list() -> None:
+    from tandem.executive.cli.shapes import ScenarioList, print_json  # noqa: PLC0415
+    from tandem.sim.scenario import load_scenario, scenario_names  # noqa: PLC0415
+
+    print_json(ScenarioList(scenarios=tuple(_facts(load_scenario(name)) for name in scenario_names())))
+
+
+def _print_checked(scenario: Scenario, more: FaultFile | None) -> None:
+    from tandem.executive.cli.shapes import ScenarioChecked, print_json  # noqa: PLC0415
+
+    faults = None if more is None else len(more.faults)
+    bus_faults = more is not None and more.bus is not None
+    print_json(ScenarioChecked(scenario=_facts(scenario), faults=faults, bus_faults=bus_faults))
+
+
+def _facts(scenario: Scenario) -> ScenarioFacts:
+    from tandem.executive.cli.shapes import ScenarioFacts  # noqa: PLC0415
+
+    return ScenarioFacts(
+        name=scenario.name,
+        site=scenario.site,
+        items=tuple(item.tag for item in scenario.items),
+        obstacles=len(scenario.obstacles),
+        faults=len(scenario.faults),
+    )
 
 
 def checked(name_or_path: str, site: str = "") -> Scenario:

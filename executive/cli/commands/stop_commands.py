@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 
 import typer
 
-from tandem.executive.cli.arguments import connects
+from tandem.executive.cli.arguments import Json, connects
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import BusOptions
@@ -32,24 +32,37 @@ def add_to(app: typer.Typer) -> None:
     app.command("release")(connects(release))
 
 
-def stop(*, reason: Reason = "tandem stop", by: By = "", bus: BusOptions) -> None:
+def stop(*, reason: Reason = "tandem stop", by: By = "", as_json: Json = False, bus: BusOptions) -> None:
     """Stop the robot at once until `tandem release`. Works without an executive."""
     from tandem.skills.ports.keys import STOP  # noqa: PLC0415
 
     state = _ask(bus, STOP, by, reason)
     if not state.stopped:
         raise CommandError("the hardware answered, but the stop is NOT set", ExitCode.TASK_FAILED)
-    typer.echo(f"stopped: {_told(state)}; run `tandem release` to let the robot move again")
+    _tell(
+        f"stopped: {_told(state)}; run `tandem release` to let the robot move again", state, as_json=as_json
+    )
 
 
-def release(*, reason: Reason = "tandem release", by: By = "", bus: BusOptions) -> None:
+def release(
+    *, reason: Reason = "tandem release", by: By = "", as_json: Json = False, bus: BusOptions
+) -> None:
     """Release the stop. The robot may move again, and a waiting task continues."""
     from tandem.skills.ports.keys import STOP_RELEASE  # noqa: PLC0415
 
     state = _ask(bus, STOP_RELEASE, by, reason)
     if state.stopped:
         raise CommandError(f"the stop is still set: {_told(state)}", ExitCode.TASK_FAILED)
-    typer.echo("released: the robot may move again")
+    _tell("released: the robot may move again", state, as_json=as_json)
+
+
+def _tell(words: str, state: StopState, *, as_json: bool) -> None:
+    if as_json:
+        from tandem.executive.cli.shapes import print_json  # noqa: PLC0415
+
+        print_json(state)
+    else:
+        typer.echo(words)
 
 
 def _ask(bus: BusOptions, service: Service[M, StopState], by: str, reason: str) -> StopState:

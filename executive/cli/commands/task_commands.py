@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from tandem.executive.cli.arguments import Output, connects
+from tandem.executive.cli.arguments import Json, Output, connects
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.config.run_options import BusOptions
 
@@ -47,18 +47,18 @@ def tasks(
     everything: Annotated[bool, typer.Option("--all", help="Include all tasks in the ledger.")] = False,
     state: States = None,
     since: Since = "",
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON as the executive returns it.")] = False,
+    as_json: Json = False,
     data: Data = None,
     bus: BusOptions,
 ) -> None:
     """List recent tasks, oldest first. Use --all to include all tasks in the ledger."""
     from tandem.executive.cli.commands.history_command import lately, of_ledger  # noqa: PLC0415
-    from tandem.skills.ports.tasks import TaskList  # noqa: PLC0415
+    from tandem.executive.cli.shapes import Tasks, print_json  # noqa: PLC0415
 
     older = everything or state or since
     found = of_ledger(bus, data, _asked(state, since)) if older else lately(bus, data)
     if as_json:
-        typer.echo(TaskList(tasks=found).model_dump_json(indent=2))
+        print_json(Tasks(tasks=found))
     elif not found:
         typer.echo("no tasks yet; send one with `tandem request`")
     else:
@@ -75,9 +75,10 @@ def export(
 ) -> None:
     """Export the tasks in the ledger as JSON lines, oldest first."""
     from tandem.executive.cli.commands.history_command import of_ledger  # noqa: PLC0415
+    from tandem.skills.ports.utc import ISO  # noqa: PLC0415
 
     found = of_ledger(bus, data, _asked(state, since))
-    lines = "".join(f"{status.model_dump_json()}\n" for status in found)
+    lines = "".join(f"{status.model_dump_json(context=ISO)}\n" for status in found)
     if output is None:
         typer.echo(lines, nl=False)
         return

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tandem.executive.cli.arguments import Output, SiteFile, connects
+from tandem.executive.cli.arguments import Json, Output, SiteFile, connects
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import DEFAULT_SITE, BusOptions
@@ -16,6 +16,7 @@ from tandem.executive.config.run_options import DEFAULT_SITE, BusOptions
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from tandem.executive.trials.exploration.exploring import Coverage
     from tandem.executive.trials.exploration.worlds import Make
     from tandem.skills.ports.tasks import TreeNode
 
@@ -58,8 +59,11 @@ def add_to(app: typer.Typer) -> None:
     app.add_typer(group, name="tree")
 
 
-def list_all() -> None:
+def list_all(*, as_json: Json = False) -> None:
     """List the tasks and the fields of their requests."""
+    if as_json:
+        _print_list()
+        return
     from rich.console import Console  # noqa: PLC0415
     from rich.table import Table  # noqa: PLC0415
 
@@ -137,17 +141,21 @@ def coverage(
         int, typer.Option("--depth", min=0, max=9, help="Number of leaves that fail in one plan.")
     ] = 3,
     plans: Annotated[bool, typer.Option("--plans", help="Print each plan before it runs.")] = False,
+    as_json: Json = False,
 ) -> None:
     """Make each leaf fail in each way, with mock skills. Exits 1 if a status is missed or a rule broken."""
     from tandem.executive.trials.exploration.exploring import explore  # noqa: PLC0415
 
     tell = typer.echo if plans else _tell_nobody
-    seen = explore(*_worlds(task), depth=depth, tell=tell)
+    seen = explore(*_worlds(task), depth=depth, tell=_tell_nobody if as_json else tell)
+    whole = not seen.missing() and not seen.broken
+    if as_json:
+        _print_coverage(seen)
+        raise typer.Exit(ExitCode.OK if whole else ExitCode.TASK_FAILED)
     for name, gaps in seen.missing().items():
         typer.echo(f"not seen  {name}: {', '.join(status.lower() for status in gaps)}")
     for broken in seen.broken:
         typer.echo(f"broken    {broken}")
-    whole = not seen.missing() and not seen.broken
     typer.echo(
         f"{len(seen.wanted)} nodes, {seen.runs} runs, {seen.ticks} ticks:"
         f" {len(seen.missing())} nodes not seen in every status, {len(seen.broken)} invariants broken"
@@ -162,14 +170,49 @@ def properties(
         int, typer.Option("--ticks", min=1, max=10**9, help="Total number of ticks.")
     ] = 1_000_000,
     seed: Annotated[int, typer.Option("--seed", min=0, help="Seed for all random draws.")] = 1,
+    as_json: Json = False,
 ) -> None:
     """Run random fault schedules with mock skills. Exits 1 if one breaks a rule."""
     from tandem.executive.trials.exploration.properties import search  # noqa: PLC0415
 
     worlds, _ = _worlds(task)
-    runs, bad = search(worlds, ticks=ticks, seed=seed, tell=typer.echo)
+    said: list[str] = []
+    runs, bad = search(worlds, ticks=ticks, seed=seed, tell=said.append if as_json else typer.echo)
+    if as_json:
+        from tandem.executive.cli.shapes import Searched, print_json  # noqa: PLC0415
+
+        print_json(Searched(runs=runs, broken=bad, words=tuple(said)))
+        raise typer.Exit(ExitCode.TASK_FAILED if bad else ExitCode.OK)
     typer.echo(f"{runs} runs, at least {ticks} ticks: {bad} broke a rule")
     raise typer.Exit(ExitCode.TASK_FAILED if bad else ExitCode.OK)
+
+
+def _print_list() -> None:
+    from tandem.executive.cli.shapes import TaskKind, TaskKindList, print_json  # noqa: PLC0415
+    from tandem.trees.registry import discover  # noqa: PLC0415
+
+    found = []
+    for kind in discover().values():
+        fields = {name: info for name, info in kind.request.model_fields.items() if name != "task"}
+        required = tuple(name for name, info in fields.items() if info.is_required())
+        optional = tuple(name for name in fields if name not in required)
+        found.append(TaskKind(name=kind.name, summary=kind.summary, required=required, optional=optional))
+    print_json(TaskKindList(kinds=tuple(found)))
+
+
+def _print_coverage(seen: Coverage) -> None:
+    from tandem.executive.cli.shapes import Covered, print_json  # noqa: PLC0415
+
+    missing = {name: tuple(status.value for status in gaps) for name, gaps in seen.missing().items()}
+    print_json(
+        Covered(
+            nodes=len(seen.wanted),
+            runs=seen.runs,
+            ticks=seen.ticks,
+            missing=missing,
+            broken=tuple(seen.broken),
+        )
+    )
 
 
 def _worlds(task: str) -> tuple[Mapping[str, Make], Mapping[str, Make]]:

@@ -1,9 +1,8 @@
-"""The verbs: cancel, pause, resume, step, abandon, reprioritise, answer, break, force."""
+"""The verbs: pause, resume, step, abandon, reprioritise, answer, break, force."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Literal, TypeVar, cast
 
 import typer
@@ -29,17 +28,9 @@ Node = Annotated[str, typer.Argument(metavar="NODE", help="Name of the node, or 
 
 def add_to(app: typer.Typer) -> None:
     """Add the commands."""
-    for call in (cancel, pause, resume, step, abandon, reprioritise, answer, force):
+    for call in (pause, resume, step, abandon, reprioritise, answer, force):
         app.command(call.__name__)(connects(call))
     app.command("break")(connects(break_at))
-
-
-def cancel(task: Task, *, bus: BusOptions) -> None:
-    """Cancel a queued or running task. The robot comes to rest first."""
-    from tandem.skills.ports.tasks import TASK_CANCEL, CancelTask  # noqa: PLC0415
-
-    _ask(TASK_CANCEL, lambda named: CancelTask(task=named), task, bus, "cancelled")
-    typer.echo(f"cancelling {task}")
 
 
 def pause(task: RunningTask = "", *, bus: BusOptions) -> None:
@@ -176,15 +167,14 @@ def _ask(
     """Ask for it, of the running task unless one is named; return the task's id."""
     from tandem.executive.cli.connection import Connection  # noqa: PLC0415
     from tandem.skills.ports.keys import Nothing  # noqa: PLC0415
-    from tandem.skills.ports.tasks import TASK_CANCEL, TASK_INFO  # noqa: PLC0415
+    from tandem.skills.ports.tasks import TASK_INFO  # noqa: PLC0415
 
     with Connection(options) as connection:
-        key = connection.cancel_key() if service is TASK_CANCEL else service.key
-        connection.require_right(key)
+        connection.require_right(service.key)
         named = task or connection.ask(TASK_INFO, Nothing()).running
         if not named:
             raise CommandError("no task is running", ExitCode.BAD_INPUT)
-        told = connection.ask(replace(service, key=key), document(named))
+        told = connection.ask(service, document(named))
     if not told.accepted:
         raise CommandError(f"{named} cannot be {participle}: {told.reason}", ExitCode.BAD_INPUT)
     return named

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from tandem.executive.cli.arguments import connects
+from tandem.executive.cli.arguments import Json, connects
 from tandem.executive.config.run_options import BusOptions
 
 if TYPE_CHECKING:
@@ -31,6 +31,8 @@ class View:
     tree: TreeSnapshot | None = None
     now: RobotTime | None = None
     gone: bool = False
+    told: RobotTime | None = None
+    """When the status was told."""
 
 
 def add_to(app: typer.Typer) -> None:
@@ -41,6 +43,7 @@ def add_to(app: typer.Typer) -> None:
 def watch(
     once: Annotated[bool, typer.Option("--once", help="Print the current state and exit.")] = False,  # noqa: FBT002
     *,
+    as_json: Json = False,
     bus: BusOptions,
 ) -> None:
     """Show the tree of the running task live, until Ctrl-C."""
@@ -51,8 +54,14 @@ def watch(
     console = Console()
     with Connection(bus) as connection:
         view = _first(connection)
-        if once:
+        if as_json:
+            _print(view)
+        elif once:
             console.print(picture(view, height=10_000))
+        if once:
+            return
+        if as_json:
+            _stream(connection, view)
         else:
             _follow(connection, console, view)
 
@@ -95,7 +104,18 @@ def _seconds(view: View) -> str:
         return ""
     end = view.now if status.ended is None else status.ended
     seconds = None if end is None else end.since(status.started)
-    return "" if seconds is None else f"{max(0.0, seconds):.1f} s"
+    took = "" if seconds is None else f"{max(0.0, seconds):.1f} s"
+    return ", ".join(part for part in (took, _left(view)) if part)
+
+
+def _left(view: View) -> str:
+    """Return how long the task takes yet as a rule; nothing when that is not known or it has ended."""
+    status = view.status
+    if status is None or status.state.terminal or status.time_left is None:
+        return ""
+    since = None if view.now is None or view.told is None else view.now.since(view.told)
+    left = status.time_left - max(0.0, since or 0.0)
+    return f"about {left:.0f} s left" if left >= 1.0 else "any moment"
 
 
 def _first(connection: Connection) -> View:
@@ -107,26 +127,59 @@ def _first(connection: Connection) -> View:
     tree = connection.ask(TREE_NOW, Nothing())
     at_work = [each for each in tasks if not each.state.terminal and each.started is not None]
     shown = (at_work or list(tasks))[-1] if tasks else None
-    return View(shown, tree, tree.stamp)
+    return View(shown, tree, tree.stamp, told=tree.stamp)
+
+
+class News:
+    """What comes of the running task, and puts it into a view."""
+
+    def __init__(self, connection: Connection) -> None:
+        from tandem.skills.ports.keys import CLOCK, Latest  # noqa: PLC0415
+        from tandem.skills.ports.tasks import TASK_STATUS, TREE  # noqa: PLC0415
+
+        bus = self._bus = connection.bus
+        self._statuses, self._trees = Latest(bus, TASK_STATUS), Latest(bus, TREE)
+        self._clock = Latest(bus, CLOCK)
+
+    def take(self, view: View) -> bool:
+        """Bring the view up to date; return whether more than the time has changed."""
+        from tandem.skills.ports.tasks import TaskState  # noqa: PLC0415
+
+        before = (view.status, view.tree, view.gone)
+        tick = self._clock.refresh()
+        view.now = view.now if tick is None else tick.stamp
+        for status in self._statuses.take():
+            if status.state is not TaskState.QUEUED or view.status is None:
+                view.status, view.told = status, view.now
+        view.tree = self._trees.refresh() or view.tree
+        view.gone = "executive" not in self._bus.alive()
+        return (view.status, view.tree, view.gone) != before
+
+
+def _print(view: View) -> None:
+    from tandem.executive.cli.shapes import Watched, print_json  # noqa: PLC0415
+
+    tree = view.tree if view.tree is not None and view.tree.task else None
+    print_json(Watched(status=view.status, tree=tree, gone=view.gone), line=True)
+
+
+def _stream(connection: Connection, view: View) -> None:
+    """Print the view at each change, a line each, until Ctrl-C."""
+    news = News(connection)
+    while True:
+        time.sleep(REFRESH)
+        if news.take(view):
+            _print(view)
 
 
 def _follow(connection: Connection, console: object, view: View) -> None:
     from rich.console import Console  # noqa: PLC0415
     from rich.live import Live  # noqa: PLC0415
 
-    from tandem.skills.ports.keys import CLOCK, Latest  # noqa: PLC0415
-    from tandem.skills.ports.tasks import TASK_STATUS, TREE, TaskState  # noqa: PLC0415
-
     assert isinstance(console, Console)
-    statuses, trees, clock = (Latest(connection.bus, topic) for topic in (TASK_STATUS, TREE, CLOCK))
+    news = News(connection)
     with Live(picture(view, height=console.height), console=console, auto_refresh=False) as live:
         while True:
             time.sleep(REFRESH)
-            for status in statuses.take():
-                if status.state is not TaskState.QUEUED or view.status is None:
-                    view.status = status
-            view.tree = trees.refresh() or view.tree
-            tick = clock.refresh()
-            view.now = view.now if tick is None else tick.stamp
-            view.gone = "executive" not in connection.bus.alive()
+            news.take(view)
             live.update(picture(view, height=console.height), refresh=True)

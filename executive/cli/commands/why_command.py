@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tandem.executive.cli.arguments import connects
+from tandem.executive.cli.arguments import Json, connects
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import BusOptions
 
 if TYPE_CHECKING:
     from tandem.executive.cli.connection import Connection
+    from tandem.executive.cli.shapes import Explained
     from tandem.skills.ports.tasks import TaskStatus
 
 
@@ -44,11 +45,13 @@ def why(
             help="Ledger folder, as given to `tandem up`. Read when no executive runs.",
         ),
     ] = None,
+    as_json: Json = False,
     bus: BusOptions,
 ) -> None:
     """Explain why a task failed, what was tried, and what to do next."""
     from tandem.executive.cli.commands.history_command import lately, of_ledger  # noqa: PLC0415
     from tandem.executive.cli.connection import Connection  # noqa: PLC0415
+    from tandem.executive.cli.shapes import Explained  # noqa: PLC0415
     from tandem.executive.render.failure_words import chosen, explain, last_picture  # noqa: PLC0415
     from tandem.skills.ports.tasks import AskHistory  # noqa: PLC0415
 
@@ -57,9 +60,18 @@ def why(
     if status is None:
         if task:
             raise CommandError(f"unknown task {task!r}; see `tandem tasks --all`", ExitCode.BAD_INPUT)
-        typer.echo("no task has failed, and none is running")
+        words = "no task has failed, and none is running"
+        _tell(words, Explained(status=None, words=words), as_json=as_json)
         return
-    typer.echo(explain(status))
+    saved = ""
+    if as_json and picture is not None and last_picture(status):
+        with Connection(bus) as connection:
+            _picture(connection, status, picture)
+        saved = str(picture.resolve()) if picture.exists() else ""
+    words = explain(status)
+    _tell(words, Explained(status=status, words=words, picture=saved), as_json=as_json)
+    if as_json:
+        return
     typer.echo("")
     if not last_picture(status):
         typer.echo("no picture of the failure was taken")
@@ -70,6 +82,15 @@ def why(
     # It is kept by the skills, not in the ledger: only this part needs a robot.
     with Connection(bus) as connection:
         typer.echo(_picture(connection, status, picture))
+
+
+def _tell(words: str, facts: Explained, *, as_json: bool) -> None:
+    if as_json:
+        from tandem.executive.cli.shapes import print_json  # noqa: PLC0415
+
+        print_json(facts)
+    else:
+        typer.echo(words)
 
 
 def _picture(connection: Connection, status: TaskStatus, path: Path) -> str:

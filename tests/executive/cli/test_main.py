@@ -49,6 +49,8 @@ NOWHERE = ["--connect", "tcp/127.0.0.1:1"]
         (["request", "fetch", "--item", "29", *NOWHERE], 3, "tandem up"),
         (["tasks", *NOWHERE], 3, "tandem up"),
         (["cancel", "fetch-1", *NOWHERE], 3, "tandem up"),
+        (["cancel", "--all", *NOWHERE], 3, "tandem up"),
+        (["retry", "fetch-1", *NOWHERE], 3, "tandem up"),
         (["watch", *NOWHERE], 3, "tandem up"),
         (["pause", *NOWHERE], 3, "tandem up"),
         (["resume", "fetch-1", *NOWHERE], 3, "tandem up"),

@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import pytest
+
 from tandem.executive.cli.pages import fill, marked, tables
 from tandem.executive.interface.schemas import CLIENT_MESSAGES, interface_schema, separate_schemas
 from tandem.skills.ports import keys, tasks, world
@@ -12,16 +14,19 @@ from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.keys import Service, Topic
 from tandem.trees.registry import discover
 
-PAGE = Path(__file__).parents[3] / "docs" / "interface.md"
+DOCS = Path(__file__).parents[3] / "docs"
+PAGE, JSON = DOCS / "interface.md", DOCS / "json.md"
 
 
-def test_the_page_is_up_to_date() -> None:
-    page = PAGE.read_text(encoding="utf-8")
-    assert fill(page) == page, "run: python -m tandem.executive.cli.pages docs/interface.md"
+@pytest.mark.parametrize("path", [PAGE, JSON], ids=lambda path: path.name)
+def test_the_page_is_up_to_date(path: Path) -> None:
+    page = path.read_text(encoding="utf-8")
+    assert fill(page) == page, f"run: python -m tandem.executive.cli.pages docs/{path.name}"
 
 
-def test_the_page_has_every_table() -> None:
-    assert sorted(marked(PAGE.read_text(encoding="utf-8"))) == sorted(tables())
+def test_the_pages_have_every_table() -> None:
+    found = [name for path in (PAGE, JSON) for name in marked(path.read_text(encoding="utf-8"))]
+    assert sorted(found) == sorted(tables())
 
 
 def test_every_key_kind_and_task_is_in_it() -> None:

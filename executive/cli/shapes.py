@@ -1,0 +1,201 @@
+"""What commands print with ``--json``: one shape each, with times of day in ISO 8601.
+
+``SHAPES`` has the model of each command; docs/json.md is generated from it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import typer
+
+from tandem.skills.ports.message import Count, Message
+from tandem.skills.ports.tasks import TaskStatus, TreeSnapshot
+from tandem.skills.ports.utc import ISO, UtcSeconds
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+
+class Tasks(Message):
+    """Tasks, oldest first."""
+
+    tasks: tuple[TaskStatus, ...]
+
+
+class Requested(Message):
+    """A request that was accepted."""
+
+    task: str
+    """Id of its task."""
+    retry_of: str = ""
+    """Id of the task that it repeats, if it repeats one."""
+    robot: str | None = None
+    """Name of the robot; null when none answers yet, and the task waits for one."""
+    status: TaskStatus | None = None
+    """The task at its end, with ``--wait``."""
+
+
+class Cancelled(Message):
+    """Tasks that are being cancelled."""
+
+    tasks: tuple[str, ...]
+    refused: tuple[str, ...] = ()
+    """Tasks that could not be cancelled, each with the reason."""
+
+
+class Explained(Message):
+    """Why a task failed."""
+
+    status: TaskStatus | None
+    """The task; null when none has failed and none is running."""
+    words: str
+    """The explanation for people."""
+    picture: str = ""
+    """File with the picture of the failure, with ``--picture``."""
+
+
+class Watched(Message):
+    """What ``tandem watch`` shows: one document a line, at each change."""
+
+    status: TaskStatus | None
+    tree: TreeSnapshot | None
+    gone: bool = False
+    """Whether the executive has not been seen for a while."""
+
+
+class TaskKind(Message):
+    """A kind of task that is installed here."""
+
+    name: str
+    summary: str
+    required: tuple[str, ...]
+    """Fields that a request must have."""
+    optional: tuple[str, ...]
+
+
+class TaskKindList(Message):
+    """The kinds of task that are installed here."""
+
+    kinds: tuple[TaskKind, ...]
+
+
+class Covered(Message):
+    """Which statuses of which nodes an exploration has seen."""
+
+    nodes: Count
+    runs: Count
+    ticks: Count
+    missing: dict[str, tuple[str, ...]]
+    """Statuses that were not seen, by node."""
+    broken: tuple[str, ...]
+    """Rules that were broken, and by which plan."""
+
+
+class Searched(Message):
+    """Runs with random faults."""
+
+    runs: Count
+    broken: Count
+    """Runs that broke a rule."""
+    words: tuple[str, ...]
+    """What the command says of each of them without ``--json``."""
+
+
+class ScenarioFacts(Message):
+    """A scenario."""
+
+    name: str
+    site: str
+    items: tuple[int | str, ...]
+    """Items in it."""
+    obstacles: Count
+    faults: Count
+
+
+class ScenarioList(Message):
+    """The scenarios that come with Tandem."""
+
+    scenarios: tuple[ScenarioFacts, ...]
+
+
+class ScenarioChecked(Message):
+    """A valid scenario, and the fault file that was checked with it."""
+
+    scenario: ScenarioFacts
+    faults: Count | None = None
+    """Faults in the file of ``--faults``."""
+    bus_faults: bool = False
+    """Whether that file has faults of the bus."""
+
+
+class Key(Message):
+    """A key."""
+
+    name: str
+    role: str
+    part: str | None
+    expires_at: UtcSeconds
+    revoked: bool
+    valid: bool
+
+
+class KeyList(Message):
+    """Keys that the authority has made."""
+
+    keys: tuple[Key, ...]
+
+
+class Found(Message):
+    """One thing that ``tandem doctor`` has looked at."""
+
+    subject: str
+    good: bool
+    vital: bool
+    """Whether something essential is missing if it is not good."""
+    words: str
+
+
+class Findings(Message):
+    """What ``tandem doctor`` has found."""
+
+    findings: tuple[Found, ...]
+    missing: tuple[str, ...]
+    """Essential things that are missing."""
+
+
+def shapes() -> Mapping[str, type[Message]]:
+    """Return the shape of each command that has ``--json``, by the command's words."""
+    from tandem.executive.system.plugin_probe import Fared  # noqa: PLC0415
+    from tandem.skills.ports.hardware import StopState  # noqa: PLC0415
+
+    return {
+        "request KIND": Requested,
+        "request json": Requested,
+        "retry": Requested,
+        "tasks": Tasks,
+        "cancel": Cancelled,
+        "stop": StopState,
+        "release": StopState,
+        "watch": Watched,
+        "why": Explained,
+        "tree list": TaskKindList,
+        "tree coverage": Covered,
+        "tree properties": Searched,
+        "scenario list": ScenarioList,
+        "scenario check": ScenarioChecked,
+        "keys list": KeyList,
+        "plugins": Fared,
+        "doctor": Findings,
+    }
+
+
+EACH: Final = frozenset({"plugins"})
+"""Commands that print an array of their shape."""
+LINES: Final = frozenset({"watch"})
+"""Commands that print a document a line, again and again."""
+
+
+def print_json(message: Message, *, line: bool = False) -> None:
+    """Print a message as JSON; in one line, or indented for people."""
+    typer.echo(message.model_dump_json(indent=None if line else 2, context=ISO))
