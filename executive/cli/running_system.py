@@ -14,6 +14,7 @@ from pydantic import JsonValue
 from rich.console import Console
 
 from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.task_lines import TaskLines
 from tandem.executive.config.fault_file import check_faults
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.ledger.port import LedgerError, LedgerLockedError
@@ -84,13 +85,16 @@ def run_up(options: RunOptions) -> ExitCode:
             console.print(f"ready: {options.scenario} on {options.bus.prefix} at {options.bus.endpoint}")
             console.print(f"in another terminal: {hint(options, scenario, site)}", markup=False)
             console.print("press Ctrl-C to stop")
+            tasks = TaskLines(system.bus, lambda line: console.print(line, markup=False))
             if options.report is None:
                 while True:  # nothing is recorded that nobody asked for: weeks of it fill the memory
                     system.advance()
+                    tasks.step()
             recorder = Recorder(system.bus, system.clocks)
             try:
                 while True:
                     system.advance()
+                    tasks.step()
                     recorder.step()
             finally:
                 _write_report(options, recorder, system, notes={})

@@ -167,6 +167,7 @@ class Findings(Message):
 def shapes() -> Mapping[str, type[Message]]:
     """Return the shape of each command that has ``--json``, by the command's words."""
     from tandem.executive.system.plugin_probe import Fared  # noqa: PLC0415
+    from tandem.executive.telemetry.log_reading import LogLine  # noqa: PLC0415
     from tandem.skills.ports.hardware import StopState  # noqa: PLC0415
 
     return {
@@ -178,6 +179,7 @@ def shapes() -> Mapping[str, type[Message]]:
         "stop": StopState,
         "release": StopState,
         "watch": Watched,
+        "logs": LogLine,
         "why": Explained,
         "tree list": TaskKindList,
         "tree coverage": Covered,
@@ -192,7 +194,7 @@ def shapes() -> Mapping[str, type[Message]]:
 
 EACH: Final = frozenset({"plugins"})
 """Commands that print an array of their shape."""
-LINES: Final = frozenset({"watch"})
+LINES: Final = frozenset({"watch", "logs"})
 """Commands that print a document a line, again and again."""
 
 

@@ -115,6 +115,8 @@ class Supervisor:
     """Processes by role that have loaded all that their role needs, and wait to be told their settings."""
     _spare_at: dict[str, float] = field(default_factory=dict)
     """Roles that shall have a spare, and when the next is made (monotonic seconds)."""
+    _logs: set[Path] = field(default_factory=set)
+    """Logs that were begun here."""
     _trim_at: float = 0.0
     """When the size of the logs is looked at next (monotonic seconds)."""
 
@@ -130,7 +132,7 @@ class Supervisor:
     def start(self, settings: WorkerSettings) -> Child:
         """Start one process, in a session of its own: a Ctrl-C reaches the parent alone."""
         role, kind = settings.role, _kind_of(settings)
-        log = self.folder / f"{role}.log"
+        log = self._log(role)
         stream = log.open("ab")
         self._generations[role] += 1
         born = {"lineage": self.lineage, "generation": self._generations[role]}
@@ -145,6 +147,19 @@ class Supervisor:
             self._spare_at[role] = time.monotonic() + SPARE_AFTER
         return child
 
+    def logs(self) -> frozenset[Path]:
+        """Return the logs of the processes that were started here."""
+        return frozenset(self._logs)
+
+    def _log(self, role: str) -> Path:
+        """Return a role's log; what an earlier run has left there becomes ``<role>.log.1``."""
+        log = self.folder / f"{role}.log"
+        if log not in self._logs:
+            self._logs.add(log)
+            if log.exists():
+                log.replace(log.with_name(f"{log.name}.1"))
+        return log
+
     def keep_spare(self, role: str) -> None:
         """Have a spare of a role from soon on, made by ``tidy``: the next start needs not load anything."""
         self._spare_at[role] = time.monotonic() + SPARE_AFTER
@@ -158,7 +173,7 @@ class Supervisor:
         now = time.monotonic()
         for role, at in self._spare_at.items():
             if now >= at and role not in self._spares:
-                with (self.folder / f"{role}.log").open("ab") as stream, _signals_later():
+                with self._log(role).open("ab") as stream, _signals_later():
                     self._spares[role] = _launch([WAIT, role], stream, subprocess.PIPE)
 
     def child(self, role: str) -> Child:

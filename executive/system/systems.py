@@ -6,7 +6,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import Final, Protocol, Self
 
@@ -19,6 +19,7 @@ from tandem.executive.system.processes import RESTARTED, Death, Supervisor
 from tandem.executive.system.roles.observer import NAME as OBSERVER
 from tandem.executive.system.roles.registry import names, plugged
 from tandem.executive.telemetry.log_files import UserLog
+from tandem.executive.telemetry.log_reading import FOLDER as LOGS
 from tandem.executive.telemetry.relay import LogRelay
 from tandem.sim.chatter import unheard
 from tandem.sim.scenario import Scenario, load_scenario
@@ -169,9 +170,10 @@ class ProcessSystem:
         self._hung = Hung(time.monotonic, hung_after)
         self._site = locate(options.site) if options.site else scenario.site
         self._folder = tempfile.TemporaryDirectory(prefix="tandem-")
-        self.supervisor = Supervisor(Path(self._folder.name) / "logs")
+        # Beside the ledger, where `tandem logs` finds them, during the run and after it.
+        self.supervisor = Supervisor(_log_folder(options.data, Path(self._folder.name)))
         self._logs = ExitStack()
-        self._relay = LogRelay(self.supervisor.folder, self._log_sinks(), options.log_format)
+        self._relay = LogRelay(self.supervisor.logs, self._log_sinks(), options.log_format)
         self._bus: ZenohBus | None = None
         self._clocks: ProcessClocks | None = None
         self._stop: Latest[StopState] | None = None
@@ -396,6 +398,15 @@ class ProcessSystem:
         for name in self._hung.look(names.keys() & self.bus.alive(), self.bus.awake()):
             self._say(f"the {names[name].role} process hangs; killing it")
             names[name].process.kill()
+
+
+def _log_folder(data: Path | None, otherwise: Path) -> Path:
+    """Return where the processes' logs go; what is wrong with ``data`` its owner says, in its own words."""
+    if data is not None:
+        with suppress(OSError):
+            (data / LOGS).mkdir(parents=True, exist_ok=True)
+            return data / LOGS
+    return otherwise / LOGS
 
 
 def _to_stderr(line: str) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import os
 import shutil
+from contextlib import suppress
 from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from typing import Final
@@ -26,7 +27,8 @@ def trim(log: Path, limit: int = PROCESS_LOG_BYTES) -> bool:
     """
     if log.stat().st_size <= limit:
         return False
-    shutil.copyfile(log, log.with_name(f"{log.name}.1"))
+    with suppress(OSError):  # as on a full disk, where the bound matters more than the copy
+        shutil.copyfile(log, log.with_name(f"{log.name}.1"))
     os.truncate(log, 0)
     return True
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import logging
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -18,15 +18,15 @@ from tandem.executive.telemetry.logs import JsonLines
 
 @dataclass(eq=False)
 class LogRelay:
-    """Reads what has been added to the logs of a folder, and writes it on, line by line.
+    """Reads what has been added to logs, and writes it on, line by line.
 
     Args:
-        folder: where each process writes a log of its own (``*.log``).
+        logs: returns the files that are read, each a process's own (``<role>.log``).
         sinks: take a line each.
         form: what the processes write.
     """
 
-    folder: Path
+    logs: Callable[[], Iterable[Path]]
     sinks: tuple[Callable[[str], None], ...]
     form: LogFormat = "text"
     _read: dict[Path, int] = field(default_factory=dict)
@@ -35,7 +35,7 @@ class LogRelay:
         """Write on what is whole; with ``last`` also what is not."""
         if not self.sinks:
             return
-        for log in sorted(self.folder.glob("*.log")):
+        for log in sorted(self.logs()):
             self._relay(log, last=last)
 
     def _relay(self, log: Path, *, last: bool) -> None:

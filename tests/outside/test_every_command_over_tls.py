@@ -41,6 +41,7 @@ EXPECTED: Final[dict[str, tuple[list[str], int, set[str]]]] = {
     "stop": (["--reason", "a test"], 0, {"operator"}),
     "release": ([], 0, {"operator"}),
     "watch": (["--once"], 0, ALL),
+    "logs": (["fetch-none"], 2, CLIENTS),
     "why": ([], 0, ALL),
     "doctor": ([], 0, ALL),
     "tree render": (["--live"], 0, ALL),

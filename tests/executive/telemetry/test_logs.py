@@ -78,7 +78,7 @@ def test_a_tasks_changes_are_logged_with_its_id(caplog: pytest.LogCaptureFixture
 
 def test_logs_of_processes_come_together_line_by_line(tmp_path: Path) -> None:
     told: list[str] = []
-    relay = LogRelay(tmp_path, (told.append,))
+    relay = LogRelay(lambda: tmp_path.glob("*.log"), (told.append,))
     base, keeper = tmp_path / "base.log", tmp_path / "keeper.log"
     base.write_text("one\ntw")
     relay.step()
@@ -95,7 +95,7 @@ def test_logs_of_processes_come_together_line_by_line(tmp_path: Path) -> None:
 def test_what_a_library_prints_becomes_json_too(tmp_path: Path) -> None:
     told: list[str] = []
     (tmp_path / "hardware.log").write_text('pybullet build time: May\n\n{"event": "goal ended"}\n')
-    LogRelay(tmp_path, (told.append,), "json").step()
+    LogRelay(lambda: tmp_path.glob("*.log"), (told.append,), "json").step()
     printed, logged = map(json.loads, told)
     assert (printed["role"], printed["event"]) == ("hardware", "pybullet build time: May")
     assert logged == {"event": "goal ended"}
@@ -103,7 +103,7 @@ def test_what_a_library_prints_becomes_json_too(tmp_path: Path) -> None:
 
 def test_a_log_that_has_grown_too_large_begins_anew_while_its_process_writes_on(tmp_path: Path) -> None:
     told: list[str] = []
-    relay, log = LogRelay(tmp_path, (told.append,)), tmp_path / "base.log"
+    relay, log = LogRelay(lambda: tmp_path.glob("*.log"), (told.append,)), tmp_path / "base.log"
     with log.open("ab", buffering=0) as stream:
         stream.write(b"first\n" * 20)
         relay.step()
