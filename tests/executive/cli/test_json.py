@@ -23,6 +23,8 @@ REPORTS: Final = "--report FILE has its results as JSON"
 WITHOUT: Final = {
     "demo": RUNS,
     "up": RUNS,
+    "run json": RUNS,
+    "new": CONFIRMS,
     "pause": CONFIRMS,
     "resume": CONFIRMS,
     "step": CONFIRMS,
