@@ -33,7 +33,7 @@ class JointReading:
 
 
 class RobotBody:
-    """TIAGo++ in a physics world.
+    """A robot in a physics world.
 
     It is put at ``start`` once, in the given posture; from then on it is moved by its motors alone.
 
@@ -209,6 +209,7 @@ def _load(physics: Physics, model: RobotModel, position: Vector3, orientation: Q
             str(path),
             position,
             orientation,
+            useFixedBase=model.wheels is None,
             flags=pybullet.URDF_USE_INERTIA_FROM_FILE
             | pybullet.URDF_USE_SELF_COLLISION
             | pybullet.URDF_USE_SELF_COLLISION_EXCLUDE_PARENT

@@ -178,6 +178,12 @@ class UrdfDocument:
         for element in ET.fromstring(f"<robot>{elements}</robot>"):  # noqa: S314  # written in this package
             self.root.append(element)
 
+    def put_first(self, link: str) -> None:
+        """Put a new root before all links: pybullet crashes on one that comes after its children."""
+        element = self.link(link)
+        self.root.remove(element)
+        self.root.insert(0, element)
+
     def fix(self, joint_name: str) -> None:
         """Make a joint rigid at its zero."""
         joint = self.joint(joint_name)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from tandem.sim.model import ROOT, Hand, RobotModel
 from tandem.sim.robots import parallel_gripper, pmb2, tiago_upper
+from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.joint_limits import groups
 from tandem.sim.robots.robot import Robot
 from tandem.sim.robots.sensors import camera_sensor, laser_sensor
@@ -47,7 +48,7 @@ def compose() -> RobotModel:
     tiago_upper.cut_hand(document, MOUNT)
     parallel_gripper.fit(document, GRIPPER, mount=MOUNT)
     hand = _hand()
-    physics_urdf, frames = tiago_upper.finish(document, (MOUNT,))
+    physics_urdf, frames = finish(document, (MOUNT, pmb2.CASTERS_LINK))
     return RobotModel(
         description=_describe(document),
         physics_urdf=physics_urdf,

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from tandem.sim.model import ROOT, RobotModel
 from tandem.sim.robots import pmb2, tiago_upper
+from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.joint_limits import groups
 from tandem.sim.robots.robot import Robot
 from tandem.sim.robots.sensors import camera_sensor, laser_sensor
@@ -27,7 +28,7 @@ def compose() -> RobotModel:
     """
     document = tiago_upper.load("tiago.urdf")
     document.cut("arm_1_link")
-    physics_urdf, frames = tiago_upper.finish(document, ())
+    physics_urdf, frames = finish(document, (pmb2.CASTERS_LINK,))
     return RobotModel(
         description=_describe(document),
         physics_urdf=physics_urdf,

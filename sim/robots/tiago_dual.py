@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 from tandem.sim.model import ROOT, Hand, RobotModel
 from tandem.sim.robots import parallel_gripper, pmb2, tiago_upper
+from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.joint_limits import groups
 from tandem.sim.robots.robot import Robot
 from tandem.sim.robots.sensors import camera_sensor, laser_sensor
@@ -61,7 +62,7 @@ def compose() -> RobotModel:
         tiago_upper.cut_hand(document, _mount(side))
         parallel_gripper.fit(document, f"gripper_{side}", mount=_mount(side))
     hands = tuple(_hand(side) for side in SIDES)
-    physics_urdf, frames = tiago_upper.finish(document, (hand.mount_link for hand in hands))
+    physics_urdf, frames = finish(document, (*(hand.mount_link for hand in hands), pmb2.CASTERS_LINK))
     return RobotModel(
         description=_describe(document),
         physics_urdf=physics_urdf,

@@ -1,20 +1,17 @@
-"""What all TIAGos have above the base: a torso that lifts, a head with a camera; and how they are drawn."""
+"""What all TIAGos have above the base: a torso that lifts, a head with a camera."""
 
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET
 from typing import TYPE_CHECKING, Final
-
-import numpy as np
 
 from tandem.sim.robots import pmb2
 from tandem.sim.robots.joint_limits import Smoothness
-from tandem.sim.urdf import Array, UrdfDocument, end_of
+from tandem.sim.urdf import UrdfDocument, end_of
 from tandem.skills.ports.hardware import Posture
 from tandem.skills.ports.packages import resolve
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
 
 FOLDER: Final = "package://example-robot-data/robots/tiago_description/robots"
 PERIOD: Final = 0.01
@@ -36,8 +33,6 @@ POSTURES: Final = (
     Posture(name="ahead", group="head", positions=(0.0, 0.0)),
     Posture(name="table", group="head", positions=(0.0, -0.55)),
 )
-DARK: Final = ("finger", "wheel", "caster", "_2_link")
-"""Links with one of these in their name are drawn dark."""
 
 
 def load(file: str) -> UrdfDocument:
@@ -56,37 +51,3 @@ def cut_hand(document: UrdfDocument, mount: str) -> None:
     hand = [joint for joint in document.joints() if end_of(joint, "parent") == mount]
     for link in [end_of(joint, "child") for joint in hand]:
         document.cut(link)
-
-
-def finish(document: UrdfDocument, keep: Iterable[str]) -> tuple[str, dict[str, tuple[str, Array]]]:
-    """Weld what is rigid, check it, draw what collides; return the URDF for the physics, and all frames.
-
-    The document gets the welded frames back, without mass: it is then the description's.
-
-    Args:
-        document: with its grippers on.
-        keep: links on fixed joints that stay links of their own.
-    """
-    document.weld([*keep, pmb2.CASTERS_LINK])
-    frames = {link: (link, np.eye(4)) for link in document.links()} | document.welded
-    _draw_collision_shapes(document)
-    document.check()
-    physics_urdf = document.text()
-    for name, (link, at) in sorted(document.welded.items()):
-        document.add_frame(name, link, at)
-    return physics_urdf, frames
-
-
-def _draw_collision_shapes(document: UrdfDocument) -> None:
-    """Show the collision shapes: they draw fast, and what is seen is what collides."""
-    for name in document.links():
-        link = document.link(name)
-        for visual in link.findall("visual"):
-            link.remove(visual)
-        colour = "DarkGrey" if any(word in name for word in DARK) else "White"
-        for collision in link.findall("collision"):
-            visual = ET.SubElement(link, "visual")
-            for part in collision:
-                if part.tag in ("origin", "geometry"):
-                    visual.append(part)
-            ET.SubElement(visual, "material", name=colour)

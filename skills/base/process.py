@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from tandem.skills.base.drive import Drive
+from tandem.skills.base.fixed import FixedBase
 from tandem.skills.base.guard import Guard
 from tandem.skills.base.journey import Course
 from tandem.skills.base.localise import Localise
@@ -72,6 +73,8 @@ def build(
         site: the map.
         charge: make a computation's slices cost their declared robot time (lockstep).
     """
+    if description.drive is None:
+        return [FixedBase(bus, clocks, site.home)]
     base = assemble(bus, clocks, description, site)
     return [
         base.localiser,

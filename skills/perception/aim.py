@@ -27,12 +27,15 @@ class Aim:
     """Head positions from points and tilts, within the head joints' limits."""
 
     def __init__(self, description: RobotDescription) -> None:
-        """Read the camera's chain and the head's limits."""
-        self.group: JointGroup = description.group(HEAD)
+        """Read the camera's chain and the head's limits; without a head the camera looks one way."""
+        heads = [group for group in description.groups if group.name == HEAD]
+        self.group: JointGroup = heads[0] if heads else JointGroup(name=HEAD, limits=())
         self._chain = Chain.from_urdf(description.urdf, description.base_frame, description.camera.frame)
 
     def tilted(self, tilt: float) -> tuple[float, ...]:
         """Return the head straight ahead and tilted by its last joint; radians, down is negative."""
+        if not self.group.limits:
+            return ()
         ahead = (0.0,) * (len(self.group.limits) - 1)
         return self._clipped(np.array([*ahead, tilt]))
 
@@ -42,6 +45,8 @@ class Aim:
         Gauss-Newton on the point's place in the picture; out of the head's reach, the nearest within it.
         """
         head = np.zeros(len(self.group.limits))
+        if not self.group.limits:
+            return ()
         for _ in range(_ROUNDS):
             miss = self._miss(head, point_in_base, joint_positions)
             slopes = np.empty((2, len(head)))

@@ -20,6 +20,8 @@ def tucked(context: TreeContext, side: HandName) -> bool:
     status, description = context.knowledge.arm(side), context.knowledge.description
     if status is None or description is None:
         return False
+    if description.drive is None:  # nothing carries the arm anywhere
+        return at_rest(context, side)
     return at_rest(context, side) and status.extent <= description.footprint_radius + ARM_MARGIN
 
 

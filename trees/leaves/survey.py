@@ -64,8 +64,9 @@ def survey_stands(
         if isinstance(found, Failure):
             return found
         facing[0] = found.facing
-        here = _here(context) if here_first else ()
-        asked[:] = _untried(board, [*here, *_where_there_is_room(context, found.bases)])
+        here = _here(context) if here_first or not _drives(context) else ()
+        elsewhere = _where_there_is_room(context, found.bases) if _drives(context) else ()
+        asked[:] = _untried(board, [*here, *elsewhere])
         if not asked:
             return Failure(kind=unreachable, message="nowhere near is untried room for the base")
         return SurveyGoal(
@@ -74,7 +75,7 @@ def survey_stands(
             hand_width=found.hand_width,
             touch_item=board.item,
             touch_support=touch_support,
-            enough=1 if here_first else ENOUGH,
+            enough=1 if here else ENOUGH,
         )
 
     def judge(result: SurveyResult) -> Failure | None:
@@ -89,6 +90,11 @@ def survey_stands(
         return None
 
     return Act(name, context, survey(f"arm_{side}"), goal, judge=judge)
+
+
+def _drives(context: TreeContext) -> bool:
+    robot = context.knowledge.description
+    return robot is None or robot.drive is not None
 
 
 def _untried(board: FetchBoard, bases: list[FloorPose]) -> list[FloorPose]:

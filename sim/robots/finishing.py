@@ -1,0 +1,50 @@
+"""The last steps of every robot: weld what is rigid, check it, draw what collides."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from tandem.sim.urdf import Array, UrdfDocument
+
+DARK: Final = ("finger", "wheel", "caster", "_2_link")
+"""Links with one of these in their name are drawn dark."""
+
+
+def finish(document: UrdfDocument, keep: Iterable[str]) -> tuple[str, dict[str, tuple[str, Array]]]:
+    """Weld what is rigid, check it, draw what collides; return the URDF for the physics, and all frames.
+
+    The document gets the welded frames back, without mass: it is then the description's.
+
+    Args:
+        document: with its grippers on.
+        keep: links on fixed joints that stay links of their own.
+    """
+    document.weld(keep)
+    frames = {link: (link, np.eye(4)) for link in document.links()} | document.welded
+    _draw_collision_shapes(document)
+    document.check()
+    physics_urdf = document.text()
+    for name, (link, at) in sorted(document.welded.items()):
+        document.add_frame(name, link, at)
+    return physics_urdf, frames
+
+
+def _draw_collision_shapes(document: UrdfDocument) -> None:
+    """Show the collision shapes: they draw fast, and what is seen is what collides."""
+    for name in document.links():
+        link = document.link(name)
+        for visual in link.findall("visual"):
+            link.remove(visual)
+        colour = "DarkGrey" if any(word in name for word in DARK) else "White"
+        for collision in link.findall("collision"):
+            visual = ET.SubElement(link, "visual")
+            for part in collision:
+                if part.tag in ("origin", "geometry"):
+                    visual.append(part)
+            ET.SubElement(visual, "material", name=colour)
