@@ -152,6 +152,16 @@ def shared_options(words: Sequence[str], defaults: Mapping[str, object] | None =
     return _bus(**{name: context.params[name] for name in _SHARED})
 
 
+def of_context(params: Mapping[str, object]) -> BusOptions:
+    """Return where the robot is, out of a context's parameters; what was not given is the default.
+
+    Raises:
+        CommandError: as ``bus_options``.
+    """
+    given = {name: params.get(name) for name in _SHARED}
+    return _bus(**{name: _SHARED[name][1] if value is None else value for name, value in given.items()})
+
+
 def _bus(*, connect: object, site_key: object, robot: object, keys: object, holder: object) -> BusOptions:
     folder = keys if isinstance(keys, Path) else None
     return bus_options(str(connect), str(site_key), str(robot), folder, str(holder))

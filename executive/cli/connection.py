@@ -39,14 +39,18 @@ class Connection:
 
     Args:
         options: where the bus is, and whose keys are meant.
+        within: seconds of the host in which the router, and then whoever is asked, must answer; ROUTER_WITHIN
+            and ANSWER_WITHIN unless given.
     """
 
-    def __init__(self, options: BusOptions) -> None:
+    def __init__(self, options: BusOptions, *, within: float | None = None) -> None:
+        self._within = ANSWER_WITHIN if within is None else within
+        patience = ROUTER_WITHIN if within is None else within
         try:
             self._identity = None if options.keys is None else client_in(options.keys, options.holder)
             self.options = options if self._identity is None else replace(options, holder=self._identity.name)
             shown = None if self._identity is None else self._identity.client()
-            self.bus = ZenohBus(options.endpoint, options.prefix, patience=ROUTER_WITHIN, credentials=shown)
+            self.bus = ZenohBus(options.endpoint, options.prefix, patience=patience, credentials=shown)
         except KeysError as error:
             raise CommandError(str(error)) from error
         except BusError as error:
@@ -115,9 +119,9 @@ class Connection:
                 has refused it each time.
         """
         self.require_right(key)
-        deadline = time.monotonic() + ANSWER_WITHIN
+        deadline = time.monotonic() + self._within
         while True:
-            pending, asked_at = self.bus.query(key, payload, timeout=ANSWER_WITHIN), time.monotonic()
+            pending, asked_at = self.bus.query(key, payload, timeout=self._within), time.monotonic()
             self._await(pending, deadline)
             answer = pending.poll()
             late, refusal = time.monotonic() >= deadline - AGAIN_AFTER, pending.refusal()

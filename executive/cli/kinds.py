@@ -9,8 +9,8 @@ if TYPE_CHECKING:
     from tandem.skills.ports.tasks import KindOfTask
 
 
-def kinds_of_robot(options: BusOptions) -> tuple[KindOfTask, ...]:
-    """Return the kinds of task that the executive accepts.
+def kinds_of_robot(options: BusOptions, *, within: float | None = None) -> tuple[KindOfTask, ...]:
+    """Return the kinds of task that the executive accepts; ``within`` as for a ``Connection``.
 
     Raises:
         CommandError: NOBODY_THERE without an answer, REFUSED when the key does not allow the question.
@@ -19,5 +19,5 @@ def kinds_of_robot(options: BusOptions) -> tuple[KindOfTask, ...]:
     from tandem.skills.ports.keys import Nothing  # noqa: PLC0415
     from tandem.skills.ports.tasks import TASK_KINDS  # noqa: PLC0415
 
-    with Connection(options) as connection:
+    with Connection(options, within=within) as connection:
         return connection.ask(TASK_KINDS, Nothing()).kinds

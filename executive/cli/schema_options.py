@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import inspect
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
+from tandem.executive.cli.completing import items
 from tandem.executive.cli.errors import CommandError
 
 if TYPE_CHECKING:
@@ -18,6 +19,8 @@ Schema = dict[str, "JsonValue"]
 OF_THE_KIND: Final = "task"
 """The field that names the kind, which the command's name says already."""
 _SIMPLE: Final[Mapping[str, type]] = {"integer": int, "number": float, "boolean": bool, "string": str}
+_ITEMS: Final = frozenset({"item", "left", "right"})
+"""Fields that name an item: the one that a task is about, or the one for a hand."""
 _WORDS: Final = "WORD=WORD"
 _TIME: Final = "TIME"
 
@@ -57,11 +60,20 @@ class Field:
         """Return it as a parameter of a command's function."""
         kind: object = list[str] if self.maps_words else self._type()
         name = f"{self.option}/--no-{self.option[2:]}" if kind is bool else self.option
-        option = typer.Option(name, help=self._help(), metavar=self._metavar())
+        option = typer.Option(
+            name, help=self._help(), metavar=self._metavar(), autocompletion=self._completion()
+        )
         annotation = Annotated[kind if self.required else kind | None, option]  # type: ignore[valid-type, operator]
         default = inspect.Parameter.empty if self.required else None
         where = inspect.Parameter.KEYWORD_ONLY
         return inspect.Parameter(self.parameter, where, default=default, annotation=annotation)
+
+    def _completion(self) -> Callable[..., object] | None:
+        """Return what completes its value: its choices, or the items of the robot's site."""
+        choices = self._said()
+        if choices:
+            return lambda incomplete: [str(each) for each in choices if str(each).startswith(incomplete)]
+        return items if self.name in _ITEMS or self.name.endswith("_item") else None
 
     def read(self, given: object) -> JsonValue:
         """Return what the option was given as the document's value."""
@@ -100,9 +112,13 @@ class Field:
             return _WORDS
         return _TIME if any(each.get("format") == "date-time" for each in self._choices) else None
 
-    def _help(self) -> str:
+    def _said(self) -> list[JsonValue]:
+        """Return the values that the schema names."""
         said = [value for each in self._choices for value in _list(each.get("enum", []))]
-        said += [each["const"] for each in self._choices if "const" in each]
+        return said + [each["const"] for each in self._choices if "const" in each]
+
+    def _help(self) -> str:
+        said = self._said()
         choices = f"({' or '.join(str(each) for each in said)})" if said else ""
         shown = self._default if self._default not in (None, "", [], {}) else None
         default = "" if shown is None or self.required else f"(default: {_shown(shown)})"

@@ -9,7 +9,6 @@ from typing import Final
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus
-from tandem.skills.ports.utc import iso
 
 DEPTH: Final = 1024
 """Statuses that may wait to be read."""
@@ -57,8 +56,7 @@ def accepted(status: TaskStatus) -> str:
     said = {name: value for name, value in status.request.items() if name not in _NOT_OF_THE_WORK}
     text = json.dumps(said, ensure_ascii=False)
     words = text if len(text) <= SHOWN else f"{text[: SHOWN - 1]}…"
-    after = "" if status.not_before is None else f", not before {iso(status.not_before)}"
-    return f"{status.task} accepted: {status.kind} {words}{after}"
+    return f"{status.task} accepted: {status.kind} {words}"
 
 
 def ended(status: TaskStatus) -> str:

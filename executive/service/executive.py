@@ -426,7 +426,7 @@ class Executive:
     @cached_property
     def _offered(self) -> bytes:
         """The kinds of task as JSON, made when somebody asks: schemas take some milliseconds."""
-        return kinds_offered(self._kinds).model_dump_json().encode()
+        return kinds_offered(self._kinds, self.knowledge.site).model_dump_json().encode()
 
     def _info(self) -> ExecutiveInfo:
         unable = self._unable()

@@ -296,9 +296,11 @@ class KindOfTask(Message):
 
 
 class TaskKinds(Message):
-    """The kinds of task that the executive accepts."""
+    """The kinds of task that the executive accepts, and the items that they may be about."""
 
     kinds: tuple[KindOfTask, ...]
+    items: tuple[str, ...] = ()
+    """The items of the robot's site, as text."""
 
 
 class Times(Message):

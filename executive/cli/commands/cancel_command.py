@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tandem.executive.cli.arguments import Json, connects
+from tandem.executive.cli.completing import open_tasks
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.config.run_options import BusOptions
 
@@ -23,7 +24,9 @@ def add_to(app: typer.Typer) -> None:
 
 
 def cancel(
-    task: Annotated[str, typer.Argument(metavar="[ID]", help="Task id, as in `tandem tasks`.")] = "",
+    task: Annotated[
+        str, typer.Argument(metavar="[ID]", help="Task id, as in `tandem tasks`.", autocompletion=open_tasks)
+    ] = "",
     *,
     everything: Annotated[
         bool,
@@ -40,7 +43,7 @@ def cancel(
         raise CommandError("expected the ID of a task, or --all; see `tandem tasks`")
     with Connection(bus) as connection:
         connection.require_right(connection.cancel_key())
-        named = open_tasks(connection) if everything else (task,)
+        named = not_ended(connection) if everything else (task,)
         answers = {each: _cancel(connection, each) for each in named}
     refused = tuple(f"{each}: {answer.reason}" for each, answer in answers.items() if not answer.accepted)
     done = tuple(each for each, answer in answers.items() if answer.accepted)
@@ -57,7 +60,7 @@ def cancel(
         raise CommandError(f"{task} cannot be cancelled: {answers[task].reason}")
 
 
-def open_tasks(connection: Connection) -> tuple[str, ...]:
+def not_ended(connection: Connection) -> tuple[str, ...]:
     """Return the tasks to cancel: those that wait before the one that runs, so that none begins meanwhile."""
     from tandem.executive.client.pages import listed  # noqa: PLC0415
     from tandem.skills.ports.tasks import TASK_LIST  # noqa: PLC0415

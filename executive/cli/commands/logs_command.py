@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 from tandem.executive.cli.arguments import Json, connects
+from tandem.executive.cli.completing import logged
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.config.run_options import BusOptions, default_data
 
@@ -34,6 +35,7 @@ def logs(
         typer.Argument(
             metavar="[ROLE|ID]",
             help="A process such as base, or a task's id. Default: all processes.",
+            autocompletion=logged,
         ),
     ] = "",
     *,

@@ -12,6 +12,7 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from tandem.executive.cli.arguments import Json, connects, shared_options
+from tandem.executive.cli.completing import WITHIN
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.kinds import kinds_of_robot
 from tandem.executive.cli.schema_options import fields_of
@@ -37,23 +38,26 @@ class KindsGroup(TyperGroup):
     def list_commands(self, ctx: Context) -> list[str]:
         """Return the names of all commands; without a robot those in the code."""
         with suppress(CommandError):
-            self._add_kinds(ctx, ())
+            self._add_kinds(ctx, (), quick=ctx.resilient_parsing)
         return super().list_commands(ctx)
 
     def resolve_command(self, ctx: Context, args: list[str]) -> tuple[str | None, Command | None, list[str]]:
         """Return the command that the words name; kinds are asked of the robot that the others name."""
         name = args[0]
-        if name not in self.commands and not name.startswith("-"):
+        if ctx.resilient_parsing:  # the shell completes a word: nothing is said, and nothing takes long
+            with suppress(Exception):  # a half-typed line may be wrong in any way
+                self._add_kinds(ctx, args[1:], quick=True)
+        elif name not in self.commands and not name.startswith("-"):
             known = self._add_kinds(ctx, args[1:])
             if name not in known:
                 offered = ", ".join(known) or "none"
                 raise CommandError(f"the robot offers no task {name!r}; it offers {offered}")
         return super().resolve_command(ctx, args)
 
-    def _add_kinds(self, ctx: Context, words: Sequence[str]) -> list[str]:
+    def _add_kinds(self, ctx: Context, words: Sequence[str], *, quick: bool = False) -> list[str]:
         defaults = {} if ctx.default_map is None else ctx.default_map  # of the project's tandem.yaml
         way = defaults.get("json", {})
-        kinds = kinds_of_robot(shared_options(words, way))
+        kinds = kinds_of_robot(shared_options(words, way), within=WITHIN if quick else None)
         for kind in kinds:
             self.commands.setdefault(kind.name, command_of(kind))
             defaults.setdefault(kind.name, way)

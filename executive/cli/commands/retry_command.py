@@ -10,6 +10,7 @@ import typer
 
 from tandem.executive.cli.arguments import Json, connects
 from tandem.executive.cli.commands.request_command import Wait
+from tandem.executive.cli.completing import ended_tasks
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.config.run_options import BusOptions
 
@@ -28,7 +29,9 @@ def add_to(app: typer.Typer) -> None:
 
 
 def retry(
-    task: Annotated[str, typer.Argument(metavar="ID", help="Id of a task that has ended.")],
+    task: Annotated[
+        str, typer.Argument(metavar="ID", help="Id of a task that has ended.", autocompletion=ended_tasks)
+    ],
     *,
     wait: Wait = False,
     data: Annotated[

@@ -12,6 +12,7 @@ from typing import Annotated, Final, cast, get_args, get_type_hints
 import typer
 
 from tandem.executive.cli.arguments import OtherSite, OwnEndpoint, OwnRobot, OwnSite, bus_options, connects
+from tandem.executive.cli.completing import scenarios
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.logs import LogOptions
 from tandem.executive.config.on_restart import OnRestart as Restart
@@ -28,7 +29,10 @@ from tandem.skills.wire.pulse import SILENT_AFTER
 Scenario = Annotated[
     str,
     typer.Option(
-        "--scenario", metavar="NAME|FILE", help="A name from `tandem scenario list`, or a YAML file."
+        "--scenario",
+        metavar="NAME|FILE",
+        help="A name from `tandem scenario list`, or a YAML file.",
+        autocompletion=scenarios,
     ),
 ]
 Faults = Annotated[

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tandem.executive.cli.arguments import Json, OtherSite
+from tandem.executive.cli.completing import scenarios
 
 if TYPE_CHECKING:
     from tandem.executive.cli.shapes import ScenarioFacts
@@ -43,7 +44,9 @@ def list_all(*, as_json: Json = False) -> None:
 
 
 def check(
-    file: Annotated[str, typer.Argument(metavar="FILE|NAME", help="A YAML file or a name.")],
+    file: Annotated[
+        str, typer.Argument(metavar="FILE|NAME", help="A YAML file or a name.", autocompletion=scenarios)
+    ],
     *,
     faults: Annotated[
         Path | None, typer.Option("--faults", metavar="FILE", help="Also check this fault file.")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tandem.executive.cli.arguments import Json, Output, SiteFile, connects
+from tandem.executive.cli.completing import drawn_nodes, kinds
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import DEFAULT_SITE, BusOptions
@@ -81,7 +82,9 @@ def list_all(*, as_json: Json = False) -> None:
 
 
 def render(
-    task: Annotated[str, typer.Argument(metavar="[TASK]", help="Task, as in `tandem tree list`.")] = "",
+    task: Annotated[
+        str, typer.Argument(metavar="[TASK]", help="Task, as in `tandem tree list`.", autocompletion=kinds)
+    ] = "",
     *,
     form: Annotated[Format, typer.Option("--format", "-f")] = Format.UNICODE,
     output: Output = None,
@@ -95,7 +98,13 @@ def render(
     ] = None,
     hide: Hidden = None,
     focus: Annotated[
-        str, typer.Option("--focus", metavar="NODE", help="Draw from this node on: its name or its path.")
+        str,
+        typer.Option(
+            "--focus",
+            metavar="NODE",
+            help="Draw from this node on: its name or its path.",
+            autocompletion=drawn_nodes,
+        ),
     ] = "",
     everything: Annotated[bool, typer.Option("--all", help="Draw every node.")] = False,
     site: SiteFile = DEFAULT_SITE,
@@ -112,7 +121,7 @@ def render(
     if live:
         root = _running(bus)
     elif task:
-        root = _built(task, request, site)
+        root = built(task, request, site)
     else:
         raise CommandError("expected a TASK or --live; see `tandem tree list`")
     chosen = everything or (form is Format.JSON and depth is None and not hide)
@@ -135,7 +144,9 @@ def render(
 
 
 def coverage(
-    task: Annotated[str, typer.Argument(metavar="TASK", help="Task, as in `tandem tree list`.")],
+    task: Annotated[
+        str, typer.Argument(metavar="TASK", help="Task, as in `tandem tree list`.", autocompletion=kinds)
+    ],
     *,
     depth: Annotated[
         int, typer.Option("--depth", min=0, max=9, help="Number of leaves that fail in one plan.")
@@ -164,7 +175,9 @@ def coverage(
 
 
 def properties(
-    task: Annotated[str, typer.Argument(metavar="TASK", help="Task, as in `tandem tree list`.")],
+    task: Annotated[
+        str, typer.Argument(metavar="TASK", help="Task, as in `tandem tree list`.", autocompletion=kinds)
+    ],
     *,
     ticks: Annotated[
         int, typer.Option("--ticks", min=1, max=10**9, help="Total number of ticks.")
@@ -248,23 +261,28 @@ def _running(options: BusOptions) -> TreeNode:
         return connection.ask(TREE_NOW, Nothing()).root
 
 
-def _built(task: str, request: str, site_name: str) -> TreeNode:
+def built(task: str, request: str, site_name: str) -> TreeNode:
+    """Return the tree of a task, for a request as JSON or for an example of one.
+
+    Raises:
+        CommandError: when there is no such task, or the request does not fit.
+    """
     from tandem.executive.render.example import NoExampleError, example_request, tree_of  # noqa: PLC0415
     from tandem.executive.service.intake.request_parser import Refused, read_request  # noqa: PLC0415
     from tandem.skills.ports.documents import parse  # noqa: PLC0415
     from tandem.skills.site import load  # noqa: PLC0415
     from tandem.trees.registry import discover  # noqa: PLC0415
 
-    kinds = discover()
-    if task not in kinds:
-        raise CommandError(f"no task {task!r}; expected one of {', '.join(kinds)}")
+    installed = discover()
+    if task not in installed:
+        raise CommandError(f"no task {task!r}; expected one of {', '.join(installed)}")
     site = load(site_name)
     if not request:
         try:
-            return tree_of(kinds[task], site, example_request(kinds[task], site))
+            return tree_of(installed[task], site, example_request(installed[task], site))
         except NoExampleError as error:
             raise CommandError(str(error)) from error
-    asked = read_request(request.encode(), kinds, site)
+    asked = read_request(request.encode(), installed, site)
     document = parse(request.encode())
     if isinstance(asked, Refused) or isinstance(document, tuple):
         problems = asked.problems if isinstance(asked, Refused) else ()
@@ -272,4 +290,4 @@ def _built(task: str, request: str, site_name: str) -> TreeNode:
             f"  {each.path}: expected {each.expected}, found {each.found or 'nothing'}" for each in problems
         ]
         raise CommandError("\n".join(("--request is invalid:", *lines)))
-    return tree_of(kinds[task], site, document)
+    return tree_of(installed[task], site, document)

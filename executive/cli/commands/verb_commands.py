@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar, cast
 import typer
 
 from tandem.executive.cli.arguments import connects
+from tandem.executive.cli.completing import open_tasks, running_nodes
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import BusOptions
@@ -19,11 +20,28 @@ if TYPE_CHECKING:
 
 M = TypeVar("M", bound="Message")
 RunningTask = Annotated[
-    str, typer.Argument(metavar="[ID]", help="Task id, as in `tandem tasks`. Default: the running task.")
+    str,
+    typer.Argument(
+        metavar="[ID]",
+        help="Task id, as in `tandem tasks`. Default: the running task.",
+        autocompletion=open_tasks,
+    ),
 ]
-Task = Annotated[str, typer.Argument(metavar="ID", help="Task id, as in `tandem tasks`.")]
-OfTask = Annotated[str, typer.Option("--task", metavar="ID", help="Task id. Default: the running task.")]
-Node = Annotated[str, typer.Argument(metavar="NODE", help="Name of the node, or its path in the tree.")]
+Task = Annotated[
+    str, typer.Argument(metavar="ID", help="Task id, as in `tandem tasks`.", autocompletion=open_tasks)
+]
+OfTask = Annotated[
+    str,
+    typer.Option(
+        "--task", metavar="ID", help="Task id. Default: the running task.", autocompletion=open_tasks
+    ),
+]
+Node = Annotated[
+    str,
+    typer.Argument(
+        metavar="NODE", help="Name of the node, or its path in the tree.", autocompletion=running_nodes
+    ),
+]
 
 
 def add_to(app: typer.Typer) -> None:

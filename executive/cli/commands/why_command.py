@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tandem.executive.cli.arguments import Json, connects
+from tandem.executive.cli.completing import tasks
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import BusOptions
@@ -28,7 +29,9 @@ def why(
     task: Annotated[
         str,
         typer.Argument(
-            metavar="[ID]", help="Task id, as in `tandem tasks`. Default: the last task that failed."
+            metavar="[ID]",
+            help="Task id, as in `tandem tasks`. Default: the last task that failed.",
+            autocompletion=tasks,
         ),
     ] = "",
     picture: Annotated[

@@ -9,17 +9,19 @@ from pydantic import JsonValue, TypeAdapter
 from tandem.executive.service.intake.envelope import Envelope
 from tandem.executive.service.intake.request_parser import ID_FIELD, KIND_FIELD, MAX_ID
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import KindOfTask, TaskKinds
 from tandem.trees.task import TaskType
 
 
-def kinds_offered(kinds: Mapping[str, TaskType[Message]]) -> TaskKinds:
-    """Return the kinds with their schemas, each whole in itself."""
+def kinds_offered(kinds: Mapping[str, TaskType[Message]], site: Site | None = None) -> TaskKinds:
+    """Return the kinds with their schemas, each whole in itself, and the items of the site."""
     return TaskKinds(
         kinds=tuple(
             KindOfTask(name=kind.name, summary=kind.summary, request=request_schema(kind))
             for kind in kinds.values()
-        )
+        ),
+        items=() if site is None else tuple(str(each.item) for each in site.items),
     )
 
 

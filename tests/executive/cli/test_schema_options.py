@@ -104,7 +104,7 @@ def test_a_schema_that_refers_to_itself_has_an_option() -> None:
 def test_a_task_that_only_the_robot_knows_is_listed_and_has_options(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(request_command, "kinds_of_robot", lambda _: (WATER,))
+    monkeypatch.setattr(request_command, "kinds_of_robot", lambda *_, **__: (WATER,))
     assert main(["request", "--help"]) == 0
     assert "Water a plant." in capsys.readouterr().out
     assert main(["request", "water", "--help"]) == 0
@@ -119,7 +119,7 @@ def test_a_task_that_only_the_robot_knows_is_listed_and_has_options(
 def test_the_robot_that_is_asked_is_the_one_that_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[str] = []
 
-    def kinds(options: object) -> tuple[KindOfTask, ...]:
+    def kinds(options: object, **_: object) -> tuple[KindOfTask, ...]:
         asked.append(str(getattr(options, "endpoint", "")))
         return (WATER,)
 

@@ -41,7 +41,6 @@ def status(state: TaskState, **more: object) -> TaskStatus:
             [ACCEPTED, "fetch-1 started", "fetch-1 ended: SUCCEEDED after 61.2 s of robot time"],
         ),
         ([status(TaskState.SUCCEEDED)], []),
-        ([status(QUEUED, not_before=60.0)], [f"{ACCEPTED}, not before 1970-01-01T00:01:00Z"]),
     ],
 )
 def test_each_change_is_a_line_and_nothing_else_is(told: list[TaskStatus], said: list[str]) -> None:
