@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack, suppress
 from pathlib import Path
+from types import MappingProxyType
 from typing import Final, Protocol, Self
 
 from tandem.executive.config.process_settings import REFUSED, UNKEPT, WorkerSettings
@@ -141,6 +142,7 @@ class ProcessSystem:
     Args:
         options: scenario, seed, speed, endpoint.
         roles: which processes to start; those that the scenario's robot needs unless given.
+        played_by: what plays a role, by the role's name, where a campaign has it played by code of its own.
         say: takes a line when a skill's process has died and is started again.
         hung_after: host seconds without a beat after which a process is killed and started again.
         first: lines to be said before anything starts, once it is clear that this system may.
@@ -154,6 +156,7 @@ class ProcessSystem:
         options: RunOptions,
         *,
         roles: tuple[str, ...] | None = None,
+        played_by: Mapping[str, str] = MappingProxyType({}),
         say: Callable[[str], None] = lambda _: None,
         hung_after: float = HUNG_AFTER,
         first: Sequence[str] = (),
@@ -162,7 +165,7 @@ class ProcessSystem:
         scenario = load_scenario(options.scenario)
         self._roles = (roles or options.only or roles_of(scenario, options.left_out)) + observed
         self._options, self._say = options, say
-        self._first = tuple(first)
+        self._first, self._played_by = tuple(first), played_by
         self._plugged = frozenset(plugged(options.left_out))
         """Roles of other packages: the rest can do without."""
         self._ready = False
@@ -330,6 +333,7 @@ class ProcessSystem:
         data = options.data or Path(self._folder.name)
         return WorkerSettings(
             role=role,
+            played_by=self._played_by.get(role, ""),
             endpoint=options.bus.endpoint,
             prefix=options.bus.prefix,
             site=self._site,

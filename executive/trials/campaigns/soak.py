@@ -19,6 +19,7 @@ from pydantic import JsonValue
 from tandem.executive.config.run_options import BusOptions, RunOptions
 from tandem.executive.system.systems import ProcessSystem, SystemFailure, wait_for
 from tandem.executive.trials.campaigns.crash_world import ITEM, RESET, AskReset
+from tandem.executive.trials.campaigns.mock_roles import MOCKED
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, CancelTask, TaskAnswer
@@ -139,7 +140,7 @@ def run_soak(
     options = RunOptions(bus=BusOptions(endpoint=endpoint, robot=ROBOT), data=folder, metrics=metrics)
     samples: list[Sample] = []
     ended: dict[str, int] = {}
-    with ProcessSystem(options, roles=ROLES) as system:
+    with ProcessSystem(options, roles=ROLES, played_by={"mock": MOCKED}) as system:
         driver = _Driver(system)
         for number in range(1, tasks + 1):
             state = driver.one(number)
