@@ -133,8 +133,9 @@ def _leave_item(context: TreeContext, board: FetchBoard) -> Behaviour:
             Selector("item left", memory=True, children=[item_left(context, board), put]),
             withdraw(context, board),
             grip_with("close empty", context, board, lambda: GripGoal(grip=Grip.CLOSE)),
-            remove_from_scene(context, board),
+            # An obstacle until the arm is in: a tuck that is planned without it may knock it over.
             free_and_tuck(context, "after place"),
+            remove_from_scene(context, board),
         ],
     )
     steps = (

@@ -66,7 +66,7 @@ def fetch_worlds(site: Site | None = None) -> Mapping[str, Make]:
             "dropped again and again": partial(world, events={"drive to slot": _drop}),
             "arms knocked out on the way": partial(world, events={"survey item, left arm": _stretch}),
             "arms knocked out with item": partial(world, events={"survey slot, left arm": _stretch}),
-            "arms knocked out when placed": partial(world, events={"remove from scene": _stretch}),
+            "arms knocked out when placed": partial(world, events={"close empty": _stretch}),
             "arms knocked out at last": partial(world, events={"after place: tuck arm": _Once(_stretch)}),
             "other stands closely seen": partial(world, events={"survey item again, left arm": _move_away}),
             "other stands at the depot": partial(world, events={"survey slot again, left arm": _move_away}),
@@ -92,10 +92,10 @@ def fetch_corners(site: Site | None = None) -> Mapping[str, Make]:
                 other, events={"survey item, left arm": _stretch_right}, faults=("before item: tuck arm",)
             ),
             "arm with other item knocked out at last": partial(
-                other, events={"remove from scene": _stretch_right}, faults=("after place: tuck arm",)
+                other, events={"close empty": _stretch_right}, faults=("after place: tuck arm",)
             ),
             "arm in after pick": partial(world, events={"hand is full?": _tuck}),
-            "arm in after place": partial(world, events={"remove from scene": _tuck}),
+            "arm in after place": partial(world, events={"close empty": _tuck}),
             "other stands, arms out": near_stands,
             "other stands, arms stay out": partial(near_stands, faults=("before item again: tuck arm",)),
             "other stands at the depot, arms out": slot_stands,
