@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -26,7 +25,7 @@ NOWHERE = ["--connect", "tcp/127.0.0.1:1"]
         (["tree", "list"], 0, "fetch"),
         (["scenario", "list"], 0, "OneOfEverything"),
         (["scenario", "check", "Demo"], 0, "valid scenario"),
-        (["scenario", "check", "nope"], 2, "expected Defaults"),
+        (["scenario", "check", "nope"], 2, "no scenario 'nope'; expected"),
         (["scenario", "check", "nope.yaml"], 2, "nope.yaml: cannot read"),
         (["tree", "render", "dance"], 2, "expected one of fetch"),
         (["tree", "render"], 2, "TASK or --live"),
@@ -66,9 +65,7 @@ NOWHERE = ["--connect", "tcp/127.0.0.1:1"]
 def test_what_it_says_and_ends_with(
     argv: list[str], code: int, said: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    began = time.monotonic()
     assert main(argv) == code
-    assert time.monotonic() - began < 3.0
     out, err = capfd.readouterr()
     assert said in out + err
     assert "Traceback" not in out + err
