@@ -103,9 +103,14 @@ def connects(command: Callable[..., None]) -> Callable[..., None]:
         if each.name != "bus"
     ]
     parameters = [*own, *shared_parameters()]
-    connecting.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
-    connecting.__annotations__ = {each.name: each.annotation for each in parameters}
+    give_parameters(connecting, parameters)
     return connecting
+
+
+def give_parameters(command: Callable[..., None], parameters: Sequence[inspect.Parameter]) -> None:
+    """Have typer see these parameters of a function, whatever it declares."""
+    command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    command.__annotations__ = {each.name: each.annotation for each in parameters}
 
 
 def shared_parameters() -> list[inspect.Parameter]:
@@ -139,8 +144,7 @@ def shared_options(words: Sequence[str], defaults: Mapping[str, object] | None =
     def where(**_shared: object) -> None:
         """Take the shared options, and any others."""
 
-    where.__signature__ = inspect.Signature(shared_parameters())  # type: ignore[attr-defined]
-    where.__annotations__ = {each.name: each.annotation for each in shared_parameters()}
+    give_parameters(where, shared_parameters())
     app = typer.Typer(add_completion=False)
     app.command(context_settings={"ignore_unknown_options": True, "allow_extra_args": True})(where)
     context = typer.main.get_command(app).make_context(

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import inspect
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from keyword import iskeyword
 from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
@@ -32,12 +33,17 @@ class Field:
         name: the property.
         schema: its schema, references followed.
         required: whether a request must have it.
+        taken: names that options of the command have already.
     """
 
-    def __init__(self, name: str, schema: Schema, *, required: bool) -> None:
+    def __init__(
+        self, name: str, schema: Schema, *, required: bool, taken: frozenset[str] = frozenset()
+    ) -> None:
         self.name, self.required = name, required
-        self.parameter = name if name.isidentifier() else f"field_{name.encode().hex()}"
-        self.option = f"--{name.replace('_', '-')}"
+        plain = name.isidentifier() and not iskeyword(name) and name not in taken
+        self.parameter = name if plain else f"field_{name.encode().hex()}"
+        option = name.replace("_", "-")
+        self.option = f"--request-{option}" if taken & {name, option} else f"--{option}"
         self._choices = [each for each in _choices(schema) if each.get("type") != "null"]
         self._default = schema.get("default")
         self._text = str(schema.get("description", ""))
@@ -125,21 +131,45 @@ class Field:
         return " ".join(part for part in (self._text, choices, default) if part)
 
 
-def fields_of(schema: Mapping[str, JsonValue]) -> tuple[Field, ...]:
+def fields_of(schema: Mapping[str, JsonValue], beside: Iterable[inspect.Parameter] = ()) -> tuple[Field, ...]:
     """Return the properties of a request's schema but the one that names its kind; the required ones first.
 
     What the schema does not say of a property is left to the robot, which checks the whole document.
+
+    Args:
+        schema: of the request.
+        beside: the command's other options; a property with one of their names is ``--request-<name>``.
     """
+    taken = _names(beside)
     definitions, properties = schema.get("$defs", {}), schema.get("properties", {})
     required = _list(schema.get("required", []))
     assert isinstance(definitions, dict)
     assert isinstance(properties, dict)
     found = [
-        Field(name, _followed(each, definitions), required=name in required)
+        Field(name, _followed(each, definitions), required=name in required, taken=taken)
         for name, each in properties.items()
         if name != OF_THE_KIND
     ]
     return tuple(sorted(found, key=lambda field: not field.required))
+
+
+def read_given(fields: Iterable[Field], given: Mapping[str, object]) -> dict[str, JsonValue]:
+    """Return the fields of a request out of what a command was given; what was not given is left out."""
+    said = {field.name: (field, given[field.parameter]) for field in fields}
+    return {name: field.read(value) for name, (field, value) in said.items() if value not in (None, [])}
+
+
+def _names(parameters: Iterable[inspect.Parameter]) -> frozenset[str]:
+    """Return the names of parameters and of the options that stand for them, and those of the help."""
+    found = {"help"}
+    for each in parameters:
+        found.add(each.name)
+        for option in getattr(each.annotation, "__metadata__", ()):
+            # In an annotation typer keeps the first name in the place of the default.
+            declared = (getattr(option, "default", None), *(getattr(option, "param_decls", None) or ()))
+            names = [word for said in declared if isinstance(said, str) for word in said.split("/")]
+            found |= {word.lstrip("-") for word in names if word.startswith("-")}
+    return frozenset(found)
 
 
 def _followed(schema: JsonValue, definitions: Schema, deep: int = 8) -> Schema:

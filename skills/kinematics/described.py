@@ -38,8 +38,8 @@ def carried(scene: PlanningScene, description: RobotDescription) -> tuple[Carrie
     """Return what the hands hold, each in its tool frame."""
     found = []
     for each in scene.objects:
-        if each.attached_to in description.hands:  # what another robot's hand holds is none of ours
-            hand = description.end_effector(str(each.attached_to))
+        if each.attached_to is not None:
+            hand = description.end_effector(each.attached_to)
             found.append(
                 Carried(each.name, BoxShape(each.box.size), hand.frame, each.box.pose, hand.touch_links)
             )

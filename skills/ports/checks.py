@@ -5,6 +5,7 @@ What a message can say about itself (lengths, ranges) stands in its model.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import singledispatch
 from typing import Final
 
@@ -86,23 +87,36 @@ def _wrench(message: Wrench, key: str, robot: RobotDescription | None) -> str:
 
 @misfit.register
 def _scan(message: LaserScan, key: str, robot: RobotDescription | None) -> str:
-    for laser in () if robot is None else robot.lasers:
-        if key == f"hw/{laser.name}/laser" and len(message.ranges) != laser.beams:
-            return f"expected {laser.beams} ranges, found {len(message.ranges)}"
-    return ""
+    if robot is None:
+        return ""
+    for laser in robot.lasers:
+        if key == f"hw/{laser.name}/laser":
+            found = len(message.ranges)
+            return "" if found == laser.beams else f"expected {laser.beams} ranges, found {found}"
+    return f"the scan of a laser that the robot does not have: it came on {key}"
 
 
 @misfit.register
 def _picture(message: RgbdHeader, key: str, robot: RobotDescription | None) -> str:
-    for camera in () if robot is None else robot.cameras:
-        if key != f"hw/camera/{camera.name}/rgbd":
-            continue
-        if (message.camera, message.width, message.height) != (camera.name, camera.width, camera.height):
+    if robot is None:
+        return ""
+    for camera in robot.cameras:
+        if key == f"hw/camera/{camera.name}/rgbd":
+            expected = (camera.name, camera.width, camera.height)
+            if (message.camera, message.width, message.height) == expected:
+                return ""
             return (
                 f"expected a picture of {camera.name}, {camera.width} x {camera.height}, "
                 f"found {message.camera}, {message.width} x {message.height}"
             )
-    return ""
+    return f"the picture of a camera that the robot does not have: it came on {key}"
+
+
+def strange_hands(named: Iterable[str | None], robot: RobotDescription | None) -> str:
+    """Say which hands a message names that the robot does not have; nothing when it has all."""
+    known = None if robot is None else {None, *robot.hands}
+    strange = [] if known is None else sorted({str(each) for each in named if each not in known})
+    return f"hands that the robot does not have: {_names(strange)}" if strange else ""
 
 
 def _of_key(key: str, expected: str) -> str:

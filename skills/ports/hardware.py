@@ -10,13 +10,11 @@ from typing import Annotated, Final, Literal, TypeVar
 from pydantic import Field, model_validator
 
 from tandem.skills.ports.lease import Leased
-from tandem.skills.ports.message import Count, HandName, Message, RobotTime, Vector3
+from tandem.skills.ports.message import Count, HandName, Message, PartName, RobotTime, Vector3
 from tandem.skills.ports.pose import FloorPose
 
 Positive = Annotated[float, Field(gt=0.0)]
 
-PartName = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,31}$")]
-"""The name of a sensor: a part of its key."""
 S = TypeVar("S")
 
 MAX_PIXELS: Final = 1 << 14

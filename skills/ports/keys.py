@@ -36,7 +36,7 @@ from tandem.skills.ports.limits import SMALL, Limits
 from tandem.skills.ports.message import Message, read_leniently
 
 TOLD: Final = ("task/", "tree/", "world/")
-"""How the keys begin that clients of any version hear."""
+"""How the keys begin whose messages and answers are for clients, of any version."""
 M = TypeVar("M", bound=Message)
 Asked = TypeVar("Asked", bound=Message)
 Answered = TypeVar("Answered", bound=Message)
@@ -49,6 +49,11 @@ class Nothing(Message):
 def _with_lease(bus: Bus, message: Message) -> Message:
     lease = bus.lease() if isinstance(message, Leased) and message.lease is None else None
     return message if lease is None else message.model_copy(update={"lease": lease})
+
+
+def _read(key: str, model: type[M], payload: bytes) -> M:
+    """Return a message of a key; only those for clients may have fields that this version does not know."""
+    return read_leniently(model, payload) if key.startswith(TOLD) else model.model_validate_json(payload)
 
 
 @dataclass(frozen=True)
@@ -64,9 +69,7 @@ class Topic(Generic[M]):
 
     def decode(self, payload: bytes) -> M:
         """Return the message; pydantic's ValidationError when it is none."""
-        if self.key.startswith(TOLD):
-            return read_leniently(self.model, payload)
-        return self.model.model_validate_json(payload)
+        return _read(self.key, self.model, payload)
 
 
 @dataclass(frozen=True)
@@ -91,7 +94,7 @@ class Service(Generic[Asked, Answered]):
 
     def decode_answer(self, payload: bytes) -> Answered:
         """Return the answer; pydantic's ValidationError when it is none."""
-        return read_leniently(self.answered, payload)
+        return _read(self.key, self.answered, payload)
 
 
 class Latest(Generic[M]):

@@ -20,8 +20,10 @@ Count = Annotated[int, Field(ge=0, le=MOST)]
 """A whole number of a message: every one has bounds, and these unless it says others."""
 Whole = Annotated[int, Field(ge=-MOST, le=MOST)]
 """Likewise, of either sign."""
-HandName = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,31}$")]
-"""A hand, as the robot's description names it, such as ``left``; a part of keys."""
+PartName = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,31}$")]
+"""A part of the robot, as its description names it; it becomes a part of keys."""
+HandName = PartName
+"""A hand, such as ``left``."""
 PLAIN_TEXT: Final = r"^[^\x00-\x1f\x7f-\x9f\u2028\u2029]*$"
 """Text without control characters and line breaks, as a pattern."""
 

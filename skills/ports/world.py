@@ -6,6 +6,8 @@ from typing import Annotated, Final, Literal
 
 from pydantic import Field
 
+from tandem.skills.ports.checks import misfit, strange_hands
+from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import Topic
 from tandem.skills.ports.message import Count, HandName, Message, RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
@@ -148,6 +150,19 @@ class WorldState(Message):
     def in_hand(self, side: HandName) -> HeldItem | None:
         """Return what is in the hand, or None."""
         return next((held for held in self.held if held.side == side), None)
+
+
+@misfit.register
+def _scene(message: PlanningScene, key: str, robot: RobotDescription | None) -> str:
+    del key
+    return strange_hands((each.attached_to for each in message.objects), robot)
+
+
+@misfit.register
+def _beliefs(message: WorldState, key: str, robot: RobotDescription | None) -> str:
+    del key
+    facts = (*message.items, *message.doubles)
+    return strange_hands((*(each.held for each in facts), *(each.side for each in message.held)), robot)
 
 
 ROBOT_POSE: Final = Topic("world/robot", RobotPose)

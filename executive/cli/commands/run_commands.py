@@ -7,11 +7,19 @@ import inspect
 import os
 from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Final, cast, get_args, get_type_hints
+from typing import Annotated, cast, get_args, get_type_hints
 
 import typer
 
-from tandem.executive.cli.arguments import OtherSite, OwnEndpoint, OwnRobot, OwnSite, bus_options, connects
+from tandem.executive.cli.arguments import (
+    OtherSite,
+    OwnEndpoint,
+    OwnRobot,
+    OwnSite,
+    bus_options,
+    connects,
+    give_parameters,
+)
 from tandem.executive.cli.completing import scenarios
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.logs import LogOptions
@@ -134,22 +142,25 @@ def starts_system(command: Callable[..., None]) -> Callable[..., None]:
 
     @functools.wraps(command)
     def starting(context: typer.Context, **named: object) -> None:
-        shared = {each: named.pop(each) for each in SYSTEM_OPTIONS}
+        shared = {each.name: named.pop(each.name) for each in system_parameters()[1:]}
         made: Callable[..., RunOptions] = _whole_system  # typer has checked them
         command(**named, options=made(context, **shared))
 
     hints = get_type_hints(command, include_extras=True)
-    given = getattr(command, "__signature__", inspect.signature(command)).parameters.values()
+    given = inspect.signature(command).parameters.values()
     own = [each.replace(annotation=hints.get(each.name, each.annotation)) for each in given]
-    shared_hints = get_type_hints(_whole_system, include_extras=True)
-    shared = [
-        each.replace(annotation=shared_hints[each.name])
+    shared = system_parameters()
+    give_parameters(starting, [shared[0], *(each for each in own if each.name != "options"), *shared[1:]])
+    return starting
+
+
+def system_parameters() -> list[inspect.Parameter]:
+    """Return the context and the options that ``starts_system`` adds, as a function's parameters."""
+    hints = get_type_hints(_whole_system, include_extras=True)
+    return [
+        each.replace(annotation=hints[each.name])
         for each in inspect.signature(_whole_system).parameters.values()
     ]
-    parameters = [shared[0], *(each for each in own if each.name != "options"), *shared[1:]]
-    starting.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
-    starting.__annotations__ = {each.name: each.annotation for each in parameters}
-    return starting
 
 
 def _whole_system(
@@ -191,10 +202,6 @@ def _whole_system(
         verbose=logs.verbose,
         log_format=logs.format,
     )
-
-
-SYSTEM_OPTIONS: Final = tuple(inspect.signature(_whole_system).parameters)[1:]
-"""Names of the options that ``starts_system`` adds."""
 
 
 def up(

@@ -201,7 +201,7 @@ class Run:
         if silent <= SILENT_AFTER and self._halted is None:
             return "the hardware answers, and the skills are coming to rest"
         skills = (handle.action for handle in self.context.clients.open)
-        self.ended = self._ending = Ending(TaskState.INTERRUPTED, abandoned(self._root.name, skills, silent))
+        self._conclude(Ending(TaskState.INTERRUPTED, abandoned(self._root.name, skills, silent)))
         return ""
 
     def pause(self) -> str:
@@ -325,9 +325,8 @@ class Run:
             if self.gates.hit:
                 self._hold.pause()
         elif status is NodeStatus.SUCCESS:
-            self.result = self._kind.result_of(
-                self.context, succeeded=not self.canceling
-            )  # raises for what the kind does not declare
+            # Raises for what the kind does not declare: then the task has not succeeded.
+            self.result = self._kind.result_of(self.context, succeeded=not self.canceling)
             self._end_with(Ending(TaskState.CANCELED if self.canceling else TaskState.SUCCEEDED))
         else:
             self._end_with(self._as_failed(self._told() or unsaid(self._root)))
@@ -362,22 +361,21 @@ class Run:
 
     def _end_with(self, ending: Ending) -> None:
         self._ending, self._resting = ending, Elapsed(self._clocks)
-        if self.result is None and ending.state not in {TaskState.SUCCEEDED, TaskState.QUEUED}:
-            self.result = self._what_there_is()
 
-    def _what_there_is(self) -> dict[str, JsonValue] | None:
-        """Return what a task that did not succeed has found or done; a mistake in it changes no ending."""
-        try:
-            return self._kind.result_of(self.context, succeeded=False)
-        except Exception:  # noqa: BLE001 - the task has failed for another reason already
-            _LOG.exception("could not tell the result", extra={"task": self.context.task})
-            return None
+    def _conclude(self, ending: Ending) -> None:
+        """End now. What did not succeed tells what it has; a mistake in that changes no ending."""
+        self.ended = self._ending = ending
+        if self.result is None and ending.state not in {TaskState.SUCCEEDED, TaskState.QUEUED}:
+            try:
+                self.result = self._kind.result_of(self.context, succeeded=False)
+            except Exception:  # noqa: BLE001 - the task has failed for another reason already
+                _LOG.exception("could not tell the result", extra={"task": self.context.task})
 
     def _await_rest(self, ending: Ending) -> None:
         self._resting.update()
         if self.context.quiet:
             if not self._begins_winding(ending):
-                self.ended = self._ending
+                self._conclude(self._ending or ending)  # another one, where winding down is kept from it
         elif self._resting.beyond(REST_WITHIN, SILENCE_ALLOWED):
             self._stop_hardware(self.context.clients.open)
 
@@ -420,13 +418,13 @@ class Run:
         skills = (handle.action for handle in stuck)
         confirmed, before = self._halt.confirmed, self._last_failure()
         failure = not_at_rest(self._root.name, skills, REST_WITHIN, confirmed=confirmed, before=before)
-        self.ended = self._ending = Ending(TaskState.FAILED, self._with_places(failure))
+        self._conclude(Ending(TaskState.FAILED, self._with_places(failure)))
 
     def _lose_hardware(self, silent: float) -> None:
         if self._ending is None:
             self._stop_tree()
         failure = hardware_lost(self._root.name, silent, before=self._last_failure())
-        self.ended = self._ending = Ending(TaskState.FAILED, self._with_places(failure))
+        self._conclude(Ending(TaskState.FAILED, self._with_places(failure)))
 
     def _with_places(self, failure: Failure) -> Failure:
         """Add where everything is, as the task's builder tells it."""

@@ -7,6 +7,7 @@ is time to try one of them; a task that is tried in vain waits again.
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -25,6 +26,7 @@ FIRST_TRY: Final = 30.0
 LAST_TRY: Final = 900.0
 """Host seconds between two tries, at the most: each moves the robot."""
 
+_LOG = logging.getLogger(__name__)
 Over = Callable[[Knowledge, Clients], bool]
 
 
@@ -83,6 +85,8 @@ class Holds:
     def __init__(self, clocks: Clocks, knowledge: Knowledge, clients: Clients) -> None:
         self._clocks, self._knowledge, self._clients = clocks, knowledge, clients
         self._causes: dict[str, _Cause] = {}
+        self._raised: dict[str, str] = {}
+        """What the ``waits`` of a kind raised last: the log has it once."""
 
     def why_not(self, kind: TaskType[Message]) -> str:
         """Return what a task of a kind has to wait for, in words after "waits for"; or nothing."""
@@ -99,7 +103,11 @@ class Holds:
         try:
             return kind.waits(self._knowledge)
         except Exception as error:  # noqa: BLE001 - a kind's mistake costs its tasks, not the service
-            return f"a change of its code: what says what {kind.name} waits for raised {error!r}"
+            said = f"{error!r}"
+            if self._raised.get(kind.name) != said:  # it is asked again and again
+                self._raised[kind.name] = said
+                _LOG.exception("`waits` of a kind of task raised", extra={"kind": kind.name})
+            return f"a corrected {kind.name}: its function `waits` raised {said}; see the executive's log"
 
     def note(self, kind: str, task: str, failure: Failure | None) -> bool:
         """Note how a task has ended (``failure``: None when well); return whether it had better wait again.

@@ -44,12 +44,12 @@ WATER = KindOfTask(
 """A task that this package does not have."""
 
 
-def sent(monkeypatch: pytest.MonkeyPatch, *words: str) -> dict[str, JsonValue]:
+def sent(monkeypatch: pytest.MonkeyPatch, *words: str, kind: KindOfTask = WATER) -> dict[str, JsonValue]:
     """Return the document that the command would send."""
     found: list[dict[str, JsonValue]] = []
     to = "tandem.executive.cli.sending.send_fields"
     monkeypatch.setattr(to, lambda *given, **_: found.append(given[0]))
-    command_of(WATER)(list(words), standalone_mode=False)
+    command_of(kind)(list(words), standalone_mode=False)
     (document,) = found
     return document
 
@@ -91,6 +91,23 @@ def test_an_id_of_the_users_is_kept() -> None:
 def test_a_label_without_a_value_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(CommandError, match="--labels: expected k=v; found 'order'"):
         sent(monkeypatch, "--plant", "rose", "--labels", "order")
+
+
+@pytest.mark.parametrize(
+    ("words", "field", "value"),
+    [
+        (["--request-wait"], "wait", True),
+        (["--request-robot", "kim"], "robot", "kim"),
+        (["--request-json", "x"], "json", "x"),
+        (["--class", "herbs"], "class", "herbs"),
+    ],
+)
+def test_a_field_may_be_called_like_another_option_or_a_word_of_python(
+    monkeypatch: pytest.MonkeyPatch, words: list[str], field: str, value: JsonValue
+) -> None:
+    kinds: JsonValue = {"type": "boolean" if value is True else "string"}
+    kind = KindOfTask(name="named", summary="", request={"properties": {field: kinds}})
+    assert sent(monkeypatch, *words, kind=kind)[field] == value
 
 
 def test_a_schema_that_refers_to_itself_has_an_option() -> None:

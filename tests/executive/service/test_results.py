@@ -11,6 +11,7 @@ from py_trees.behaviour import Behaviour
 from surroundings import WAIT, Surroundings, WaitRequest, build
 
 from tandem.executive.ledger.sqlite import SqliteLedger
+from tandem.executive.service.running.tree_run import LOST_AFTER
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import TaskState, TaskStatus
 from tandem.trees.context import TreeContext
@@ -63,6 +64,25 @@ def test_a_task_that_fails_tells_what_it_has(found: Callable[[], Message | None]
     told = found()
     assert status.state is TaskState.FAILED
     assert status.result == (None if told is None else told.model_dump())
+
+
+def test_a_task_that_lost_its_hardware_tells_what_it_has() -> None:
+    here = Surroundings(kinds=telling(lambda: Count(counted=2)))
+    assert here.ask({"task": "wait", "item": 29}).accepted
+    here.hardware()
+    here.step(round(LOST_AFTER) + 2, seconds=1.0)
+    status = here.told()[-1]
+    assert (status.state, status.result) == (TaskState.FAILED, {"counted": 2, "note": ""})
+
+
+def test_a_cancelled_task_tells_what_it_has() -> None:
+    here = Surroundings(kinds=telling(lambda: Count(counted=2)))
+    task = here.ask({"task": "wait", "item": 29}).task
+    here.step()
+    assert here.cancel(task).accepted
+    here.step(5)
+    status = here.told()[-1]
+    assert (status.state, status.result) == (TaskState.CANCELED, {"counted": 2, "note": ""})
 
 
 def raising() -> Message:

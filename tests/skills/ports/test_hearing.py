@@ -30,7 +30,18 @@ from tandem.skills.ports.keys import (
     rgbd,
 )
 from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.pose import IDENTITY
 from tandem.skills.ports.refusals import CHANGED_EVERY, REPEATED_EVERY, RefusalTeller
+from tandem.skills.ports.world import (
+    SCENE,
+    WORLD,
+    Box,
+    HeldItem,
+    ItemFact,
+    PlanningScene,
+    SceneObject,
+    WorldState,
+)
 from tandem.skills.testing.mock_description import mock_description
 from tandem.skills.wire.memory import MemoryBus, MemoryHub
 
@@ -45,6 +56,24 @@ def at(seconds: float, boot: str = "b") -> RobotTime:
 def states(seconds: float, names: tuple[str, ...] = JOINTS) -> JointStates:
     zeros = tuple(0.0 for _ in names)
     return JointStates(stamp=at(seconds), names=names, positions=zeros, velocities=zeros, efforts=zeros)
+
+
+CARRIED = SceneObject(
+    name="item_1",
+    kind="item",
+    box=Box(size=(0.1, 0.1, 0.1), pose=IDENTITY),
+    item=1,
+    attached_to="tail",
+)
+HELD = ItemFact(
+    item=1,
+    size=(0.1, 0.1, 0.1),
+    tag_in_map=IDENTITY,
+    seen=at(1),
+    quality=1.0,
+    position_sigma=0.0,
+    held="tail",
+)
 
 
 class Stand:
@@ -105,8 +134,24 @@ def test_a_wrong_message_is_silence(stand: Stand, payload: bytes, reason: Reason
         (group_status("tail"), GroupStatus(stamp=at(1), group="tail", goal_id="", state=MotionState.ACTIVE)),
         (group_setpoint("arm_left"), SetPoint(stamp=at(1), positions=(0.0,) * 9, velocities=(0.0,) * 9)),
         (laser("base"), LaserScan(stamp=at(1), ranges=(1.0,))),
+        (laser("tail"), LaserScan(stamp=at(1), ranges=(1.0,) * ROBOT.laser.beams)),
+        (SCENE, PlanningScene(stamp=at(1), version=1, objects=(CARRIED,))),
+        (
+            WORLD,
+            WorldState(stamp=at(1), version=1, held=(HeldItem(side="tail", item=1, item_in_tool=IDENTITY),)),
+        ),
+        (WORLD, WorldState(stamp=at(1), version=1, items=(HELD,))),
     ],
-    ids=["another group's", "no group of the robot", "too many joints", "too few beams"],
+    ids=[
+        "another group's",
+        "no group of the robot",
+        "too many joints",
+        "too few beams",
+        "no laser of the robot",
+        "carried by no hand of the robot",
+        "no hand of the robot is full",
+        "held by no hand of the robot",
+    ],
 )
 def test_what_does_not_fit_key_or_robot_is_refused(
     stand: Stand, topic: Topic[Message], message: Message
@@ -115,6 +160,13 @@ def test_what_does_not_fit_key_or_robot_is_refused(
     topic.publish(stand.teller, message)
     assert latest.refresh() is None
     assert stand.refused() == {(topic.key, Reason.MISFIT): 1}
+
+
+def test_a_picture_on_the_key_of_another_camera_is_silence(stand: Stand) -> None:
+    pictures: Heard[RgbdHeader] = Heard(stand.bus, rgbd("tail"), header_of)
+    stand.teller.publish(rgbd("tail"), picture())
+    assert pictures.take() == []
+    assert stand.refused() == {(rgbd("tail"), Reason.MISFIT): 1}
 
 
 def picture(**other: object) -> bytes:

@@ -8,7 +8,7 @@ import pytest
 from pydantic import ValidationError
 
 from tandem.skills.ports.failure import KINDS, Failure, FailureKind
-from tandem.skills.ports.keys import STOP_STATE
+from tandem.skills.ports.keys import LEASE, STOP_STATE
 from tandem.skills.ports.tasks import (
     TASK_CANCEL,
     TASK_HISTORY,
@@ -75,6 +75,11 @@ def test_every_kind_is_itself(kind: FailureKind) -> None:
 def test_what_is_asked_is_read_strictly() -> None:
     with pytest.raises(ValidationError, match="of_tomorrow"):
         TASK_CANCEL.asked.model_validate_json(newer(CancelTask(task="a").model_dump_json()))
+
+
+def test_the_hardwares_answers_are_read_strictly() -> None:
+    with pytest.raises(ValidationError, match="of_tomorrow"):
+        LEASE.decode_answer(b'{"granted": null, "of_tomorrow": 1}')
 
 
 def test_the_hardware_is_heard_strictly() -> None:

@@ -142,7 +142,9 @@ def test_a_robot_that_was_not_heard_holds_the_tasks_that_need_it(here: Surroundi
     assert "hw/description" in status(here, fetch).waits_for
 
 
-def test_a_kind_that_cannot_say_what_it_waits_for_holds_its_own_tasks_only() -> None:
+def test_a_kind_that_cannot_say_what_it_waits_for_holds_its_own_tasks_only(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
     def raises(_: Knowledge) -> str:
         raise KeyError("gripper")
 
@@ -151,7 +153,9 @@ def test_a_kind_that_cannot_say_what_it_waits_for_holds_its_own_tasks_only() -> 
     here.world(1)
     here.step(20)
     assert states(here, broken, free) == [S.QUEUED, S.SUCCEEDED]
-    assert "what says what failing waits for raised KeyError('gripper')" in status(here, broken).waits_for
+    assert "its function `waits` raised KeyError('gripper')" in status(here, broken).waits_for
+    logged = [each for each in caplog.records if each.message == "`waits` of a kind of task raised"]
+    assert [each.exc_info is not None for each in logged] == [True]
 
 
 @pytest.mark.parametrize("kind", sorted(discover()))
