@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from tandem.skills.ports.tasks import TaskStatus, TreeNode
 
 WITHIN: Final = 0.5
-"""Seconds of the host in which a robot must answer: whoever presses the tab key waits."""
+"""Host seconds in which the robot must answer: the user is waiting for the completed word."""
 Words = list[tuple[str, str]]
 """Each word with what it is."""
 

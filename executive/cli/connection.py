@@ -39,7 +39,7 @@ class Connection:
 
     Args:
         options: where the bus is, and whose keys are meant.
-        within: seconds of the host in which the router, and then whoever is asked, must answer; ROUTER_WITHIN
+        within: host seconds in which the router, and then the process asked, must answer; ROUTER_WITHIN
             and ANSWER_WITHIN unless given.
     """
 

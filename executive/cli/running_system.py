@@ -14,6 +14,7 @@ from pydantic import JsonValue
 from rich.console import Console
 
 from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.sending import describe_problems
 from tandem.executive.cli.task_lines import TaskLines
 from tandem.executive.config.fault_file import check_faults
 from tandem.executive.config.run_options import RunOptions
@@ -200,10 +201,7 @@ def _carry_out(options: RunOptions, system: System, request: str, console: Conso
     console.print(f"request: {request}", markup=False)
     answer = caller.request(request)
     if not answer.accepted:
-        for problem in answer.problems:
-            found = f", found {problem.found}" if problem.found else ""
-            line = f"rejected: {problem.path}: expected {problem.expected}{found}"
-            console.print(line, style="red", markup=False)
+        console.print(describe_problems(answer), style="red", markup=False)
         return None
     status = caller.follow(answer.task, within=options.within)
     after = caller.truth()

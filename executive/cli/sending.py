@@ -17,6 +17,7 @@ from tandem.executive.config.run_options import BusOptions
 from tandem.executive.render.failure_words import result_lines
 from tandem.skills.ports.failure import KINDS, Failure
 from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.problems import in_words
 from tandem.skills.ports.tasks import REQUEST, TASK_STATUS, TaskAnswer, TaskState, TaskStatus
 
 
@@ -71,11 +72,9 @@ def _robot(connection: Connection, task: str) -> str | None:
 
 def describe_problems(answer: TaskAnswer) -> str:
     """Return what is wrong with a request, a line for each problem."""
-    lines = ["the request was rejected:"]
-    for problem in answer.problems:
-        found = f", found {problem.found}" if problem.found else ""
-        lines.append(f"  {problem.path}: expected {problem.expected}{found}")
-    return "\n".join(lines)
+    return "\n".join(
+        ("the request was rejected:", *(f"  {in_words((problem,))}" for problem in answer.problems))
+    )
 
 
 def describe_failure(failure: Failure, indent: str = "") -> str:

@@ -34,7 +34,7 @@ class DeclinedError(ClientError):
 
     Args:
         key: where it was asked.
-        reason: why not, in the words of whoever serves the key.
+        reason: the answer's own words: why it was refused.
     """
 
     def __init__(self, key: str, reason: str) -> None:

@@ -64,7 +64,7 @@ class WorkerSettings(Message):
     holder: str = ""
     """The robot's name in that folder."""
     parent: int | None = None
-    """Process id of who starts it, and without whom it ends; None: whoever is its parent when it begins."""
+    """Process id of the process that starts it and without which it ends; None: its parent when it begins."""
 
 
 WAIT: Final = "--wait"

@@ -1,4 +1,4 @@
-"""The pages of what a package of one's own may import: ``docs/api/``, made from the public modules.
+"""The pages of the public API, ``docs/api/``, made from the modules that a plug-in may import.
 
 Run ``python -m tandem.executive.interface.api_pages docs/api``. A test compares the pages with the code.
 """
@@ -29,7 +29,7 @@ MODULES: Final = (
 )
 """The surface: each name in ``__all__`` of these."""
 _OF_PY_TREES: Final = ("initialise", "update", "terminate")
-"""Methods of every node, for whoever ticks it."""
+"""Methods that every node has; the pages leave them out."""
 _INDEX: Final = """# API
 
 A package of your own may import the names on these pages. Version {version} of this surface: a name that

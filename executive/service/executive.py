@@ -41,6 +41,7 @@ from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.problems import in_words
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
     TASK_STATUS,
@@ -311,7 +312,7 @@ class Executive:
         # The robot may have said who it is only after the request had been accepted.
         misfits = asked.kind.against(asked.request, self.knowledge.description)
         if misfits:
-            told = "; ".join(f"{each.path}: expected {each.expected}, found {each.found}" for each in misfits)
+            told = in_words(misfits)
             failure = Failure(kind=FailureKind.INVALID_GOAL, message=told, where=asked.kind.name)
             self._tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
             return

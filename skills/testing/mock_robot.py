@@ -287,7 +287,7 @@ class MockRobot:
         self.tell()
 
     def serve(self, action: ActionType[G, F, R], idle: F, effect: Callable[[G], Outcome[R]]) -> None:
-        """Have a skill of one's own mocked, too.
+        """Mock one more skill, such as one of your own.
 
         Args:
             action: its contract.

@@ -1,4 +1,4 @@
-"""``tandem new``: a folder with a package of one's own that works at once."""
+"""``tandem new``: makes a project folder that works without changes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``tandem scenario``: the scenarios there are, and what is wrong with one's own."""
+"""``tandem scenario``: lists the scenarios, and checks one of your own."""
 
 from __future__ import annotations
 

@@ -8,11 +8,9 @@ from types import MappingProxyType
 from typing import Final
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
-from tandem.executive.trials.exploration.worlds import ITEM, OTHER, STEP, TAG, Happening, Make, stop
+from tandem.executive.trials.exploration.worlds import ITEM, OTHER, STEP, TAG, Happening, Make, hold, stop
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import HeldItem
 from tandem.skills.site import load
 from tandem.skills.testing.mock_robot import STRETCHED, MockRobot
 from tandem.skills.testing.mock_skill import Fault
@@ -107,9 +105,7 @@ def _stretch(robot: MockRobot) -> None:
 
 
 def _hold_and_stretch(robot: MockRobot) -> None:
-    held = HeldItem(side="left", item=OTHER, item_in_tool=Pose(position=(0.0, 0.0, 0.0)))
-    robot.hands["left"] = OTHER
-    robot.believe(held=(held,))
+    hold(OTHER, robot)
     _stretch(robot)
 
 

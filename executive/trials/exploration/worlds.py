@@ -53,9 +53,9 @@ def fetch_worlds(site: Site | None = None) -> Mapping[str, Make]:
             "arms out": partial(world, begin=_stretch),
             "left arm asked for": partial(world, request={"arm": "left"}),
             "right arm asked for": partial(world, request={"arm": "right"}),
-            "in the right hand": partial(world, localised=True, begin=partial(_hold, ITEM)),
+            "in the right hand": partial(world, localised=True, begin=partial(hold, ITEM)),
             "in the depot": partial(world, localised=True, begin=_placed),
-            "other item in the right hand": partial(world, localised=True, begin=partial(_hold, OTHER)),
+            "other item in the right hand": partial(world, localised=True, begin=partial(hold, OTHER)),
             "both hands full": partial(world, localised=True, begin=_full),
             "depot full": partial(world, begin=partial(_fill, range(len(slots)))),
             "a slot taken": partial(world, begin=partial(_clutter, slots[:1])),
@@ -78,7 +78,7 @@ def fetch_corners(site: Site | None = None) -> Mapping[str, Make]:
     """Return benches whose fetch gets into corners that a failing leaf alone does not lead to."""
     at = load("lab") if site is None else site
     slots = tuple(slot.position for slot in at.depots[0].slots)
-    world, other = partial(_world, at), partial(_world, at, localised=True, begin=partial(_hold, OTHER))
+    world, other = partial(_world, at), partial(_world, at, localised=True, begin=partial(hold, OTHER))
     tucks = ("get: draw back: tuck arm", "get: draw back: tuck arm then")
     near_stands = partial(world, events={"survey item again, left arm": _stretch_and_move_away})
     slot_stands = partial(world, events={"survey slot again, left arm": _stretch_and_move_away})
@@ -236,11 +236,12 @@ def _at_home(site: Site) -> Happening:
 
 
 def _hold_and_stretch(robot: MockRobot) -> None:
-    _hold(OTHER, robot)
+    hold(OTHER, robot)
     _stretch_right(robot)
 
 
-def _hold(item: int, robot: MockRobot) -> None:
+def hold(item: int, robot: MockRobot) -> None:
+    """Have an item in the right hand."""
     robot.hands["right"] = item
     robot.believe(held=(HeldItem(side="right", item=item, item_in_tool=IDENTITY),))
 
