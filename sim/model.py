@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-from tandem.sim.urdf import Array
 from tandem.skills.ports.hardware import RobotDescription
+
+if TYPE_CHECKING:
+    from tandem.sim.urdf import Array
 
 ROOT: Final = "base_footprint"
 """The robot's root frame: on the floor between the wheels."""

@@ -15,8 +15,8 @@ from tandem.sim.things import BoxShape, CylinderShape
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from tandem.sim.robots.robot import Robot
     from tandem.sim.scene import SceneBody
-    from tandem.skills.ports.hardware import RobotDescription
     from tandem.skills.ports.pose import FloorPose
 
 TOUCH: Final = 0.0005
@@ -29,7 +29,7 @@ def clashes(
     items: Sequence[SceneBody],
     obstacles: Sequence[SceneBody],
     start: FloorPose,
-    robot: RobotDescription,
+    robot: Robot,
 ) -> Iterator[tuple[str, str]]:
     """Give the path in a scenario of each thing that starts inside another, and which."""
     placed = [

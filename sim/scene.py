@@ -70,9 +70,8 @@ def build_scene(site: Site, scenario: Scenario, source: Source | None = None) ->
     furniture = furniture_bodies(site)
     items = tuple(item_body(site, item) for item in scenario.items)
     obstacles = tuple(obstacle_body(site, obstacle) for obstacle in scenario.obstacles)
-    clashes = placing.clashes(
-        furniture, items, obstacles, scenario.start, registry.robot_model(scenario.robot).description
-    )
+    robot = registry.robot_named(scenario.robot)
+    clashes = placing.clashes(furniture, items, obstacles, scenario.start, robot)
     if told := [f"{source.at(where)}: {reason}" for where, reason in clashes]:
         raise ScenarioError("\n".join(told))
     return (*furniture, *items, *obstacles)

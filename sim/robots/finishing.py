@@ -5,8 +5,6 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 from typing import TYPE_CHECKING, Final
 
-import numpy as np
-
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
@@ -25,6 +23,8 @@ def finish(document: UrdfDocument, keep: Iterable[str]) -> tuple[str, dict[str, 
         document: with its grippers on.
         keep: links on fixed joints that stay links of their own.
     """
+    import numpy as np  # noqa: PLC0415 - what the robots are called and take is known without
+
     document.weld(keep)
     frames = {link: (link, np.eye(4)) for link in document.links()} | document.welded
     _draw_collision_shapes(document)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from tandem.sim.model import ROOT, Hand, RobotModel
 from tandem.sim.robots import parallel_gripper
@@ -11,9 +11,11 @@ from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.joint_limits import Smoothness, group
 from tandem.sim.robots.robot import Robot
 from tandem.sim.robots.sensors import camera_sensor
-from tandem.sim.urdf import UrdfDocument
 from tandem.skills.ports.hardware import EndEffector, Posture, RobotDescription
 from tandem.skills.ports.packages import resolve
+
+if TYPE_CHECKING:
+    from tandem.sim.urdf import UrdfDocument as Document
 
 NAME: Final = "panda"
 SOURCE: Final = "package://example-robot-data/robots/panda_description/urdf/panda.urdf"
@@ -24,6 +26,8 @@ MOUNT: Final = "panda_mount"
 CAMERA_FRAME: Final = "post_optical_frame"
 FOOTPRINT_RADIUS: Final = 0.20
 """Metres: the pedestal."""
+HEIGHT: Final = 1.6
+"""Metres, with the arm up."""
 PEDESTAL: Final = (0.24, 0.24, 0.60)
 """Edges in metres."""
 POST_XY: Final = (0.05, 0.62)
@@ -42,6 +46,8 @@ def compose() -> RobotModel:
     Raises:
         FileNotFoundError: when example-robot-data is not installed.
     """
+    from tandem.sim.urdf import UrdfDocument  # noqa: PLC0415 - loads numpy; the room it takes is known without
+
     document = UrdfDocument(resolve(SOURCE).read_text(encoding="utf-8"))
     document.cut("panda_hand")
     document.add(_surroundings())
@@ -90,14 +96,14 @@ def _surroundings() -> str:
         <parent link="panda_link8"/><child link="{MOUNT}"/></joint>"""
 
 
-def _describe(document: UrdfDocument) -> RobotDescription:
+def _describe(document: Document) -> RobotDescription:
     hand = _hand()
     return RobotDescription(
         name=NAME,
         urdf=document.text(),
         base_frame=ROOT,
         footprint_radius=FOOTPRINT_RADIUS,
-        height=1.6,
+        height=HEIGHT,
         groups=(group(document, ARM, tuple(f"panda_joint{i}" for i in range(1, 8)), SMOOTH),),
         end_effectors=(
             EndEffector(
@@ -123,4 +129,4 @@ def _hand() -> Hand:
     return parallel_gripper.hand(HAND, GRIPPER, mount=MOUNT, wrench_joint=f"{MOUNT}_joint")
 
 
-ROBOT: Final = Robot(NAME, compose)
+ROBOT: Final = Robot(NAME, FOOTPRINT_RADIUS, HEIGHT, compose)

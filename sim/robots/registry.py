@@ -43,11 +43,34 @@ def robot_model(name: str) -> RobotModel:
     """Put a robot together.
 
     Raises:
-        RobotError: when there is none of that name, naming those there are, or when its
-            package has a mistake.
+        RobotError: as ``robot_named``; and when its description does not take the room that it declares.
         FileNotFoundError: when a package with its URDF or meshes is not installed.
     """
-    return (shipped().get(name) or _declared(name)).compose()
+    robot = robot_named(name)
+    made = robot.compose()
+    told = (made.description.footprint_radius, made.description.height)
+    if told != (robot.footprint_radius, robot.height):
+        raise RobotError(
+            f"robot {name!r}: expected a description with a footprint_radius of {robot.footprint_radius:g} m "
+            f"and a height of {robot.height:g} m, as it declares; found {told[0]:g} and {told[1]:g} m"
+        )
+    return made
+
+
+def robot_named(name: str) -> Robot:
+    """Return the robot of a name.
+
+    Raises:
+        RobotError: when there is none, naming those there are, or when its package has a mistake.
+    """
+    shipped_here = shipped()
+    if name in shipped_here:
+        return shipped_here[name]
+    loaded = plugged()
+    if name in loaded.found:
+        return loaded.found[name]
+    why = "".join(f"; {each}" for each in loaded.broken if each.plugin.name == name)
+    raise RobotError(f"no robot {name!r}; expected one of {', '.join((*shipped_here, *loaded.found))}{why}")
 
 
 def plugged(left_out: Mapping[str, str] = NONE) -> Loaded[Robot]:
@@ -57,14 +80,6 @@ def plugged(left_out: Mapping[str, str] = NONE) -> Loaded[Robot]:
         left_out: plug-ins that are known not to load (``tandem.skills.ports.plugins.load``).
     """
     return load(Group.ROBOTS, _checked, taken=shipped(), left_out=left_out)
-
-
-def _declared(name: str) -> Robot:
-    loaded = plugged()
-    if name in loaded.found:
-        return loaded.found[name]
-    why = "".join(f"; {each}" for each in loaded.broken if each.plugin.name == name)
-    raise RobotError(f"no robot {name!r}; expected one of {', '.join((*shipped(), *loaded.found))}{why}")
 
 
 def _checked(name: str, value: object) -> Robot:

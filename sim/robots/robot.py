@@ -14,8 +14,13 @@ class Robot:
 
     Args:
         name: what a scenario calls it; the description's name, too.
+        footprint_radius: metres, as the description tells it.
+        height: metres, likewise. With the radius it is the room that the robot takes, which is known
+            without putting the robot together: that needs numpy and its meshes.
         compose: puts it together. FileNotFoundError when a package with its URDF or meshes is missing.
     """
 
     name: str
+    footprint_radius: float
+    height: float
     compose: Callable[[], RobotModel]

@@ -94,4 +94,4 @@ def _hand() -> Hand:
     return parallel_gripper.hand(HAND, GRIPPER, mount=MOUNT, wrench_joint="wrist_tool_joint")
 
 
-ROBOT: Final = Robot(NAME, compose)
+ROBOT: Final = Robot(NAME, FOOTPRINT_RADIUS, tiago_upper.HEIGHT, compose)

@@ -58,4 +58,4 @@ def _describe(document: UrdfDocument) -> RobotDescription:
     )
 
 
-ROBOT: Final = Robot(NAME, compose)
+ROBOT: Final = Robot(NAME, FOOTPRINT_RADIUS, tiago_upper.HEIGHT, compose)

@@ -126,4 +126,4 @@ def _end_effector(side: HandName) -> EndEffector:
     )
 
 
-ROBOT: Final = Robot(NAME, compose)
+ROBOT: Final = Robot(NAME, FOOTPRINT_RADIUS, tiago_upper.HEIGHT, compose)

@@ -6,12 +6,13 @@ from typing import TYPE_CHECKING, Final
 
 from tandem.sim.robots import pmb2
 from tandem.sim.robots.joint_limits import Smoothness
-from tandem.sim.urdf import UrdfDocument, end_of
 from tandem.skills.ports.hardware import Posture
 from tandem.skills.ports.packages import resolve
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+
+    from tandem.sim.urdf import UrdfDocument
 
 FOLDER: Final = "package://example-robot-data/robots/tiago_description/robots"
 PERIOD: Final = 0.01
@@ -41,6 +42,8 @@ def load(file: str) -> UrdfDocument:
     Raises:
         FileNotFoundError: when example-robot-data is not installed.
     """
+    from tandem.sim.urdf import UrdfDocument  # noqa: PLC0415 - loads numpy; the room it takes is known without
+
     document = UrdfDocument(resolve(f"{FOLDER}/{file}").read_text(encoding="utf-8"))
     pmb2.fit(document)
     return document
@@ -48,6 +51,8 @@ def load(file: str) -> UrdfDocument:
 
 def cut_hand(document: UrdfDocument, mount: str) -> None:
     """Cut off all that hangs on a wrist's last link."""
+    from tandem.sim.urdf import end_of  # noqa: PLC0415 - as above
+
     hand = [joint for joint in document.joints() if end_of(joint, "parent") == mount]
     for link in [end_of(joint, "child") for joint in hand]:
         document.cut(link)

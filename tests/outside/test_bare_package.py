@@ -72,7 +72,15 @@ def test_the_bare_package_has_none_of_the_heavy_ones(bare: dict[str, str], modul
 
 @pytest.mark.parametrize(
     "words",
-    [["--help"], ["tree", "list"], ["tree", "render", "fetch"], ["schema"], ["scenario", "list"], ["doctor"]],
+    [
+        ["--help"],
+        ["tree", "list"],
+        ["tree", "render", "fetch"],
+        ["schema"],
+        ["scenario", "list"],
+        ["scenario", "check", "Demo"],
+        ["doctor"],
+    ],
     ids=" ".join,
 )
 def test_what_needs_no_extra_works(bare: dict[str, str], words: list[str]) -> None:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from tandem.sim.robots import registry
 from tandem.sim.robots.registry import RobotError, names, robot_model, shipped
 from tandem.sim.scenario import ScenarioError, load_scenario
 from tandem.sim.scene import build_scene
@@ -15,6 +17,15 @@ from tandem.skills.site import load
 @pytest.mark.parametrize("name", shipped())
 def test_a_shipped_robot_is_called_as_its_description_says(name: str) -> None:
     assert robot_model(name).description.name == name
+
+
+def test_a_robot_whose_description_takes_other_room_than_it_declares_is_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    wide = replace(shipped()["panda"], name="wide", footprint_radius=0.5)
+    monkeypatch.setattr(registry, "shipped", lambda: {"wide": wide})
+    with pytest.raises(RobotError, match=r"footprint_radius of 0\.5 m .*; found 0\.2 and 1\.6 m"):
+        robot_model("wide")
 
 
 def test_a_wrong_name_is_answered_with_those_there_are() -> None:
