@@ -28,6 +28,7 @@ from tandem.trees.context import TreeContext
 from tandem.trees.knowledge import Knowledge
 from tandem.trees.leaves.localise import localise
 from tandem.trees.leaves.rotate import rotate
+from tandem.trees.needs import Needs
 from tandem.trees.recovery_kinds import another_way_helps
 from tandem.trees.subtrees.arms_in import tuck
 from tandem.trees.task import TaskType
@@ -47,6 +48,7 @@ __all__ = [
     "Interruptible",
     "Knowledge",
     "Message",
+    "Needs",
     "Note",
     "Pause",
     "Phase",
