@@ -67,7 +67,7 @@ def test_goals_are_refused_while_the_disk_is_full_and_taken_once_there_is_space(
         up.await_word("ready")
         assert (tmp_path / "data" / "held.jsonl").is_file()
         pids = {role: pid_of(role) for role in ("base", "keeper")}
-        with Client(endpoint, site=SITE) as client:
+        with Client(endpoint, site=SITE, patience=WITHIN) as client:
             with full(*pids.values()):
                 refused = client.submit({"task": "fetch", "item": 29})
                 until(lambda: bool(client.status(refused).tried), "something was tried in vain")
