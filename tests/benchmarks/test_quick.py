@@ -18,7 +18,8 @@ from tandem.skills.wire.memory import MemoryBus
 
 
 def told(rows: list[Row]) -> dict[str, Row]:
-    assert all(math.isfinite(row.value) and row.value >= 0.0 for row in rows)
+    wrong = [row for row in rows if not (math.isfinite(row.value) and row.value >= 0.0)]
+    assert not wrong
     named = {row.what: row for row in rows}
     assert len(named) == len(rows), "each line has a name of its own"
     return named
