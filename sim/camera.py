@@ -16,9 +16,10 @@ import pybullet
 from tandem.sim.render import Job, Renderer, Scene
 from tandem.sim.render_world import Snapshot, View, looking_at
 from tandem.skills.geometry.poses import from_axes
-from tandem.skills.ports.hardware import CameraSensor, RgbdHeader
+from tandem.skills.ports.hardware import RgbdHeader
 from tandem.skills.ports.keys import rgbd
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.sensors import CameraSensor
 
 if TYPE_CHECKING:
     from tandem.sim.body import RobotBody

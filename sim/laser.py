@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from tandem.sim.body import RobotBody
-    from tandem.skills.ports.hardware import LaserSensor
+    from tandem.skills.ports.sensors import LaserSensor
 
 SEEN: Final = Group.THING | Group.FIXED
 

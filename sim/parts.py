@@ -14,12 +14,10 @@ from tandem.skills.ports import keys
 from tandem.skills.ports.endpoint import Endpoint, answering
 from tandem.skills.ports.hardware import (
     Answer,
-    Bumpers,
     GripperCommand,
     GripperMotion,
     GripperState,
     GroupStatus,
-    LaserScan,
     Odometry,
     TrajectoryGoal,
     Wrench,
@@ -27,6 +25,7 @@ from tandem.skills.ports.hardware import (
 from tandem.skills.ports.hearing import Reason
 from tandem.skills.ports.lease import Leased
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.sensors import Bumpers, LaserScan
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -37,9 +36,10 @@ if TYPE_CHECKING:
     from tandem.sim.model import Hand, Wheels
     from tandem.sim.scenario import Noise
     from tandem.skills.ports.bus import Bus
-    from tandem.skills.ports.hardware import BaseVelocity, EndEffector, JointGroup, LaserSensor
+    from tandem.skills.ports.hardware import BaseVelocity, EndEffector, JointGroup
     from tandem.skills.ports.hearing import Ear
     from tandem.skills.ports.lease import LeaseRefusal
+    from tandem.skills.ports.sensors import LaserSensor
 
 C = TypeVar("C", bound=Leased)
 

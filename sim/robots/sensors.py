@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from tandem.skills.ports.hardware import CameraSensor, LaserSensor
+from tandem.sim.wrench import BUMPERS
+from tandem.skills.ports.sensors import Bumper, CameraSensor, LaserSensor
 
 CAMERA_WIDTH: Final = 1280
 CAMERA_HEIGHT: Final = 720
@@ -37,3 +38,8 @@ def laser_sensor(frame: str) -> LaserSensor:
         range_max=LASER_RANGE[1],
         period=LASER_PERIOD,
     )
+
+
+def bumpers() -> tuple[Bumper, ...]:
+    """Return the bumpers all around a base: each tells of contacts in its quarter."""
+    return tuple(Bumper(name=name) for name in BUMPERS)

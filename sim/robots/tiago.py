@@ -9,7 +9,7 @@ from tandem.sim.robots import parallel_gripper, pmb2, tiago_upper
 from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.joint_limits import groups
 from tandem.sim.robots.robot import Robot
-from tandem.sim.robots.sensors import camera_sensor, laser_sensor
+from tandem.sim.robots.sensors import bumpers, camera_sensor, laser_sensor
 from tandem.skills.ports.hardware import EndEffector, Posture, RobotDescription
 
 if TYPE_CHECKING:
@@ -84,6 +84,7 @@ def _describe(document: UrdfDocument) -> RobotDescription:
         ),
         cameras=(camera_sensor(tiago_upper.CAMERA_FRAME),),
         lasers=(laser_sensor(pmb2.LASER_FRAME),),
+        bumpers=bumpers(),
         drive=pmb2.DRIVE,
         postures=POSTURES,
         period=tiago_upper.PERIOD,

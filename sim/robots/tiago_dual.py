@@ -15,7 +15,7 @@ from tandem.sim.robots import parallel_gripper, pmb2, tiago_upper
 from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.joint_limits import groups
 from tandem.sim.robots.robot import Robot
-from tandem.sim.robots.sensors import camera_sensor, laser_sensor
+from tandem.sim.robots.sensors import bumpers, camera_sensor, laser_sensor
 from tandem.skills.ports.hardware import ArmsCrossing, EndEffector, Posture, RobotDescription
 
 if TYPE_CHECKING:
@@ -93,6 +93,7 @@ def _describe(document: UrdfDocument) -> RobotDescription:
         end_effectors=tuple(_end_effector(side) for side in SIDES),
         cameras=(camera_sensor(tiago_upper.CAMERA_FRAME),),
         lasers=(laser_sensor(pmb2.LASER_FRAME),),
+        bumpers=bumpers(),
         drive=pmb2.DRIVE,
         postures=POSTURES,
         period=tiago_upper.PERIOD,

@@ -20,10 +20,11 @@ from tandem.skills.base.scan import ScanGeometry, ScanPoints
 from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
-from tandem.skills.ports.hardware import LaserScan, Odometry, RobotDescription
+from tandem.skills.ports.hardware import Odometry, RobotDescription
 from tandem.skills.ports.keys import ODOMETRY, Latest, laser
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.sensors import LaserScan
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 
 PERIOD: Final = 0.05

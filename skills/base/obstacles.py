@@ -16,7 +16,7 @@ from tandem.skills.base.localiser import Localiser, PlacedScan
 from tandem.skills.base.map import SiteMap
 from tandem.skills.base.scan import ScanGeometry
 from tandem.skills.ports.clocks import Clocks, robot_seconds
-from tandem.skills.ports.hardware import LaserSensor
+from tandem.skills.ports.sensors import LaserSensor
 
 UNMAPPED: Final = 0.10
 """Metres from everything mapped at which a hit is something else; grows with the range."""

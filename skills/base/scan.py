@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from tandem.skills.base.floor import FloatArray, points_in
-from tandem.skills.ports.hardware import LaserScan, LaserSensor
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.sensors import LaserScan, LaserSensor
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,8 @@ from tandem.skills.geometry.poses import compose, to_pose
 from tandem.skills.perception.aim import Aim
 from tandem.skills.perception.clutter import RANGE
 from tandem.skills.perception.rigid import Matrix, points_from, points_in
-from tandem.skills.ports.hardware import CameraSensor
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.sensors import CameraSensor
 from tandem.skills.ports.world import Box
 
 COST: Final = 0.05

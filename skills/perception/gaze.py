@@ -20,9 +20,9 @@ import numpy as np
 import numpy.typing as npt
 
 from tandem.skills.perception.rigid import Matrix, points_from, points_in, rotation_of
-from tandem.skills.ports.hardware import CameraSensor
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.sensors import CameraSensor
 from tandem.skills.ports.world import Box
 
 GAIN: Final = 0.5

@@ -13,13 +13,13 @@ from tandem.skills.ports.hardware import (
     GripperState,
     GroupStatus,
     JointStates,
-    LaserScan,
     RgbdHeader,
     RobotDescription,
     SetPoint,
     Wrench,
 )
 from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.sensors import LaserScan, PoseReading, Ranges, RobotsSeen
 
 LARGEST: Final = 1e6
 """No length, angle, speed or force that a robot tells is larger, in its SI unit. Beyond it sums and products
@@ -94,6 +94,37 @@ def _scan(message: LaserScan, key: str, robot: RobotDescription | None) -> str:
             found = len(message.ranges)
             return "" if found == laser.beams else f"expected {laser.beams} ranges, found {found}"
     return f"the scan of a laser that the robot does not have: it came on {key}"
+
+
+@misfit.register
+def _ranges(message: Ranges, key: str, robot: RobotDescription | None) -> str:
+    del key
+    if robot is None:
+        return ""
+    known = {each.name: each for each in robot.range_sensors}
+    if strange := sorted({each.sensor for each in message.readings} - known.keys()):
+        return f"range sensors that the robot does not have: {_names(strange)}"
+    for reading in message.readings:
+        least = known[reading.sensor].range_min
+        if reading.distance < least:
+            return f"{reading.sensor}: expected at least {least:g} m, found {reading.distance:g} m"
+    return ""
+
+
+@misfit.register
+def _base_pose(message: PoseReading, key: str, robot: RobotDescription | None) -> str:
+    del key
+    return "" if robot is None else _strange_sensor(message.sensor, [s.name for s in robot.pose_sensors])
+
+
+@misfit.register
+def _robots(message: RobotsSeen, key: str, robot: RobotDescription | None) -> str:
+    del key
+    return "" if robot is None else _strange_sensor(message.sensor, [s.name for s in robot.robot_sensors])
+
+
+def _strange_sensor(name: str, known: list[str]) -> str:
+    return "" if name in known else f"sensor: expected one of {', '.join(known) or 'none'}, found {name}"
 
 
 @misfit.register

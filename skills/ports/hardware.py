@@ -10,10 +10,16 @@ from typing import Annotated, Final, Literal, TypeVar
 from pydantic import Field, model_validator
 
 from tandem.skills.ports.lease import Leased
-from tandem.skills.ports.message import Count, HandName, Message, PartName, RobotTime, Vector3
+from tandem.skills.ports.message import Count, HandName, Message, Positive, RobotTime, Vector3, repeated
 from tandem.skills.ports.pose import FloorPose
-
-Positive = Annotated[float, Field(gt=0.0)]
+from tandem.skills.ports.sensors import (
+    Bumper,
+    CameraSensor,
+    LaserSensor,
+    PoseSensor,
+    RangeSensor,
+    RobotSensor,
+)
 
 S = TypeVar("S")
 
@@ -50,8 +56,7 @@ class JointGroup(Message):
 
     @model_validator(mode="after")
     def _each_once(self) -> JointGroup:
-        twice = sorted({joint for joint in self.joints if self.joints.count(joint) > 1})
-        if twice:
+        if twice := repeated(self.joints):
             raise ValueError(f"group {self.name!r}: expected each joint once, twice there: {twice}")
         return self
 
@@ -92,30 +97,6 @@ class EndEffector(Message):
     """Heading in the base (rad) in which the hand works best there."""
     safe_point: Vector3 | None = None
     """In the base (m): where the hand holds what it picked, clear of the other (two-arm thesis, 4.1.1)."""
-
-
-class CameraSensor(Message):
-    """An RGB-D camera; ``frame`` is optical: z forward, x right, y down."""
-
-    name: PartName
-    frame: str
-    width: Count
-    height: Count
-    horizontal_fov: Positive
-    """Radians."""
-
-
-class LaserSensor(Message):
-    """A 2D laser; ``frame`` has x at angle 0 and z up."""
-
-    name: PartName
-    frame: str
-    angle_min: float
-    angle_step: Positive
-    beams: Count
-    range_min: float
-    range_max: float
-    period: Positive
 
 
 class _DriveLimits(Message):
@@ -194,6 +175,10 @@ class RobotDescription(Message):
     """The first is the one that perception looks with."""
     lasers: tuple[LaserSensor, ...] = ()
     """The first is the one that the base localises with."""
+    range_sensors: tuple[RangeSensor, ...] = ()
+    pose_sensors: tuple[PoseSensor, ...] = ()
+    robot_sensors: tuple[RobotSensor, ...] = ()
+    bumpers: tuple[Bumper, ...] = ()
     drive: Annotated[Drive, Field(discriminator="kind")] | None = None
     """None: the base is fixed."""
     postures: tuple[Posture, ...]
@@ -201,6 +186,13 @@ class RobotDescription(Message):
     """Seconds between two messages of the clock and of the joints' state."""
     arms_crossing: ArmsCrossing | None = None
     """For robots with two arms that can meet; without it, nothing checks for crossing arms."""
+
+    @model_validator(mode="after")
+    def _each_sensor_once(self) -> RobotDescription:
+        for what in ("cameras", "lasers", "range_sensors", "pose_sensors", "robot_sensors", "bumpers"):
+            if twice := repeated(each.name for each in getattr(self, what)):
+                raise ValueError(f"{what}: expected unique names, several are called {', '.join(twice)}")
+        return self
 
     @property
     def camera(self) -> CameraSensor:
@@ -420,20 +412,6 @@ class Odometry(Message):
     base_in_odom: FloorPose
     linear: float
     angular: float
-
-
-class LaserScan(Message):
-    """Ranges in metres, counter-clockwise from angle_min; range_max or more means nothing seen."""
-
-    stamp: RobotTime
-    ranges: tuple[Annotated[float, Field(ge=0.0)], ...]
-
-
-class Bumpers(Message):
-    """The bumpers that are pressed."""
-
-    stamp: RobotTime
-    pressed: tuple[str, ...]
 
 
 class Wrench(Message):

@@ -13,14 +13,12 @@ from tandem.skills.ports.bus import Bus, Inbox, Pending
 from tandem.skills.ports.hardware import (
     Answer,
     BaseVelocity,
-    Bumpers,
     CancelMotion,
     Clock,
     GripperCommand,
     GripperState,
     GroupStatus,
     JointStates,
-    LaserScan,
     Odometry,
     RobotDescription,
     SetPoint,
@@ -34,6 +32,7 @@ from tandem.skills.ports.hearing import Entrance
 from tandem.skills.ports.lease import LeaseAnswer, Leased, LeaseRequest, Leases
 from tandem.skills.ports.limits import SMALL, Limits
 from tandem.skills.ports.message import Message, read_leniently
+from tandem.skills.ports.sensors import Bumpers, LaserScan, PoseReading, Ranges, RobotsSeen
 
 TOLD: Final = ("task/", "tree/", "world/")
 """How the keys begin whose messages and answers are for clients, of any version."""
@@ -152,6 +151,9 @@ JOINT_STATES: Final = Topic("hw/joints/state", JointStates)
 BASE_VELOCITY: Final = Topic("hw/base/velocity", BaseVelocity)
 ODOMETRY: Final = Topic("hw/base/odometry", Odometry)
 BUMPERS: Final = Topic("hw/base/bumpers", Bumpers)
+RANGES: Final = Topic("hw/ranges", Ranges)
+POSE_READING: Final = Topic("hw/pose", PoseReading)
+ROBOTS_SEEN: Final = Topic("hw/robots", RobotsSeen)
 STOP: Final = Service("hw/stop", Stop, StopState, limits=Limits(per_step=128, rate=math.inf))
 """The one command that an unreadable document does not keep from being carried out, nor a flood."""
 STOP_RELEASE: Final = Service("hw/stop/release", StopRelease, StopState)

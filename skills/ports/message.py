@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterable
 from typing import Annotated, Final, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -20,6 +22,7 @@ Count = Annotated[int, Field(ge=0, le=MOST)]
 """A whole number of a message: every one has bounds, and these unless it says others."""
 Whole = Annotated[int, Field(ge=-MOST, le=MOST)]
 """Likewise, of either sign."""
+Positive = Annotated[float, Field(gt=0.0)]
 PartName = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,31}$")]
 """A part of the robot, as its description names it; it becomes a part of keys."""
 HandName = PartName
@@ -32,6 +35,11 @@ class Message(BaseModel):
     """Base of all that crosses the bus or stands in a file."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+def repeated(names: Iterable[str]) -> list[str]:
+    """Return the names that are there more than once, sorted."""
+    return sorted(name for name, times in Counter(names).items() if times > 1)
 
 
 M = TypeVar("M", bound=Message)

@@ -4,15 +4,21 @@ from __future__ import annotations
 
 from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.hardware import (
-    CameraSensor,
     DifferentialDrive,
     EndEffector,
     Gripper,
     JointGroup,
     JointLimit,
-    LaserSensor,
     Posture,
     RobotDescription,
+)
+from tandem.skills.ports.sensors import (
+    Bumper,
+    CameraSensor,
+    LaserSensor,
+    PoseSensor,
+    RangeSensor,
+    RobotSensor,
 )
 
 
@@ -60,6 +66,21 @@ def mock_description() -> RobotDescription:
                 period=0.1,
             ),
         ),
+        range_sensors=(
+            RangeSensor(
+                name="front",
+                frame="base_footprint",
+                cone=0.5,
+                range_min=0.15,
+                range_max=5.0,
+                period=0.1,
+            ),
+        ),
+        pose_sensors=(PoseSensor(name="markers", period=0.05, position_sigma=0.01, yaw_sigma=0.009),),
+        robot_sensors=(
+            RobotSensor(name="others", frame="base_footprint", field=2.0, range_max=5.0, period=0.1),
+        ),
+        bumpers=tuple(Bumper(name=name) for name in ("front", "left", "back", "right")),
         drive=DifferentialDrive(
             forward=1.0, backward=0.2, acceleration=0.5, turn=1.05, turn_acceleration=1.05, dead_man=0.2
         ),

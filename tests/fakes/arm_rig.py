@@ -18,7 +18,6 @@ from tandem.skills.ports.actions.arm import ArmState, MoveGoal, MoveResult, arm_
 from tandem.skills.ports.bus import Pending
 from tandem.skills.ports.hardware import (
     Answer,
-    CameraSensor,
     CancelMotion,
     DifferentialDrive,
     EndEffector,
@@ -27,7 +26,6 @@ from tandem.skills.ports.hardware import (
     JointGroup,
     JointLimit,
     JointStates,
-    LaserSensor,
     MotionState,
     Posture,
     RobotDescription,
@@ -37,6 +35,7 @@ from tandem.skills.ports.keys import JOINT_STATES, Latest, group_cancel, group_g
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.packages import resolve
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.sensors import CameraSensor, LaserSensor
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, Box, PlanningScene, RobotPose, SceneObject
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus

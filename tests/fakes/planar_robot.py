@@ -17,16 +17,12 @@ from tandem.skills.geometry.poses import to_floor, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.hardware import (
     BaseVelocity,
-    Bumpers,
-    CameraSensor,
     Clock,
     DifferentialDrive,
     EndEffector,
     Gripper,
     JointGroup,
     JointLimit,
-    LaserScan,
-    LaserSensor,
     Odometry,
     RobotDescription,
     StopState,
@@ -34,6 +30,7 @@ from tandem.skills.ports.hardware import (
 from tandem.skills.ports.keys import BASE_VELOCITY, BUMPERS, CLOCK, ODOMETRY, STOP_STATE, Latest, laser
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.sensors import Bumpers, CameraSensor, LaserScan, LaserSensor
 from tandem.skills.ports.site import Site, SiteBox
 
 FloatArray = npt.NDArray[np.float64]

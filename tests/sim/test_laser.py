@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from tandem.sim.laser import Laser
-from tandem.skills.ports.hardware import LaserSensor
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.sensors import LaserSensor
 from tests.sim.rooms import MakeRoom
 
 

@@ -11,10 +11,11 @@ from tandem.skills.base.odometry import OdometryBuffer
 from tandem.skills.base.scan import ScanGeometry
 from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.actions.base import DriveGoal, RotateGoal
-from tandem.skills.ports.hardware import LaserScan, Odometry
+from tandem.skills.ports.hardware import Odometry
 from tandem.skills.ports.keys import ODOMETRY, Latest
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.sensors import LaserScan
 from tandem.skills.ports.site import SiteBox
 from tandem.skills.ports.world import ROBOT_POSE
 from tandem.skills.site import load

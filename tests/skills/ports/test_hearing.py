@@ -11,7 +11,6 @@ from tandem.skills.ports.hardware import (
     Clock,
     GroupStatus,
     JointStates,
-    LaserScan,
     MotionState,
     RgbdHeader,
     SetPoint,
@@ -22,6 +21,9 @@ from tandem.skills.ports.image import header_of
 from tandem.skills.ports.keys import (
     CLOCK,
     JOINT_STATES,
+    POSE_READING,
+    RANGES,
+    ROBOTS_SEEN,
     Latest,
     Topic,
     group_setpoint,
@@ -30,8 +32,9 @@ from tandem.skills.ports.keys import (
     rgbd,
 )
 from tandem.skills.ports.message import Message, RobotTime
-from tandem.skills.ports.pose import IDENTITY
+from tandem.skills.ports.pose import IDENTITY, FloorPose
 from tandem.skills.ports.refusals import CHANGED_EVERY, REPEATED_EVERY, RefusalTeller
+from tandem.skills.ports.sensors import LaserScan, PoseReading, RangeReading, Ranges, RobotsSeen
 from tandem.skills.ports.world import (
     SCENE,
     WORLD,
@@ -135,6 +138,10 @@ def test_a_wrong_message_is_silence(stand: Stand, payload: bytes, reason: Reason
         (group_setpoint("arm_left"), SetPoint(stamp=at(1), positions=(0.0,) * 9, velocities=(0.0,) * 9)),
         (laser("base"), LaserScan(stamp=at(1), ranges=(1.0,))),
         (laser("tail"), LaserScan(stamp=at(1), ranges=(1.0,) * ROBOT.laser.beams)),
+        (RANGES, Ranges(stamp=at(1), readings=(RangeReading(sensor="tail", distance=1.0),))),
+        (RANGES, Ranges(stamp=at(1), readings=(RangeReading(sensor="front", distance=0.1),))),
+        (POSE_READING, PoseReading(stamp=at(1), sensor="tail", base_in_map=FloorPose(x=0, y=0, yaw=0))),
+        (ROBOTS_SEEN, RobotsSeen(stamp=at(1), sensor="tail", robots=())),
         (SCENE, PlanningScene(stamp=at(1), version=1, objects=(CARRIED,))),
         (
             WORLD,
@@ -148,6 +155,10 @@ def test_a_wrong_message_is_silence(stand: Stand, payload: bytes, reason: Reason
         "too many joints",
         "too few beams",
         "no laser of the robot",
+        "no range sensor of the robot",
+        "nearer than the sensor can see",
+        "no pose sensor of the robot",
+        "no robot sensor of the robot",
         "carried by no hand of the robot",
         "no hand of the robot is full",
         "held by no hand of the robot",
