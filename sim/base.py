@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from statistics import fmean
 from typing import TYPE_CHECKING
 
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.pose import FloorPose
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import numpy as np
 
     from tandem.sim.model import Wheels
@@ -28,10 +31,10 @@ class BaseController:
     Args:
         drive: limits.
         wheels: geometry.
-        angles: where the left and the right wheel are, rad.
+        angles: where the wheels are, rad, in the order of ``wheels.joints``.
     """
 
-    def __init__(self, drive: Drive, wheels: Wheels, angles: tuple[float, float]) -> None:
+    def __init__(self, drive: Drive, wheels: Wheels, angles: Sequence[float]) -> None:
         self._drive = drive
         self._wheels = wheels
         self._reference = list(angles)
@@ -51,19 +54,16 @@ class BaseController:
         """Forget the command: brake and stand."""
         self._age = math.inf
 
-    def advance(self, period: float, angles: tuple[float, float]) -> tuple[float, float]:
-        """Return the left and right wheel's speeds (rad/s) for the next period."""
+    def advance(self, period: float, angles: Sequence[float]) -> tuple[float, ...]:
+        """Return the wheels' speeds (rad/s) for the next period, in the order of ``wheels.joints``."""
         linear, angular = self._wish if self._age <= self._drive.dead_man + 1e-9 else (0.0, 0.0)
         self._age += period
         self.linear = _towards(self.linear, linear, self._drive.acceleration * period)
         self.angular = _towards(self.angular, angular, self._drive.turn_acceleration * period)
         sideways = self.angular * self._wheels.track / 2.0
-        speeds = [
-            (self.linear - sideways) / self._wheels.radius,
-            (self.linear + sideways) / self._wheels.radius,
-        ]
-        left, right = (self._wheel(i, speeds[i], period, angles[i]) for i in range(2))
-        return left, right
+        left, right = (way / self._wheels.radius for way in (self.linear - sideways, self.linear + sideways))
+        speeds = [left] * len(self._wheels.left) + [right] * len(self._wheels.right)
+        return tuple(self._wheel(i, speed, period, angles[i]) for i, speed in enumerate(speeds))
 
     def _wheel(self, index: int, speed: float, period: float, angle: float) -> float:
         lag = min(max(self._reference[index] - angle, -MAX_LAG), MAX_LAG)
@@ -89,30 +89,31 @@ class Odometer:
 
     Args:
         wheels: geometry.
-        angles: where the left and the right wheel are, rad.
+        angles: where the wheels are, rad, in the order of ``wheels.joints``.
         noise: how large the errors are.
         rng: their source.
     """
 
     def __init__(
-        self, wheels: Wheels, angles: tuple[float, float], noise: Noise, rng: np.random.Generator
+        self, wheels: Wheels, angles: Sequence[float], noise: Noise, rng: np.random.Generator
     ) -> None:
         self._wheels = wheels
         self._noise = noise
         self._rng = rng
-        self._last = _Encoders(*angles)
+        self._last = self._sides(angles)
         self.pose = FloorPose(x=0.0, y=0.0, yaw=0.0)
         self.linear = 0.0
         self.angular = 0.0
 
-    def update(self, period: float, angles: tuple[float, float]) -> None:
+    def update(self, period: float, angles: Sequence[float]) -> None:
         """Take the wheels' angles (rad) of a period later: moves ``pose``, sets ``linear`` and ``angular``.
 
         Integrates at the midpoint heading (second order Runge-Kutta).
         """
-        left = (angles[0] - self._last.left) * self._wheels.radius
-        right = (angles[1] - self._last.right) * self._wheels.radius
-        self._last = _Encoders(*angles)
+        now = self._sides(angles)
+        left = (now.left - self._last.left) * self._wheels.radius
+        right = (now.right - self._last.right) * self._wheels.radius
+        self._last = now
         rolled = (abs(left) + abs(right)) / 2.0
         way = (left + right) / 2.0 * (1.0 + self._noise.odometry_scale)
         turn = (right - left) / self._wheels.track * (1.0 + self._noise.odometry_turn_scale)
@@ -125,6 +126,11 @@ class Odometer:
         )
         self.linear = way / period
         self.angular = turn / period
+
+    def _sides(self, angles: Sequence[float]) -> _Encoders:
+        """Return the mean angle of each side's wheels."""
+        first = len(self._wheels.left)
+        return _Encoders(fmean(angles[:first]), fmean(angles[first:]))
 
     def jump(self, dx: float, dy: float, dyaw: float) -> None:
         """Step aside without having moved: metres ahead and to the left, rad to the left."""

@@ -172,7 +172,8 @@ class RobotBody:
         for link in self.link_index.values():
             self.physics.set_surface(self.body, link, friction=SKIN_FRICTION)
         for name, friction in self.model.floor_frictions.items():
-            self.physics.set_surface(self.body, self.link_index[name], friction=friction)
+            share = self.model.sideways_frictions.get(name, 1.0)
+            self.physics.set_surface(self.body, self.link_index[name], friction=friction, sideways=share)
         for name in (link for hand in self.model.hands for link in hand.finger_links):
             self.physics.set_surface(self.body, self.link_index[name], friction=PAD_FRICTION)
         for joint in self.joint_index.values():

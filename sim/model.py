@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
 from tandem.skills.ports.hardware import RobotDescription
@@ -30,14 +30,20 @@ class Hand:
 
 @dataclass(frozen=True)
 class Wheels:
-    """A differential drive's wheels: metres, N m."""
+    """The driven wheels of a differential or a skid-steer drive, by their joints: metres, N m."""
 
-    left: str
-    right: str
+    left: tuple[str, ...]
+    right: tuple[str, ...]
     radius: float
     track: float
-    """Between the wheels' contacts with the floor."""
+    """Between the wheels' contacts with the floor. With wheels that slip in a turn, the effective one, which
+    is larger: the right side's way less the left side's, over the turn."""
     effort: float
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """All of them, the left ones first: the order of angles and speeds."""
+        return (*self.left, *self.right)
 
 
 @dataclass(frozen=True)
@@ -59,6 +65,9 @@ class RobotModel:
     bumper_links: tuple[str, ...]
     touching_links: tuple[tuple[str, str], ...]
     root: str = ROOT
+    sideways_frictions: Mapping[str, float] = field(default_factory=dict)
+    """Of wheels that skid in a turn, by link: the friction along the axle (the link's y) as a share of
+    that along the way."""
 
     def hand(self, side: str) -> Hand:
         """Return the hand of a side.

@@ -288,8 +288,8 @@ class BasePart:
     ) -> None:
         self._bus, self._gate = bus, gate
         self._body = body
-        self._joints = (wheels.left, wheels.right)
-        self._efforts = (wheels.effort, wheels.effort)
+        self._joints = wheels.joints
+        self._efforts = (wheels.effort,) * len(self._joints)
         self.controller = BaseController(body.model.description.driven, wheels, self._angles())
         self.odometer = Odometer(wheels, self._angles(), noise, rng)
         self._velocity: keys.Latest[BaseVelocity] = keys.Latest(bus, keys.BASE_VELOCITY)
@@ -298,9 +298,8 @@ class BasePart:
         """Bumpers that read pressed whatever touches them."""
         self._period = body.model.description.period
 
-    def _angles(self) -> tuple[float, float]:
-        left, right = self._body.read(self._joints)
-        return left.position, right.position
+    def _angles(self) -> tuple[float, ...]:
+        return tuple(reading.position for reading in self._body.read(self._joints))
 
     def listen(self) -> None:
         """Take the newest velocity command."""

@@ -137,12 +137,15 @@ class Physics:
         """Take a body out of the world."""
         pybullet.removeBody(body, physicsClientId=self.client)
 
-    def set_surface(self, body: int, link: int, *, friction: float, anchored: bool = False) -> None:
+    def set_surface(
+        self, body: int, link: int, *, friction: float, anchored: bool = False, sideways: float = 1.0
+    ) -> None:
         """Set the friction of a link's surface.
 
         Bullet multiplies the coefficients of the two that touch, so each is at most 1. ``anchored`` lets
         static friction correct the drift that the solver leaves, within Coulomb's cone: for pads, not for
-        what rolls. See docs/decisions/001-grasp-by-friction.md.
+        what rolls. See docs/decisions/001-grasp-by-friction.md. ``sideways`` is the friction along the link's
+        y, a wheel's axle, as a share of that in its other directions.
 
         Raises:
             ValueError: for a coefficient outside [0, 1].
@@ -156,6 +159,7 @@ class Physics:
             spinningFriction=0.0,
             rollingFriction=0.0,
             frictionAnchor=int(anchored),
+            anisotropicFriction=(1.0, sideways, 1.0),
             physicsClientId=self.client,
         )
 

@@ -1,6 +1,6 @@
 """The robots that the sim can stand in for: one file each, found by being here.
 
-``robot.py`` says what such a file declares, ``registry.py`` finds them. Parts that several robots share:
-``pmb2.py``, ``tiago_upper.py``,
-``parallel_gripper.py``, ``sensors.py``, ``joint_limits.py`` and ``finishing.py``.
+Robots: tiago_dual, tiago, tiago_base, panda, p3dx, summit_xl.
+What such a file declares is in robot; registry finds them.
+Parts that several share: pmb2, tiago_upper, parallel_gripper, sensors, primitives, joint_limits, finishing.
 """

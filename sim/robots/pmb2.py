@@ -15,7 +15,7 @@ DRIVE: Final = DifferentialDrive(
     forward=1.0, backward=0.2, acceleration=0.5, turn=1.05, turn_acceleration=1.05, dead_man=0.3
 )
 """PAL's configuration, and our dead-man."""
-WHEELS: Final = Wheels("wheel_left_joint", "wheel_right_joint", radius=0.0985, track=0.4044, effort=6.0)
+WHEELS: Final = Wheels(("wheel_left_joint",), ("wheel_right_joint",), radius=0.0985, track=0.4044, effort=6.0)
 FLOOR_FRICTIONS: Final = {"wheel_left_link": 1.0, "wheel_right_link": 1.0, "casters_link": 0.0}
 CASTERS_LINK: Final = "casters_link"
 BUMPER_LINKS: Final = (ROOT, "torso_lift_link")

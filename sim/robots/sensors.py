@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 from tandem.sim.wrench import BUMPERS
-from tandem.skills.ports.sensors import Bumper, CameraSensor, LaserSensor
+from tandem.skills.ports.sensors import Bumper, CameraSensor, LaserSensor, PoseSensor
 
 CAMERA_WIDTH: Final = 1280
 CAMERA_HEIGHT: Final = 720
@@ -17,6 +17,11 @@ LASER_BEAMS: Final = 541
 LASER_FIELD: Final = math.radians(270.0)
 LASER_RANGE: Final = (0.05, 10.0)
 LASER_PERIOD: Final = 0.1
+
+CAPTURE_PERIOD: Final = 0.05
+CAPTURE_SIGMA: Final = 0.010
+CAPTURE_YAW_SIGMA: Final = math.radians(0.5)
+"""10 mm and 0.5 degrees (RoCS, experiments)."""
 
 
 def camera_sensor(frame: str) -> CameraSensor:
@@ -43,3 +48,10 @@ def laser_sensor(frame: str) -> LaserSensor:
 def bumpers() -> tuple[Bumper, ...]:
     """Return the bumpers all around a base: each tells of contacts in its quarter."""
     return tuple(Bumper(name=name) for name in BUMPERS)
+
+
+def motion_capture() -> PoseSensor:
+    """Return a robot's place as motion capture tells it, with the errors of the RoCS paper."""
+    return PoseSensor(
+        name="markers", period=CAPTURE_PERIOD, position_sigma=CAPTURE_SIGMA, yaw_sigma=CAPTURE_YAW_SIGMA
+    )
