@@ -10,12 +10,14 @@ from __future__ import annotations
 
 import logging
 from collections import OrderedDict
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, Generic
 
 from pydantic import ValidationError
 
 from tandem.skills.goal_journal import GoalJournal
+from tandem.skills.pipeline import Pipeline
 from tandem.skills.ports.action import (
     AskResult,
     GoalCommand,
@@ -67,6 +69,8 @@ class _Current(Generic[F, R]):
     """Whether it was paused because its client does not go on."""
     lease: Lease | None = None
     """Under which it was sent."""
+    marks: tuple[int, ...] = ()
+    """Of the pipelines when it began."""
 
 
 class ActionServer(Generic[G, F, R]):
@@ -77,10 +81,20 @@ class ActionServer(Generic[G, F, R]):
         clocks: robot time for feedback, host time for the clients' liveliness.
         skill: what to run; one goal at a time.
         charge: make a computation's slices cost their declared robot time (lockstep).
+        pipelines: of the resources that the skill commands: a goal ends when a reflex takes one of them.
     """
 
-    def __init__(self, bus: Bus, clocks: Clocks, skill: Skill[G, F, R], *, charge: bool = False) -> None:
+    def __init__(
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        skill: Skill[G, F, R],
+        *,
+        charge: bool = False,
+        pipelines: Sequence[Pipeline] = (),
+    ) -> None:
         name = skill.action.name
+        self._pipelines = tuple(pipelines)
         self._bus, self._clocks, self._skill, self._charge = bus, clocks, skill, charge
         self._endpoints = Endpoints(
             bus,
@@ -121,6 +135,7 @@ class ActionServer(Generic[G, F, R]):
         """Answer who asks, then resume the skill."""
         self._fence.step()
         self._watch_hardware()
+        self._watch_pipelines()
         waiting = self._endpoints.step()
         self._watch_client()
         return self._resume() or waiting
@@ -187,7 +202,8 @@ class ActionServer(Generic[G, F, R]):
         log.info("goal begins", extra=self._about(sent.goal_id))
         run = self._skill.run(goal, sent.goal_id)
         begun = self._clocks.robot()
-        self._current = _Current(sent.goal_id, sent.client, run, begun, lease=sent.lease)
+        marks = tuple(pipeline.mark() for pipeline in self._pipelines)
+        self._current = _Current(sent.goal_id, sent.client, run, begun, lease=sent.lease, marks=marks)
         return self._change(sent.goal_id, GoalState.RUNNING)
 
     def _store(self, goal_id: str) -> Failure | None:
@@ -263,6 +279,18 @@ class ActionServer(Generic[G, F, R]):
         current.run.close()
         text = f"the hardware was started anew (boot {now.boot}, before: {current.begun.boot})"
         self._end(GoalState.FAILED, failure=self._failure(FailureKind.HARDWARE_LOST, text))
+
+    def _watch_pipelines(self) -> None:
+        """End a goal of which a reflex has taken what it moves; what it would still send goes nowhere."""
+        current = self._current
+        if current is None:
+            return
+        for pipeline, mark in zip(self._pipelines, current.marks, strict=True):
+            overridden = pipeline.taken_since(mark, self.name)
+            if overridden is not None:
+                current.run.close()
+                self._end(GoalState.FAILED, failure=overridden)
+                return
 
     def _stand_by(self, current: _Current[F, R], *, awake: bool) -> None:
         """Come to rest while the client does not go on, and go on when it does."""

@@ -26,8 +26,8 @@ class KindCondition:
     kinds: frozenset[FailureKind]
 
     def __call__(self, failure: Failure) -> bool:
-        """Say whether the failure is of one of the kinds."""
-        return failure.kind in self.kinds
+        """Say whether the failure, or what made a reflex override the goal, is of one of the kinds."""
+        return failure.reason.kind in self.kinds
 
 
 waiting_helps: Final = KindCondition(
@@ -46,6 +46,7 @@ waiting_helps: Final = KindCondition(
             FailureKind.LASER_SILENT,
             FailureKind.BASE_HELD,
             FailureKind.ARMS_CROSSING,
+            FailureKind.OVERRIDDEN,
         )
     ),
 )
@@ -149,7 +150,7 @@ _UNSEEN: Final = frozenset(
 
 def unseen(failure: Failure) -> bool:
     """Say whether a search may go on: the item was not in view, or the base did not get there."""
-    return failure.kind in _UNSEEN
+    return failure.reason.kind in _UNSEEN
 
 
 def _of(kind: FailureKind) -> str:

@@ -68,7 +68,11 @@ def explain(status: TaskStatus) -> str:
         lines += ["", *result_lines(status)]
     if status.failure is not None:
         lines += ["", "where things are", *_places(status.failure)]
-        lines += ["", f"who can help: {KINDS[status.failure.kind].helper}", f"  {what_next(status.failure)}"]
+        lines += [
+            "",
+            f"who can help: {KINDS[status.failure.reason.kind].helper}",
+            f"  {what_next(status.failure)}",
+        ]
     return "\n".join(lines)
 
 
@@ -87,8 +91,9 @@ def result_lines(status: TaskStatus) -> tuple[str, ...]:
 
 def what_next(failure: Failure) -> str:
     """Return what to do next."""
-    helper = KINDS[failure.kind].helper
-    return OPERATORS.get(failure.kind, NEXT[helper]) if helper is Helper.OPERATOR else NEXT[helper]
+    kind = failure.reason.kind
+    helper = KINDS[kind].helper
+    return OPERATORS.get(kind, NEXT[helper]) if helper is Helper.OPERATOR else NEXT[helper]
 
 
 def last_picture(status: TaskStatus) -> str:

@@ -1,7 +1,7 @@
 """The base: where the robot is, and how it gets elsewhere.
 
 Skills: drive, rotate, localise, process.
-Where the robot is: localiser, matcher, search, scan, odometry, map, field, floor; fixed.
+Where the robot is: whereabouts; localiser, matcher, search, scan, odometry, map, field, floor; fixed.
 The way: planner, path, journey, obstacles.
-Driving it: ride, follow, wheels, guard, watch, status.
+Driving it: ride, follow, wheels, guard, watch, status; ``reflexes/`` take the wheels from it.
 """

@@ -9,7 +9,7 @@ from tandem.skills.base.wheels import Wheels
 from tandem.skills.ports.actions.base import DRIVE, BaseState, DriveFeedback, DriveGoal, DriveResult
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.skill import ActionType, Run, failed
 
 
@@ -25,7 +25,7 @@ class Drive:
 
     def __init__(self, bus: Bus, clocks: Clocks, course: Course, board: BaseStatusBoard) -> None:
         self._clocks, self.course, self._guard, self._board = clocks, course, course.guard, board
-        self._wheels = Wheels(bus, clocks, course.drive)
+        self._wheels = Wheels(bus, clocks, course.drive, lambda: board.pipeline.normal(DRIVE.name))
 
     @property
     def action(self) -> ActionType[DriveGoal, DriveFeedback, DriveResult]:
@@ -39,14 +39,17 @@ class Drive:
 
     def check(self, goal: DriveGoal) -> Failure | None:  # noqa: ARG002
         """Refuse while another skill has the wheels or the base may not move."""
-        if self._board.holder:
-            return self._busy()
+        busy = self._board.pipeline.busy(DRIVE.name)
+        if busy is not None:
+            return busy
         return self._guard.refusal(DRIVE.name)
 
     def run(self, goal: DriveGoal, goal_id: str) -> Run[DriveFeedback, DriveResult]:  # noqa: ARG002
         """Plan, drive, correct."""
-        if not self._board.claim(DRIVE.name, goal.serves_item):
-            return failed(self._busy())
+        busy = self._board.pipeline.busy(DRIVE.name)
+        if busy is not None:
+            return failed(busy)
+        self._board.claim(DRIVE.name, goal.serves_item)
         state = BaseState.BASE_GOAL_FAIL
         try:
             progress = Progress()
@@ -60,12 +63,7 @@ class Drive:
         finally:
             if not self._wheels.resting:
                 self._wheels.halt()
-            self._board.release(state)
-
-    def _busy(self) -> Failure:
-        return Failure(
-            kind=FailureKind.BUSY, message=f"{self._board.holder} has the wheels", where=DRIVE.name
-        )
+            self._board.release(DRIVE.name, state)
 
     def _ride(self, progress: Progress) -> Ride[DriveFeedback]:
         def feedback() -> DriveFeedback:
@@ -79,7 +77,6 @@ class Drive:
         ride = Ride(
             self._clocks,
             self.course.localiser,
-            self._guard,
             self._wheels,
             feedback=feedback,
             where=DRIVE.name,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from tandem.skills.base.localiser import Localiser
+from tandem.skills.base.whereabouts import Whereabouts
 from tandem.skills.ports.actions.arm import ArmState, arm_status
 from tandem.skills.ports.actions.base import ARM_MARGIN
 from tandem.skills.ports.bus import Bus
@@ -15,7 +15,7 @@ from tandem.skills.ports.keys import BUMPERS, STOP_STATE, Latest
 from tandem.skills.ports.message import RobotTime
 
 SILENCE: Final = 0.5
-"""Robot seconds without scan or odometry after which the base does not move."""
+"""Robot seconds without odometry after which the base does not move."""
 ARM_SILENCE: Final = 2.0
 """Robot seconds without a word from an arm after which the base does not move."""
 AT_EASE: Final = frozenset({ArmState.ARM_IDLE, ArmState.ARM_SUCCESS})
@@ -23,16 +23,18 @@ AT_EASE: Final = frozenset({ArmState.ARM_IDLE, ArmState.ARM_SUCCESS})
 
 
 class Guard:
-    """Looks at stop, odometry, laser, localisation and arms.
+    """Looks at stop, odometry, the sensor of the pose, localisation and arms.
 
     Args:
         bus: where the arms and the stop tell their state.
         clocks: robot time.
         description: which groups are arms, and the footprint.
-        localiser: who hears odometry and laser.
+        localiser: who hears odometry, and the sensor by which the robot knows where it is.
     """
 
-    def __init__(self, bus: Bus, clocks: Clocks, description: RobotDescription, localiser: Localiser) -> None:
+    def __init__(
+        self, bus: Bus, clocks: Clocks, description: RobotDescription, localiser: Whereabouts
+    ) -> None:
         self._clocks, self._localiser = clocks, localiser
         self._extent = description.footprint_radius + ARM_MARGIN
         self._stop = Latest(bus, STOP_STATE)
@@ -99,7 +101,7 @@ class Guard:
             latest.close()
 
     def _senses(self, now: RobotTime, where: str, *, anywhere: bool) -> Failure | None:
-        odometry, scans = self._localiser.odometry, self._localiser.recent
+        odometry = self._localiser.odometry
         silent = None if odometry is None else now.since(odometry.stamp)
         if silent is None:
             return Failure(kind=FailureKind.NOT_READY, message="no odometry has been heard", where=where)
@@ -110,16 +112,9 @@ class Guard:
                 where=where,
                 evidence={"silent_s": silent},
             )
-        silent = now.since(scans[-1].stamp) if scans else None
-        if silent is None:
-            return Failure(kind=FailureKind.LASER_SILENT, message="no scan has been heard", where=where)
-        if silent > SILENCE:
-            return Failure(
-                kind=FailureKind.LASER_SILENT,
-                message=f"no scan for {silent:.1f} s",
-                where=where,
-                evidence={"silent_s": silent},
-            )
+        blind = self._localiser.silence(now, where)
+        if blind is not None:
+            return blind
         if not (anywhere or self._localiser.localised):
             return Failure(kind=FailureKind.NOT_LOCALISED, message=self._localiser.reason, where=where)
         return None

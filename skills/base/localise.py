@@ -101,8 +101,9 @@ class Localise:
 
     def check(self, goal: LocaliseGoal) -> Failure | None:
         """Refuse a hint outside the floor, and while another skill has the wheels."""
-        if self._board.holder:
-            return self._failure(FailureKind.BUSY, f"{self._board.holder} has the wheels")
+        busy = self._board.pipeline.busy(LOCALISE.name)
+        if busy is not None:
+            return busy
         x_min, y_min, x_max, y_max = self._map.bounds
         hint = goal.hint
         if hint is not None and not (x_min <= hint.x <= x_max and y_min <= hint.y <= y_max):
@@ -137,21 +138,20 @@ class Localise:
     def _may_turn(self, view: _View) -> bool:
         gaps = np.hypot(view.points[:, 0], view.points[:, 1])
         free = bool(gaps.min() > self._radius + ROOM)
-        return free and not self._board.holder and self._guard.refusal(LOCALISE.name, anywhere=True) is None
+        busy = self._board.pipeline.busy(LOCALISE.name)
+        return free and busy is None and self._guard.refusal(LOCALISE.name, anywhere=True) is None
 
     def _turn(self) -> Steps:
         """Turn on the spot, as odometry tells; True: cancelled. Else the next look tells how it went."""
-        if not self._board.claim(LOCALISE.name):
+        if not self._board.claim(LOCALISE.name, anywhere=True):
             return False
         try:
             ride = Ride(
                 self._clocks,
                 self._localiser,
-                self._guard,
                 self._wheels,
                 feedback=lambda: LocaliseFeedback(progress=0.5),
                 where=LOCALISE.name,
-                anywhere=True,
             )
             yield from ride.turn(TURN)
             yield from ride.rest()
@@ -159,7 +159,7 @@ class Localise:
         finally:
             if not self._wheels.resting:
                 self._wheels.halt()
-            self._board.release(BaseState.BASE_IDLE)
+            self._board.release(LOCALISE.name, BaseState.BASE_IDLE)
 
     def _look(self, views: list[_View]) -> Steps:
         """Add what is seen from here, if anything comes; True: cancelled."""

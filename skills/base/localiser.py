@@ -20,6 +20,7 @@ from tandem.skills.base.scan import ScanGeometry, ScanPoints
 from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.hardware import Odometry, RobotDescription
 from tandem.skills.ports.keys import ODOMETRY, Latest, laser
 from tandem.skills.ports.message import RobotTime
@@ -29,6 +30,8 @@ from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 
 PERIOD: Final = 0.05
 """Seconds between two messages."""
+SILENCE: Final = 0.5
+"""Robot seconds without a scan after which the laser is said to be silent."""
 POOR_FIT: Final = 0.45
 """Share of beams explained below which a scan does not confirm the pose."""
 HOPELESS_FIT: Final = 0.25
@@ -105,6 +108,20 @@ class Localiser:
     def recent(self) -> tuple[ScanPoints, ...]:
         """The last scans, oldest first, for the global search."""
         return tuple(self._recent)
+
+    def silence(self, now: RobotTime, where: str) -> Failure | None:
+        """Return LASER_SILENT when no scan has come for too long, or None."""
+        silent = now.since(self._recent[-1].stamp) if self._recent else None
+        if silent is None:
+            return Failure(kind=FailureKind.LASER_SILENT, message="no scan has been heard", where=where)
+        if silent <= SILENCE:
+            return None
+        return Failure(
+            kind=FailureKind.LASER_SILENT,
+            message=f"no scan for {silent:.1f} s",
+            where=where,
+            evidence={"silent_s": silent},
+        )
 
     @property
     def odometry(self) -> Odometry | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 from tandem.skills.base.drive import Drive
 from tandem.skills.base.fixed import FixedBase
@@ -12,15 +13,23 @@ from tandem.skills.base.localise import Localise
 from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.map import build_map
 from tandem.skills.base.obstacles import Obstacles
+from tandem.skills.base.reflexes import base_guard, bumper
+from tandem.skills.base.reflexes.surroundings import BaseSurroundings
 from tandem.skills.base.rotate import Rotate
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.wheels import Wheels
+from tandem.skills.pipeline import Pipeline
+from tandem.skills.ports.actions.base import LOCALISE
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.reflex import BASE
 from tandem.skills.ports.site import Site
+from tandem.skills.reflexes import Reflexes, fitted
 from tandem.skills.server import ActionServer
+
+REFLEXES: Final = (bumper.REFLEX, base_guard.REFLEX)
 
 
 @dataclass(frozen=True)
@@ -30,6 +39,7 @@ class Base:
     localiser: Localiser
     obstacles: Obstacles
     board: BaseStatusBoard
+    reflexes: Reflexes
     drive: Drive
     rotate: Rotate
     localise: Localise
@@ -40,13 +50,16 @@ def assemble(bus: Bus, clocks: Clocks, description: RobotDescription, site: Site
     site_map = build_map(site, description)
     localiser = Localiser(bus, clocks, description, site_map)
     obstacles = Obstacles(clocks, description.laser, site_map, localiser)
-    board = BaseStatusBoard(bus, clocks)
+    pipeline = Pipeline(BASE)
+    board = BaseStatusBoard(bus, clocks, pipeline)
     guard = Guard(bus, clocks, description, localiser)
     course = Course(site_map, obstacles, localiser, description.driven, description.footprint_radius, guard)
+    around = BaseSurroundings(bus, clocks, description, localiser, guard, board)
     return Base(
         localiser=localiser,
         obstacles=obstacles,
         board=board,
+        reflexes=Reflexes(bus, clocks, (pipeline,), fitted(REFLEXES, around, {BASE: pipeline}, ())),
         drive=Drive(bus, clocks, course, board),
         rotate=Rotate(bus, clocks, description.driven, localiser, guard=guard, board=board),
         localise=Localise(
@@ -55,7 +68,7 @@ def assemble(bus: Bus, clocks: Clocks, description: RobotDescription, site: Site
             localiser,
             guard=guard,
             board=board,
-            wheels=Wheels(bus, clocks, description.driven),
+            wheels=Wheels(bus, clocks, description.driven, lambda: pipeline.normal(LOCALISE.name)),
             radius=description.footprint_radius,
         ),
     )
@@ -80,7 +93,9 @@ def build(
         base.localiser,
         base.obstacles,
         base.board,
-        ActionServer(bus, clocks, base.localise, charge=charge),
-        ActionServer(bus, clocks, base.drive, charge=charge),
-        ActionServer(bus, clocks, base.rotate, charge=charge),
+        base.reflexes,
+        *(
+            ActionServer(bus, clocks, skill, charge=charge, pipelines=(base.board.pipeline,))
+            for skill in (base.localise, base.drive, base.rotate)
+        ),
     ]

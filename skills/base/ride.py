@@ -1,4 +1,6 @@
-"""One run of a skill on the wheels: cycles that heed commands and guards, turning, and coming to rest.
+"""One run of a skill on the wheels: cycles that heed commands, turning, and coming to rest.
+
+What makes the base stop on the way are reflexes (``skills/base/reflexes``): they take the wheels from a run.
 
 Each motion is a generator that yields feedback and returns whether it came to its end; where it did not,
 ``canceled`` or ``failure`` says why, and the wheels are already braking.
@@ -11,10 +13,9 @@ from collections.abc import Callable, Generator
 from typing import Final, Generic, TypeVar
 
 from tandem.skills.base.floor import compose
-from tandem.skills.base.guard import Guard
-from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.odometry import ahead
 from tandem.skills.base.wheels import Wheels, stopping_speed
+from tandem.skills.base.whereabouts import Whereabouts
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
@@ -50,28 +51,23 @@ class Ride(Generic[F]):
     Args:
         clocks: robot time.
         localiser: where the base is.
-        guard: whether it may move.
         wheels: what moves it.
         feedback: builds what is yielded.
         where: the action's name, for failures.
-        anywhere: whether it may move without knowing where it is.
     """
 
     def __init__(
         self,
         clocks: Clocks,
-        localiser: Localiser,
-        guard: Guard,
+        localiser: Whereabouts,
         wheels: Wheels,
         *,
         feedback: Callable[[], F],
         where: str,
-        anywhere: bool = False,
     ) -> None:
-        self._clocks, self._localiser, self._guard = clocks, localiser, guard
-        self._feedback, self._where, self._anywhere = feedback, where, anywhere
+        self._clocks, self._localiser = clocks, localiser
+        self._feedback, self._where = feedback, where
         self.wheels = wheels
-        self._touched_before = guard.touching
         self._paused_for = 0.0
         self.canceled = False
         self.failure: Failure | None = None
@@ -156,7 +152,7 @@ class Ride(Generic[F]):
         return True
 
     def rest(self) -> Generator[F | Slice, Command, None]:
-        """Brake to standstill; neither commands nor guards end it, a cancellation is noted."""
+        """Brake to standstill; no command ends it, a cancellation is noted."""
         start = self.active
         while not self.wheels.resting or self._localiser.moving:
             self.wheels.send(0.0, 0.0)
@@ -179,20 +175,7 @@ class Ride(Generic[F]):
             self.failure = Failure(kind=kind, message=message, where=self._where, evidence=dict(evidence))
 
     def _may_go_on(self) -> bool:
-        if self.canceled or self.failure is not None:
-            return False
-        self.failure = self._guard.refusal(self._where, anywhere=self._anywhere)
-        # What pressed already when the run began must not keep the base from leaving it.
-        touched = [name for name in self._guard.touching if name not in self._touched_before]
-        if touched:
-            self.fail(
-                FailureKind.BASE_BLOCKED,
-                "the base touched something",
-                bumper=touched[0],
-                x_m=self.pose.x,
-                y_m=self.pose.y,
-            )
-        return self.failure is None
+        return not self.canceled and self.failure is None
 
     def _wait(self, seconds: float) -> Generator[F | Slice, Command, None]:
         """Yield feedback until robot time has gone on by ``seconds``; notes a cancellation, obeys a pause."""

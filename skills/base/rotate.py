@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 from tandem.skills.base.guard import Guard
-from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.ride import Ride
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.wheels import Wheels
+from tandem.skills.base.whereabouts import Whereabouts
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.actions.base import ROTATE, BaseState, RotateFeedback, RotateGoal, RotateResult
 from tandem.skills.ports.bus import Bus
@@ -39,13 +39,13 @@ class Rotate:
         bus: Bus,
         clocks: Clocks,
         drive: Drive,
-        localiser: Localiser,
+        localiser: Whereabouts,
         *,
         guard: Guard,
         board: BaseStatusBoard,
     ) -> None:
         self._clocks, self._localiser, self._guard, self._board = clocks, localiser, guard, board
-        self._wheels = Wheels(bus, clocks, drive)
+        self._wheels = Wheels(bus, clocks, drive, lambda: board.pipeline.normal(ROTATE.name))
 
     @property
     def action(self) -> ActionType[RotateGoal, RotateFeedback, RotateResult]:
@@ -59,14 +59,17 @@ class Rotate:
 
     def check(self, goal: RotateGoal) -> Failure | None:  # noqa: ARG002
         """Refuse while another skill has the wheels or the base may not move."""
-        if self._board.holder:
-            return self._busy()
+        busy = self._board.pipeline.busy(ROTATE.name)
+        if busy is not None:
+            return busy
         return self._guard.refusal(ROTATE.name)
 
     def run(self, goal: RotateGoal, goal_id: str) -> Run[RotateFeedback, RotateResult]:  # noqa: ARG002
         """Turn, and correct what is left."""
-        if not self._board.claim(ROTATE.name):
-            return failed(self._busy())
+        busy = self._board.pipeline.busy(ROTATE.name)
+        if busy is not None:
+            return failed(busy)
+        self._board.claim(ROTATE.name)
         state = BaseState.BASE_GOAL_FAIL
         try:
             outcome = yield from self._turn(goal)
@@ -78,7 +81,7 @@ class Rotate:
         finally:
             if not self._wheels.resting:
                 self._wheels.halt()
-            self._board.release(state)
+            self._board.release(ROTATE.name, state)
 
     def _turn(self, goal: RotateGoal) -> Run[RotateFeedback, RotateResult]:
         turned = 0.0
@@ -86,9 +89,7 @@ class Rotate:
         def feedback() -> RotateFeedback:
             return RotateFeedback(remaining=goal.angle - turned - ride.turned)
 
-        ride = Ride(
-            self._clocks, self._localiser, self._guard, self._wheels, feedback=feedback, where=ROTATE.name
-        )
+        ride = Ride(self._clocks, self._localiser, self._wheels, feedback=feedback, where=ROTATE.name)
         for _ in range(MOST_CORRECTIONS + 1):
             before = ride.pose.yaw
             going_on = (yield from ride.turn(goal.angle - turned)) and (yield from ride.settle(SETTLE))
@@ -113,8 +114,3 @@ class Rotate:
         if ride.canceled or ride.failure is None:
             return canceled()
         return failed(ride.failure)
-
-    def _busy(self) -> Failure:
-        return Failure(
-            kind=FailureKind.BUSY, message=f"{self._board.holder} has the wheels", where=ROTATE.name
-        )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
+from tandem.skills.pipeline import Pipeline
 from tandem.skills.ports.actions.base import BASE_STATUS, BaseState, BaseStatus
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
@@ -13,31 +14,40 @@ PERIOD: Final = 0.1
 
 
 class BaseStatusBoard:
-    """The one owner of ``skill/base/state``, and of the wheels' lease; a ``Node``."""
+    """The one owner of ``skill/base/state``; skills take the wheels' pipeline through it; a ``Node``."""
 
-    def __init__(self, bus: Bus, clocks: Clocks) -> None:
-        self._bus, self._clocks = bus, clocks
+    def __init__(self, bus: Bus, clocks: Clocks, pipeline: Pipeline) -> None:
+        self._bus, self._clocks, self.pipeline = bus, clocks, pipeline
         self._published_at = -math.inf
         self._state = BaseState.BASE_IDLE
         self._serves_item: int | None = None
-        self.holder = ""
+        self.anywhere = False
+        """Whether whoever has the wheels may move without knowing where the base is."""
+
+    @property
+    def holder(self) -> str:
+        """The skill that has the wheels; empty: none."""
+        return self.pipeline.holder
 
     @property
     def name(self) -> str:
         """The node's name."""
         return "base/status"
 
-    def claim(self, skill: str, serves_item: int | None = None) -> bool:
-        """Take the wheels for a skill; False when another one has them."""
-        if self.holder and self.holder != skill:
+    def claim(self, skill: str, serves_item: int | None = None, *, anywhere: bool = False) -> bool:
+        """Take the wheels for a skill; False when another one, or a reflex, has them.
+
+        ``anywhere``: it may move without knowing where the base is.
+        """
+        if not self.pipeline.claim(skill):
             return False
-        self.holder = skill
+        self.anywhere = anywhere
         self._set(BaseState.BASE_TO_GOAL, serves_item)
         return True
 
-    def release(self, state: BaseState) -> None:
+    def release(self, skill: str, state: BaseState) -> None:
         """Give the wheels back and say how it ended."""
-        self.holder = ""
+        self.pipeline.release(skill)
         self._set(state, self._serves_item)
 
     def step(self) -> bool:

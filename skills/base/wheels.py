@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
+from tandem.skills.pipeline import MayCommand
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.hardware import BaseVelocity, Drive
@@ -24,10 +26,19 @@ def stopping_speed(remaining: float, deceleration: float, latency: float) -> flo
 
 
 class Wheels:
-    """Sends velocity commands that change no faster than the drive can."""
+    """Sends velocity commands that change no faster than the drive can.
 
-    def __init__(self, bus: Bus, clocks: Clocks, drive: Drive) -> None:
-        self._bus, self._clocks, self.drive = bus, clocks, drive
+    Args:
+        bus: where the wheels listen.
+        clocks: robot time.
+        drive: limits.
+        may: asked when a motion begins: returns what says whether it has the wheels still. Once it has not,
+            nothing is sent any more.
+    """
+
+    def __init__(self, bus: Bus, clocks: Clocks, drive: Drive, may: Callable[[], MayCommand]) -> None:
+        self._bus, self._clocks, self.drive, self._asked = bus, clocks, drive, may
+        self._may = may()
         self._at = -math.inf
         self.linear = 0.0
         self.angular = 0.0
@@ -38,7 +49,8 @@ class Wheels:
         return self.linear == 0.0 and self.angular == 0.0
 
     def begin(self, linear: float, angular: float) -> None:
-        """Start from the speeds that odometry tells (m/s, rad/s)."""
+        """Start a motion from the speeds that odometry tells (m/s, rad/s)."""
+        self._may = self._asked()
         self.linear, self.angular = linear, angular
         self._at = robot_seconds(self._clocks)
 
@@ -52,12 +64,16 @@ class Wheels:
         angular = min(max(angular, -drive.turn), drive.turn)
         self.linear = _towards(self.linear, linear, drive.acceleration * span)
         self.angular = _towards(self.angular, angular, drive.turn_acceleration * span)
-        BASE_VELOCITY.publish(self._bus, BaseVelocity(linear=self.linear, angular=self.angular))
+        self._publish()
 
     def halt(self) -> None:
         """Send standstill at once: the last resort."""
         self.linear = self.angular = 0.0
-        BASE_VELOCITY.publish(self._bus, BaseVelocity(linear=0.0, angular=0.0))
+        self._publish()
+
+    def _publish(self) -> None:
+        if self._may():
+            BASE_VELOCITY.publish(self._bus, BaseVelocity(linear=self.linear, angular=self.angular))
 
 
 def _towards(value: float, target: float, step: float) -> float:

@@ -5,7 +5,7 @@ What is said: hardware, sensors, world, tasks, site, action, failure; goals and 
 The table of keys: keys, match, delivery.
 Protocols: bus, forwarding_bus, clocks, compute, node, skill.
 Serving and hearing: serving, endpoint, limits, hearing, checks, refusals.
-Who commands: lease, fencing.
+Who commands: lease, fencing; reflex.
 Robot descriptions: packages, urdf_check.
 What other packages add: plugins.
 """

@@ -58,6 +58,7 @@ class FailureKind(StrEnum):
     OTHER_ARM_FAILED = "OTHER_ARM_FAILED"
     INTERRUPTED = "INTERRUPTED"
     SUPERSEDED = "SUPERSEDED"
+    OVERRIDDEN = "OVERRIDDEN"
     OTHER = "OTHER"
 
     @classmethod
@@ -144,6 +145,9 @@ KINDS: Final = MappingProxyType(
         _K.SUPERSEDED: KindFacts(
             "another process has the sender's role; the command was refused", False, Helper.OPERATOR
         ),
+        _K.OVERRIDDEN: KindFacts(
+            "a reflex took what the goal moved; its cause says what the reflex saw", True, Helper.AGAIN
+        ),
         _K.OTHER: KindFacts(
             "a kind that this version does not know; see the message", False, Helper.OPERATOR
         ),
@@ -164,6 +168,11 @@ class Failure(Message):
     where: str = ""
     evidence: dict[str, str | float | Whole | bool] = Field(default_factory=dict)
     causes: tuple[Failure, ...] = ()
+
+    @property
+    def reason(self) -> Failure:
+        """Return what counts for who can help: of a goal that was overridden, what the reflex saw."""
+        return self.causes[0] if self.kind is FailureKind.OVERRIDDEN and self.causes else self
 
     def chain(self) -> tuple[Failure, ...]:
         """Return this failure and all below it, depth first."""

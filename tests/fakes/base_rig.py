@@ -15,7 +15,7 @@ from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.skill import Command, Outcome, Run, Slice
+from tandem.skills.ports.skill import Command, Outcome, Run, Slice, failed
 from tandem.skills.wire.memory import MemoryBus
 from tests.fakes.planar_robot import PlanarClocks, PlanarNoise, PlanarRobot, describe
 
@@ -51,7 +51,7 @@ class Rig:
                 )
                 arm_status(hand.group).publish(self.bus, status)
         start = process_time()
-        for node in (self.base.localiser, self.base.obstacles, self.base.board):
+        for node in (self.base.localiser, self.base.obstacles, self.base.board, self.base.reflexes):
             node.step()
         self.longest = max(self.longest, process_time() - start)
 
@@ -67,11 +67,18 @@ class Rig:
         limit: float = 120.0,
     ) -> Outcome[R]:
         """Run a skill to its end; ``command`` gets the seconds since the start, at each resumption."""
-        begun = self.now
+        begun, pipeline = self.now, self.base.board.pipeline
+        mark = pipeline.mark()
         try:
             next(run)
             while True:
                 self.tick()
+                overridden = pipeline.taken_since(mark, "rig")
+                if overridden is not None:  # as the server does
+                    run.close()
+                    while pipeline.override is not None:
+                        self.tick()
+                    return failed(overridden)
                 while True:
                     start = process_time()
                     yielded = run.send(command(self.now - begun))

@@ -58,6 +58,7 @@ ROWS = (
             K.SKILL_LOST,
             K.SKILL_CRASHED,
             K.HARDWARE_LOST,
+            K.OVERRIDDEN,
         )
     ),
     Row(K.NOT_STORED, "drive to item", WAIT, K.NOT_STORED),
@@ -133,6 +134,17 @@ def test_an_item_that_is_hidden_is_looked_at_from_another_stand() -> None:
     assert hidden.robot.calls_of("base/drive") == plain.robot.calls_of("base/drive") + 1
     driven = [goal.poses[0] for _, goal in hidden.robot.calls if isinstance(goal, DriveGoal)]
     assert driven[0] != driven[1]
+
+
+def test_what_a_reflex_saw_says_what_helps_a_goal_that_it_overrode() -> None:
+    bench = fetch_worlds()["in view"]()
+    saw = Failure(kind=K.BASE_BLOCKED, message="the base touched something")
+    bench.robot.leaf_faults["drive to item", 1] = Fault(
+        failure=Failure(kind=K.OVERRIDDEN, message="reflex bumper took the base", causes=(saw,))
+    )
+    while bench.step() is Status.RUNNING:
+        pass
+    assert [each.recovery for each in bench.context.failures.attempts] == [WAY]
 
 
 def test_a_hand_that_has_let_go_is_not_told_to_once_more() -> None:

@@ -115,10 +115,10 @@ class Holds:
         The first that fails by something common fails: whoever asked is told. What is tried later waits.
         """
         known = self._causes.pop(kind, None)
-        if failure is None or failure.kind not in COMMON:
+        if failure is None or failure.reason.kind not in COMMON:
             return False
         now = self._clocks.monotonic()
-        same = known is not None and known.failure.kind is failure.kind
+        same = known is not None and known.failure.reason.kind is failure.reason.kind
         wait = min(2.0 * known.wait, LAST_TRY) if known is not None and same else FIRST_TRY
         self._causes[kind] = _Cause(task, failure, wait, now)
         return same
@@ -133,7 +133,7 @@ class Holds:
         cause = self._causes.get(kind)
         if cause is None:
             return ""
-        if COMMON[cause.failure.kind](self._knowledge, self._clients):
+        if COMMON[cause.failure.reason.kind](self._knowledge, self._clients):
             del self._causes[kind]
             return ""
         left = cause.left(self._clocks.monotonic())

@@ -103,7 +103,7 @@ def _fetch(system: LockstepSystem, site: Site, run: int, item: int, trouble: Tro
     missed = unstruck(trouble.faults, told)
     wrong = wrong_in(oracle.verdict(), hopeless=bool(trouble.ends_in))
     if trouble.ends_in:
-        ended_well = failure is not None and failure.kind in trouble.ends_in
+        ended_well = failure is not None and failure.reason.kind in trouble.ends_in
     else:
         ended_well = made.succeeded
     return RecoveryRun(

@@ -1,0 +1,1 @@
+"""The base's reflexes, one a file."""

@@ -1,0 +1,64 @@
+"""The bumper: what the base touches on its way makes it brake."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from tandem.skills.base.reflexes.surroundings import BaseSurroundings
+from tandem.skills.base.whereabouts import base_in_map
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.reflex import BASE
+from tandem.skills.reflexes import Act, ReflexType
+
+NAME: Final = "bumper"
+
+
+class BumperParameters(Message):
+    """Nothing to set."""
+
+
+class BumperReflex:
+    """Fires when a bumper is pressed that was not when the goal began."""
+
+    def __init__(self, at: BaseSurroundings, parameters: BumperParameters) -> None:  # noqa: ARG002
+        self._at = at
+        self._claims = -1
+        self._before: tuple[str, ...] = ()
+
+    def look(self, *, holds: bool) -> Failure | None:
+        """Return what was touched, while a goal has the wheels."""
+        touching, pipeline = self._at.guard.touching, self._at.board.pipeline
+        if holds or not pipeline.holder:
+            return None
+        if pipeline.claims != self._claims:
+            # What pressed already when the goal began must not keep the base from leaving it.
+            self._claims, self._before = pipeline.claims, touching
+        touched = [name for name in touching if name not in self._before]
+        if not touched:
+            return None
+        here = base_in_map(self._at.localiser)
+        return Failure(
+            kind=FailureKind.BASE_BLOCKED,
+            message="the base touched something",
+            where=f"reflex/{NAME}",
+            evidence={"bumper": touched[0], "x_m": here.x, "y_m": here.y},
+        )
+
+    def act(self) -> Act:
+        """Brake."""
+        return self._at.brake(NAME)
+
+    def close(self) -> None:
+        """Nothing to leave: the guard has the subscription."""
+
+
+REFLEX: Final = ReflexType(
+    name=NAME,
+    about="brakes the base when it touches something that it did not touch when its goal began",
+    resources=(BASE,),
+    rank=90,
+    parameters=BumperParameters,
+    needs=lambda at: "" if at.description.drive is not None else "a drive",
+    make=BumperReflex,
+)

@@ -1,0 +1,108 @@
+"""Pipelines and reflexes on the wire: who has a resource of the robot, and which reflex is switched off.
+
+A resource is what one owner commands: the base, an arm with its hand, the head. Its pipeline has two
+priorities (RoCS, sections 4.2 and 5.1): goals of the tree are normal, reflexes are high.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Final
+
+from pydantic import Field, JsonValue, model_validator
+
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.keys import Service, Topic
+from tandem.skills.ports.message import Count, Message, PartName, RobotTime
+
+BASE: Final = "base"
+"""The resource of whoever drives."""
+ReflexName = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,63}$")]
+
+
+class Threshold(Message):
+    """A bound with hysteresis on something that must not become too small.
+
+    A reflex fires below ``fires`` and holds until the value is above ``releases``, so that noise at one bound
+    does not make it flicker.
+    """
+
+    fires: Annotated[float, Field(gt=0.0)]
+    releases: Annotated[float, Field(gt=0.0)]
+
+    @model_validator(mode="after")
+    def _apart(self) -> Threshold:
+        if self.releases <= self.fires:
+            raise ValueError(
+                f"contradictory thresholds: expected releases above fires, "
+                f"found {self.releases:g} and {self.fires:g}"
+            )
+        return self
+
+    def below(self, value: float, *, holds: bool) -> bool:
+        """Say whether the reflex fires, or goes on when it ``holds`` already."""
+        return value < (self.releases if holds else self.fires)
+
+
+class ReflexSetting(Message):
+    """A reflex as a robot's description or a site's file declares it."""
+
+    reflex: ReflexName
+    armed: bool = True
+    """False: it is switched off from the start."""
+    parameters: dict[str, JsonValue] = Field(default_factory=dict)
+    """Those that differ from what the reflex says by itself."""
+
+
+class PipelineState(Message):
+    """What has a resource now; told on each change and once a second."""
+
+    stamp: RobotTime
+    resource: PartName
+    holder: str = ""
+    """The action that has it at normal priority; empty: nobody."""
+    reflex: str = ""
+    """The reflex that has it at high priority; empty: none."""
+    why: Failure | None = None
+    """What the reflex saw."""
+    doing: tuple[str, ...] = ()
+    """The action at work, outermost first, such as ``GoTo``, ``TurnTo``, ``TurnAngle``."""
+    overridden: Count = 0
+    """Goals that reflexes have taken the resource from, since the process began."""
+
+
+class ReflexSwitch(Message):
+    """Switch a reflex on or off, with the name of the person."""
+
+    on: bool
+    by: Annotated[str, Field(min_length=1, max_length=80)]
+
+
+class ReflexState(Message):
+    """A reflex as it is now."""
+
+    reflex: ReflexName
+    on: bool
+    by: str = ""
+    """Who switched it last; empty: it is as declared."""
+    resources: tuple[PartName, ...]
+    rank: Count
+    holds: bool
+    fired: Count
+    """Times that it has taken its resources since the process began."""
+    about: str
+    """One sentence: what it watches, and what it does."""
+
+
+def pipeline_state(resource: str) -> Topic[PipelineState]:
+    """Return the topic on which a resource's owner tells who has it."""
+    return Topic(f"skill/pipeline/{resource}", PipelineState)
+
+
+def reflex_switch(reflex: str) -> Service[ReflexSwitch, ReflexState]:
+    """Return the service that switches a reflex."""
+    return Service(f"skill/reflexes/{reflex}/switch", ReflexSwitch, ReflexState)
+
+
+def reflex_state(reflex: str) -> Topic[ReflexState]:
+    """Return the topic on which a reflex tells how it is, on each change and once a second."""
+    return Topic(f"skill/reflexes/{reflex}/state", ReflexState)

@@ -1,0 +1,299 @@
+"""Reflexes: declared in a file each, run beside the owner of their resources (RoCS, sections 4.3 and 5.1).
+
+A reflex looks in every step of its process, before any skill goes on: so it acts in the same step as the
+message that makes it fire, whatever the tree does. It takes all of its resources or none, runs its action to
+the end, holds on until what it saw has passed, and gives them back.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Generator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any, Final, Generic, Protocol, TypeVar
+
+from pydantic import JsonValue, ValidationError
+
+from tandem.skills.pipeline import Override, Pipeline, take_all
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.endpoint import answering
+from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.problems import in_words, problems_of
+from tandem.skills.ports.reflex import (
+    PipelineState,
+    ReflexSetting,
+    ReflexState,
+    ReflexSwitch,
+    pipeline_state,
+    reflex_state,
+    reflex_switch,
+)
+from tandem.skills.ports.serving import Endpoints
+from tandem.skills.ports.sources import DocumentError
+
+log = logging.getLogger(__name__)
+
+TOLD_EVERY: Final = 1.0
+"""Robot seconds between two messages about a pipeline or a reflex without a change."""
+
+Act = Generator[tuple[str, ...], None, None]
+"""A reflex's action: yields what it does, outermost first, once a step, until it is done."""
+P = TypeVar("P", bound=Message)
+W = TypeVar("W")
+
+
+class Reflex(Protocol):
+    """A reflex at work, for one boot of the hardware."""
+
+    def look(self, *, holds: bool) -> Failure | None:
+        """Return what makes it fire now, as a failure with its evidence, or None.
+
+        Args:
+            holds: whether it has its resources already: what makes it go on may be less (hysteresis).
+        """
+        ...
+
+    def act(self) -> Act:
+        """Return its action. It is closed when a reflex of a higher rank takes over."""
+        ...
+
+    def close(self) -> None:
+        """End the subscriptions."""
+        ...
+
+
+@dataclass(frozen=True)
+class ReflexType(Generic[W, P]):
+    """What a reflex's file declares.
+
+    Args:
+        name: of the reflex.
+        about: one sentence: what it watches, and what it does.
+        resources: what it takes, all of them or none.
+        rank: among reflexes; the highest has its way.
+        parameters: their model, with what holds where a robot or a site says nothing.
+        needs: says what a robot must have for it; "" when it has that, else the missing part.
+        make: makes it, from its surroundings and its parameters.
+        armed: whether it is on where nobody declares it.
+    """
+
+    name: str
+    about: str
+    resources: tuple[str, ...]
+    rank: int
+    parameters: type[P]
+    needs: Callable[[W], str]
+    make: Callable[[W, P], Reflex]
+    armed: bool = True
+
+
+@dataclass
+class Fitted:
+    """A reflex with its state in this process."""
+
+    name: str
+    about: str
+    rank: int
+    pipelines: tuple[Pipeline, ...]
+    reflex: Reflex
+    on: bool = True
+    by: str = ""
+    fired: int = 0
+    act: Act | None = None
+
+    @property
+    def holds(self) -> bool:
+        """Whether it has its resources."""
+        return all(each.has(self.name) for each in self.pipelines)
+
+    @property
+    def lost(self) -> bool:
+        """Whether a higher one has taken some of them, or all while it was acting."""
+        some = any(each.has(self.name) for each in self.pipelines)
+        return not self.holds and (some or self.act is not None)
+
+
+def fitted(
+    types: Sequence[ReflexType[W, Any]],
+    at: W,
+    pipelines: Mapping[str, Pipeline],
+    settings: Sequence[tuple[str, ReflexSetting]],
+) -> list[Fitted]:
+    """Make the reflexes of a process.
+
+    A reflex that nobody declares is made with its own parameters where the robot has what it needs.
+
+    Args:
+        types: the reflexes of this process.
+        at: what they are made with.
+        pipelines: the resources of this process, by name.
+        settings: what the robot's description and the site's file declare of any reflex, with what to call
+            the place; later ones win.
+
+    Raises:
+        DocumentError: parameters that contradict each other, a resource or a sensor that the robot lacks,
+            naming the place and the reason.
+    """
+    made = []
+    for each in types:
+        declared = [(where, told) for where, told in settings if told.reflex == each.name]
+        where, told = declared[-1] if declared else ("", ReflexSetting(reflex=each.name, armed=each.armed))
+        missing = each.needs(at) or "".join(
+            f"a resource {resource!r}" for resource in each.resources if resource not in pipelines
+        )
+        if missing and not declared:
+            continue
+        if missing:
+            raise DocumentError(f"{where}: reflex {each.name!r} needs {missing}, which this robot lacks")
+        reflex = each.make(at, _parameters(each.parameters, where, told.parameters, each.name))
+        taken = tuple(pipelines[resource] for resource in each.resources)
+        made.append(Fitted(each.name, each.about, each.rank, taken, reflex, on=told.armed))
+    return made
+
+
+def _parameters(model: type[P], where: str, told: Mapping[str, JsonValue], name: str) -> P:
+    try:
+        return model.model_validate({**model().model_dump(), **told})
+    except ValidationError as error:
+        raise DocumentError(f"{where}: reflex {name!r}: {in_words(problems_of(error))}") from None
+
+
+class Reflexes:
+    """Runs the reflexes of a process; a ``Node``, stepped before its skills.
+
+    Args:
+        bus: where it tells of pipelines and reflexes, and where operators switch these.
+        clocks: robot time.
+        pipelines: the resources of this process.
+        reflexes: in any order.
+    """
+
+    name = "reflexes"
+
+    def __init__(
+        self, bus: Bus, clocks: Clocks, pipelines: Sequence[Pipeline], reflexes: Sequence[Fitted]
+    ) -> None:
+        self._bus, self._clocks = bus, clocks
+        self._pipelines = tuple(pipelines)
+        self._reflexes = tuple(sorted(reflexes, key=lambda each: -each.rank))
+        self._endpoints = Endpoints(
+            bus,
+            clocks.monotonic,
+            tuple(
+                answering(reflex_switch(each.name), partial(self._switch, each)) for each in self._reflexes
+            ),
+        )
+        self._told_at = -TOLD_EVERY
+        self._told: dict[str, PipelineState | ReflexState] = {}
+
+    def step(self) -> bool:
+        """Look, take what is to be taken, act, give back; highest rank first."""
+        waiting = self._endpoints.step()
+        for each in self._reflexes:
+            try:
+                self._go_on(each)
+            except Exception:
+                # A reflex that is broken must not take those that work with it, nor keep what it has.
+                log.exception("reflex %s raised, and is switched off", each.name)
+                self._end(each)
+                each.on, each.by = False, "its own error"
+        self._tell()
+        return waiting
+
+    def close(self) -> None:
+        """End what acts, and the subscriptions."""
+        for each in self._reflexes:
+            self._end(each)
+            each.reflex.close()
+        self._endpoints.close()
+
+    def _go_on(self, each: Fitted) -> None:
+        holds = each.holds
+        if each.lost:
+            self._end(each)
+        why = each.reflex.look(holds=holds) if each.on else None
+        if why is not None and not holds:
+            if not take_all(each.pipelines, Override(each.name, each.rank, why)):
+                return
+            each.fired += 1
+            log.warning("reflex %s fires: %s: %s", each.name, why.kind, why.message)
+            each.act, holds = each.reflex.act(), True
+        if not holds:
+            return
+        doing = self._acts(each)
+        for pipeline in each.pipelines:
+            pipeline.doing = doing or ()
+        if doing is None and why is None:
+            self._end(each)
+
+    def _acts(self, each: Fitted) -> tuple[str, ...] | None:
+        """Do a piece of the action; None when it is done."""
+        if each.act is None:
+            return None
+        try:
+            return next(each.act)
+        except StopIteration:
+            each.act = None
+            return None
+
+    def _end(self, each: Fitted) -> None:
+        act, each.act = each.act, None
+        if act is not None:
+            act.close()
+        if each.holds:
+            log.info("reflex %s releases", each.name)
+        for pipeline in each.pipelines:
+            pipeline.let_go(each.name)
+
+    def _switch(self, each: Fitted, asked: ReflexSwitch) -> ReflexState:
+        log.warning("reflex %s is switched %s by %s", each.name, "on" if asked.on else "off", asked.by)
+        each.on, each.by = asked.on, asked.by
+        if not asked.on:
+            self._end(each)
+        return self._state(each)
+
+    @staticmethod
+    def _state(each: Fitted) -> ReflexState:
+        return ReflexState(
+            reflex=each.name,
+            on=each.on,
+            by=each.by,
+            resources=tuple(pipeline.resource for pipeline in each.pipelines),
+            rank=each.rank,
+            holds=each.holds,
+            fired=each.fired,
+            about=each.about,
+        )
+
+    def _tell(self) -> None:
+        stamp, now = self._clocks.robot(), robot_seconds(self._clocks)
+        if stamp is None:
+            return
+        due = now - self._told_at >= TOLD_EVERY
+        if due:
+            self._told_at = now
+        for pipeline in self._pipelines:
+            has = pipeline.override
+            state = PipelineState(
+                stamp=stamp,
+                resource=pipeline.resource,
+                holder=pipeline.holder,
+                reflex="" if has is None else has.reflex,
+                why=None if has is None else has.why,
+                doing=pipeline.doing,
+                overridden=pipeline.overridden,
+            )
+            if due or self._news(pipeline.resource, state.model_copy(update={"stamp": None})):
+                pipeline_state(pipeline.resource).publish(self._bus, state)
+        for each in self._reflexes:
+            told = self._state(each)
+            if due or self._news(f"reflex {each.name}", told):
+                reflex_state(each.name).publish(self._bus, told)
+
+    def _news(self, what: str, state: PipelineState | ReflexState) -> bool:
+        news = self._told.get(what) != state
+        self._told[what] = state
+        return news
