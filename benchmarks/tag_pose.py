@@ -17,7 +17,7 @@ import numpy as np
 from benchmarks.rows import Row, quantile
 from tandem.sim.camera import camera_header
 from tandem.sim.render import Job, Painter, PainterSettings, Scene
-from tandem.sim.render_world import Snapshot, View, looking_at
+from tandem.sim.render_world import Posed, Snapshot, View, looking_at
 from tandem.sim.robots.registry import robot_model
 from tandem.sim.robots.sensors import CAMERA_FIELD, camera_sensor
 from tandem.sim.scenario import Noise, load_scenario
@@ -61,7 +61,7 @@ class Room:
         assert label is not None
         self.sizes = {ITEM: label.tag_size}
         self.painter = Painter(
-            PainterSettings(urdf=robot_model("tiago_dual").physics_urdf, hardware=not tiny)
+            PainterSettings(urdfs=(robot_model("tiago_dual").physics_urdf,), hardware=not tiny)
         )
         self._painted = 0
 
@@ -72,7 +72,7 @@ class Room:
         job = Job(
             number=self._painted,
             scene=Scene(1, self.bodies if self._painted == 1 else None),
-            snapshot=Snapshot(base_in_map=Pose(position=(-2.5, 2.5, 0.0)), joints=(), bodies=()),
+            snapshot=Snapshot(robots=(Posed(Pose(position=(-2.5, 2.5, 0.0)), ()),), bodies=()),
             view=View(camera_in_map, header.width, header.height, CAMERA_FIELD),
             header=header,
             noise=self.noise,

@@ -13,7 +13,8 @@ import numpy as np
 import pybullet
 
 from tandem.sim.model import Hand, RobotModel
-from tandem.sim.physics import Group, Physics
+from tandem.sim.physics import ROBOTS, Group, Physics, robot_group
+from tandem.sim.starts import ALONE
 from tandem.sim.urdf import Array
 from tandem.skills.ports.message import Quaternion, Vector3
 from tandem.skills.ports.packages import resolve
@@ -44,6 +45,8 @@ class RobotBody:
         y: start on the floor, metres.
         yaw: start heading, rad.
         positions: joint positions to start with, by joint; others start at the nearest to zero that they can.
+        name: what the truth calls it.
+        number: counts the robots of the world from 0.
     """
 
     def __init__(
@@ -55,8 +58,14 @@ class RobotBody:
         y: float = 0.0,
         yaw: float = 0.0,
         positions: dict[str, float] | None = None,
+        name: str = ALONE,
+        number: int = 0,
     ) -> None:
         self.physics = physics
+        self.name = name
+        self._group = robot_group(number)
+        self.seen = Group.THING | Group.FIXED | (ROBOTS & ~self._group)
+        """What the rays of its sensors hit: everything but itself."""
         self.model = model
         self.body = _load(
             physics, model, (x, y, SPAWN_HEIGHT), (0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2))
@@ -123,7 +132,7 @@ class RobotBody:
         for link in links:
             self.physics.set_surface(self.body, link, friction=PAD_FRICTION, anchored=anchored)
         if not anchored:
-            self.physics.set_group(self.body, links, Group.ROBOT)
+            self.physics.set_group(self.body, links, self._group)
 
     def pad_force(self, hand: Hand) -> float:
         """Return the newtons with which a hand's fingers press on what is not the robot."""
@@ -168,7 +177,7 @@ class RobotBody:
         return at, turn
 
     def _set_surfaces(self) -> None:
-        self.physics.set_group(self.body, self.link_index.values(), Group.ROBOT)
+        self.physics.set_group(self.body, self.link_index.values(), self._group)
         for link in self.link_index.values():
             self.physics.set_surface(self.body, link, friction=SKIN_FRICTION)
         for name, friction in self.model.floor_frictions.items():

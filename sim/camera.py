@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final
 import pybullet
 
 from tandem.sim.render import Job, Renderer, Scene
-from tandem.sim.render_world import Snapshot, View, looking_at
+from tandem.sim.render_world import Posed, Snapshot, View, looking_at
 from tandem.skills.geometry.poses import from_axes
 from tandem.skills.ports.hardware import RgbdHeader
 from tandem.skills.ports.keys import rgbd
@@ -22,6 +22,8 @@ from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.sensors import CameraSensor
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from tandem.sim.body import RobotBody
     from tandem.sim.scenario import Noise
     from tandem.sim.urdf import Array
@@ -58,30 +60,29 @@ def pose_of(matrix: Array) -> Pose:
 
 
 class Studio:
-    """Makes snapshots and jobs of a world with a robot, and hands them to a renderer.
+    """Makes snapshots and jobs of a world with its robots, and hands them to a renderer.
 
     It is shared by the camera and by whoever wants photographs; each result goes to the one who asked.
     """
 
     def __init__(
-        self, world: World, robot: RobotBody, renderer: Renderer, *, noise: Noise, seed: int
+        self, world: World, robots: Sequence[RobotBody], renderer: Renderer, *, noise: Noise, seed: int
     ) -> None:
         self._renderer = renderer
         self._number = 0
         self._results: dict[int, bytes] = {}
         self._unwanted: set[int] = set()
-        self.restart(world, robot, noise=noise, seed=seed)
+        self.restart(world, robots, noise=noise, seed=seed)
 
-    def restart(self, world: World, robot: RobotBody, *, noise: Noise, seed: int) -> None:
+    def restart(self, world: World, robots: Sequence[RobotBody], *, noise: Noise, seed: int) -> None:
         """Show another world, or the same one made anew; pictures still under way are dropped."""
         self._world = world
-        self._robot = robot
+        self._robots = tuple((robot, _movable_joints(robot)) for robot in robots)
         self._noise = noise
         self._seed = seed
         self._first = self._number
         self._sent_revision = -1
         self._results.clear()
-        self._joints = _movable_joints(robot)
 
     def order(self, view: View, header: RgbdHeader | None = None) -> int:
         """Have the world drawn as it is now; return the job's number. Without a header it is a photograph."""
@@ -143,11 +144,8 @@ class Studio:
         self._renderer.close()
 
     def _snapshot(self) -> Snapshot:
-        position, orientation = self._robot.base_pose()
-        readings = self._robot.read(self._joints)
         return Snapshot(
-            base_in_map=Pose(position=position, orientation=orientation),
-            joints=tuple((name, r.position) for name, r in zip(self._joints, readings, strict=True)),
+            robots=tuple(_posed(robot, joints) for robot, joints in self._robots),
             bodies=tuple((name, self._world.pose(name)) for name in self._world.movable()),
         )
 
@@ -225,6 +223,14 @@ class HeadCamera:
         if payload is not None:
             self._ready.append((self._exposed.seconds, payload))
             self._exposed = None
+
+
+def _posed(robot: RobotBody, joints: tuple[str, ...]) -> Posed:
+    position, orientation = robot.base_pose()
+    return Posed(
+        base_in_map=Pose(position=position, orientation=orientation),
+        joints=tuple((name, r.position) for name, r in zip(joints, robot.read(joints), strict=True)),
+    )
 
 
 def _movable_joints(robot: RobotBody) -> tuple[str, ...]:

@@ -25,7 +25,7 @@ from tandem.skills.ports import keys
 from tandem.skills.ports.sources import Source
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
 
     from tandem.sim.faulty_link import FaultyLink
     from tandem.sim.hardware import Hardware
@@ -133,15 +133,21 @@ def misfit(fault: Fault, robot: RobotDescription) -> str:
     return ""
 
 
-def check_faults(faults: Iterable[Fault], robot: RobotDescription, *, source: Source) -> None:
+def check_faults(faults: Iterable[Fault], robots: Mapping[str, RobotDescription], *, source: Source) -> None:
     """Check what the faults name of a robot.
+
+    Args:
+        faults: each is meant for one of the robots.
+        robots: by their names in the scenario, the first one first.
+        source: the file that is named.
 
     Raises:
         ScenarioError: with one line for each mistake.
     """
     problems = []
     for index, fault in enumerate(faults):
-        field, _, expected = misfit(fault, robot).partition(": ")
+        meant = next(iter(robots)) if fault.robot is None else fault.robot
+        field, _, expected = misfit(fault, robots[meant]).partition(": ")
         if expected:
             problems.append(f"{source.at(f'faults.{index}.{field}')}: {expected}")
     if problems:

@@ -142,7 +142,7 @@ class Disturbances:
         self.world.physics.watchers.remove(self._look_at_contacts)
 
     def _look_at_contacts(self) -> None:
-        physics, names = self.world.physics, self.world.names_by_id()
+        physics, names = self.world.physics, self.world.names_with_robots()
         touching = [
             (contact, names[contact.body_b])
             for contact in physics.contacts(self.robot.body)

@@ -83,6 +83,8 @@ Event = Annotated[
 class _Once(Message):
     """A fault that happens in a moment."""
 
+    robot: Name | None = None
+    """The robot that is meant, by its name in the scenario; the first unless given."""
     at: Seconds | None = None
     """Robot seconds after the boot; one that has passed means at once."""
     when: Event | None = None

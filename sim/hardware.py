@@ -96,7 +96,7 @@ class Hardware:
         self.grantor.restart(boot)
         self._tick = 0
         self._period = description.period
-        self._physics_steps = round(description.period / body.physics.time_step)
+        self.physics_steps = round(description.period / body.physics.time_step)
         self.description = description
         self._description = description.model_dump_json().encode()
         self._bus.ear.know(description)
@@ -139,15 +139,27 @@ class Hardware:
         return self.bases[0]
 
     def step(self) -> bool:
-        """Hear what was asked, control and simulate one period, and tell what happened."""
+        """Hear what was asked, control and simulate one period, and tell what happened.
+
+        For a robot alone in its physics. Where several share one, all ``act``, the physics passes a
+        ``period`` once, and all ``tell``.
+        """
+        self.act()
+        self._body.physics.step(self.physics_steps)
+        self.tell()
+        return False
+
+    def act(self) -> None:
+        """Hear what was asked, and set the motors for the coming period."""
         self._steps += 1
         self._hear()
         for part in self._parts:
             part.act(self._period)
-        self._body.physics.step(self._physics_steps)
+
+    def tell(self) -> None:
+        """Count the period that the physics has passed, and tell what happened in it."""
         self._tick += 1
         self._tell()
-        return False
 
     def hear(self) -> None:
         """Answer what was asked without letting time pass: for a runner that waits."""

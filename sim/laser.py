@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import numpy as np
-
-from tandem.sim.physics import Group
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from tandem.sim.body import RobotBody
     from tandem.skills.ports.sensors import LaserSensor
-
-SEEN: Final = Group.THING | Group.FIXED
 
 
 class Laser:
@@ -51,7 +47,9 @@ class Laser:
         least, most = self._sensor.range_min, self._sensor.range_max
         free = np.array(
             self._robot.physics.cast(
-                (origin + least * directions).tolist(), (origin + most * directions).tolist(), SEEN
+                (origin + least * directions).tolist(),
+                (origin + most * directions).tolist(),
+                self._robot.seen,
             )
         )
         return np.where(free < 1.0, least + free * (most - least), most)

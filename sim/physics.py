@@ -32,6 +32,16 @@ class Group(IntFlag):
     THING = 1
     FIXED = 2
     ROBOT = 64
+    """The first robot; ``robot_group`` has those of the others, ``ROBOTS`` all."""
+
+
+ROBOTS: Final = Group(sum(Group.ROBOT << number for number in range(8)))
+"""What any of the robots is made of."""
+
+
+def robot_group(number: int) -> Group:
+    """Return what a robot is, counted from 0: its own rays pass through itself, and hit the others."""
+    return Group(Group.ROBOT << number)
 
 
 @dataclass(frozen=True)
@@ -215,6 +225,11 @@ class Physics:
             for p in points or ()
             if links is None or p[3] in links
         ]
+
+    def near(self, body: int, other: int, within: float) -> list[tuple[Vector3, float]]:
+        """Return points of ``other`` closer to ``body`` than ``within`` m, with their distances (m)."""
+        points = pybullet.getClosestPoints(body, other, within, physicsClientId=self.client)
+        return [(point[6], point[8]) for point in points]
 
     def depth(self, body: int, other: int) -> float:
         """Return by how many metres two bodies are inside each other; 0 when they aren't."""

@@ -6,7 +6,8 @@ that of the file.
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
 from tandem.sim.plan import Plan, gap, plan_of
@@ -24,12 +25,21 @@ TOUCH: Final = 0.0005
 ``tandem.sim.scene.GAP`` is as much, and ``tandem.sim.room`` takes the physics' word by the same measure."""
 
 
+@dataclass(frozen=True)
+class Placed:
+    """A robot where it starts: the path of that in the scenario, and what it is called in words."""
+
+    where: str
+    words: str
+    start: FloorPose
+    robot: Robot
+
+
 def clashes(
     furniture: Sequence[SceneBody],
     items: Sequence[SceneBody],
     obstacles: Sequence[SceneBody],
-    start: FloorPose,
-    robot: Robot,
+    robots: Sequence[Placed],
 ) -> Iterator[tuple[str, str]]:
     """Give the path in a scenario of each thing that starts inside another, and which."""
     placed = [
@@ -41,17 +51,27 @@ def clashes(
         if other := inside(body, before):
             yield where, f"{body.name} is in one place with {other}"
         before.append(body)
-    disc = Plan(((start.x, start.y),), robot.footprint_radius)
-    if hit := [
-        body.name
-        for body in before
-        if _span(body)[0] < robot.height and gap(disc, plan_of(_shrunk(body))) <= 0.0
-    ]:
-        at = f"({start.x:g}, {start.y:g})"
-        yield (
-            "start",
-            f"the robot at {at} takes {robot.footprint_radius} m around it and is inside {', '.join(hit)}",
-        )
+    for index, each in enumerate(robots):
+        start, radius = each.start, each.robot.footprint_radius
+        disc = Plan(((start.x, start.y),), radius)
+        hit = [
+            body.name
+            for body in before
+            if _span(body)[0] < each.robot.height and gap(disc, plan_of(_shrunk(body))) <= 0.0
+        ]
+        hit += [other.words for other in robots[:index] if _apart(each, other) <= 0.0]
+        if hit:
+            at = f"({start.x:g}, {start.y:g})"
+            yield (
+                each.where,
+                f"{each.words} at {at} takes {radius} m around it and is inside {', '.join(hit)}",
+            )
+
+
+def _apart(one: Placed, other: Placed) -> float:
+    """Return the metres between the discs that two robots take."""
+    centres = math.hypot(one.start.x - other.start.x, one.start.y - other.start.y)
+    return centres - one.robot.footprint_radius - other.robot.footprint_radius
 
 
 def inside(body: SceneBody, others: Sequence[SceneBody]) -> str:

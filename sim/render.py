@@ -76,7 +76,8 @@ class Done:
 class PainterSettings:
     """What a painter needs to know once; picklable."""
 
-    urdf: str
+    urdfs: tuple[str, ...]
+    """Of the robots, in the order in which snapshots tell of them."""
     hardware: bool = True
 
 
@@ -101,7 +102,7 @@ class Painter:
 
     def __init__(self, settings: PainterSettings) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="tandem-twin-")
-        self._world = RenderWorld(settings.urdf, Path(self._folder.name), hardware=settings.hardware)
+        self._world = RenderWorld(settings.urdfs, Path(self._folder.name), hardware=settings.hardware)
         self._noise = SensorNoise()
 
     @property

@@ -25,6 +25,8 @@ from tandem.skills.ports.packages import resolve
 from tandem.skills.ports.pose import Pose
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from tandem.sim.scene import SceneBody
@@ -69,11 +71,19 @@ class View:
 
 
 @dataclass(frozen=True)
-class Snapshot:
-    """Where everything is at one moment; ``bodies`` and ``joints`` are those that can move."""
+class Posed:
+    """A robot at one moment; ``joints`` are those that can move."""
 
     base_in_map: Pose
     joints: tuple[tuple[str, float], ...]
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """Where everything is at one moment; ``bodies`` are those that can move."""
+
+    robots: tuple[Posed, ...]
+    """In the order in which they were told to the painter; one that is left out stays where it was."""
     bodies: tuple[tuple[str, Pose], ...]
 
 
@@ -89,12 +99,12 @@ class RenderWorld:
     """A drawn copy of the world.
 
     Args:
-        urdf: the robot, with ``package://`` addresses; its visuals are drawn.
+        urdfs: the robots, with ``package://`` addresses; their visuals are drawn.
         folder: where textures and the like are written; it must exist and outlive the render world.
         hardware: try EGL first.
     """
 
-    def __init__(self, urdf: str, folder: Path, *, hardware: bool = True) -> None:
+    def __init__(self, urdfs: Sequence[str], folder: Path, *, hardware: bool = True) -> None:
         self._folder = folder
         self.client: int = pybullet.connect(pybullet.DIRECT)
         with unheard():
@@ -106,13 +116,7 @@ class RenderWorld:
         self._scene: tuple[SceneBody, ...] = ()
         self._written = 0
         self._add_floor()
-        self._robot = _load_robot(urdf, folder, self.client)
-        self._joints: dict[str, int] = {}
-        for index in range(pybullet.getNumJoints(self._robot, physicsClientId=self.client)):
-            info = pybullet.getJointInfo(self._robot, index, physicsClientId=self.client)
-            self._joints[info[1].decode()] = index
-        inertial = pybullet.getDynamicsInfo(self._robot, -1, physicsClientId=self.client)
-        self._mass_centre_in_root = (inertial[3], inertial[4])
+        self._robots = tuple(_DrawnRobot(urdf, folder, self.client) for urdf in urdfs)
         for _ in range(WARM_UP):
             self.draw(View(looking_at((1.0, 0.0, 1.0), (0.0, 0.0, 0.0)), 64, 36, math.pi / 3))
 
@@ -135,11 +139,8 @@ class RenderWorld:
 
     def follow(self, snapshot: Snapshot) -> None:
         """Put everything where the snapshot says."""
-        base = snapshot.base_in_map
-        at, turn = pybullet.multiplyTransforms(base.position, base.orientation, *self._mass_centre_in_root)
-        pybullet.resetBasePositionAndOrientation(self._robot, at, turn, physicsClientId=self.client)
-        for name, position in snapshot.joints:
-            pybullet.resetJointState(self._robot, self._joints[name], position, physicsClientId=self.client)
+        for robot, posed in zip(self._robots, snapshot.robots, strict=False):
+            robot.follow(posed)
         for name, pose in snapshot.bodies:
             pybullet.resetBasePositionAndOrientation(
                 self._ids[name], pose.position, pose.orientation, physicsClientId=self.client
@@ -279,6 +280,27 @@ def _load_egl(client: int) -> int:
         return -1
     plugin: int = pybullet.loadPlugin(found.origin, "_eglRendererPlugin", physicsClientId=client)
     return plugin
+
+
+class _DrawnRobot:
+    """A robot in the drawing."""
+
+    def __init__(self, urdf: str, folder: Path, client: int) -> None:
+        self._client, self._body = client, _load_robot(urdf, folder, client)
+        self._joints: dict[str, int] = {}
+        for index in range(pybullet.getNumJoints(self._body, physicsClientId=client)):
+            info = pybullet.getJointInfo(self._body, index, physicsClientId=client)
+            self._joints[info[1].decode()] = index
+        inertial = pybullet.getDynamicsInfo(self._body, -1, physicsClientId=client)
+        self._mass_centre_in_root = (inertial[3], inertial[4])
+
+    def follow(self, posed: Posed) -> None:
+        """Put it where it is said to be."""
+        base = posed.base_in_map
+        at, turn = pybullet.multiplyTransforms(base.position, base.orientation, *self._mass_centre_in_root)
+        pybullet.resetBasePositionAndOrientation(self._body, at, turn, physicsClientId=self._client)
+        for name, position in posed.joints:
+            pybullet.resetJointState(self._body, self._joints[name], position, physicsClientId=self._client)
 
 
 def _load_robot(urdf: str, folder: Path, client: int) -> int:

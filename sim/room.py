@@ -38,7 +38,7 @@ class Room:
     Args:
         site: heights of furniture, depots, sizes of items.
         world: the bodies.
-        robot: nothing is put into it.
+        robot: before which things are put; nothing is put into it or another robot.
     """
 
     def __init__(self, site: Site, world: World, robot: RobotBody) -> None:
@@ -142,7 +142,7 @@ class Room:
         if old is not None:
             old = replace(old, pose=self.world.pose(body.name))
         made = self.world.put(body)
-        others = {**self.world.names_by_id(), self.robot.body: "the robot"}
+        others = {**self.world.names_with_robots(), self.robot.body: "the robot"}
         hit = [name for other, name in others.items() if other != made and self._overlap(made, other)]
         if not hit:
             return

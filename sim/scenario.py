@@ -7,13 +7,15 @@ be called ``on``: some parsers read that as true.)
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib import resources
 from pathlib import Path
 from typing import Annotated, Final
 
-from pydantic import Field, JsonValue, model_validator
+from pydantic import Field, JsonValue, ValidationInfo, field_validator, model_validator
 
 from tandem.sim.faults import Fault
+from tandem.sim.starts import ALONE, MOST_ROBOTS, ROBOT, RobotStart
 from tandem.sim.things import Angle, Coordinate, Name, Obstacle, TrueItem
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.pose import FloorPose
@@ -21,8 +23,6 @@ from tandem.skills.ports.sources import DocumentError, Source
 from tandem.skills.site import locate
 from tandem.skills.yaml_file import parse_document, read_document, validate
 
-ROBOT: Final = "tiago_dual"
-"""The robot of a scenario that names none."""
 SUFFIXES: Final = (".yaml", ".yml")
 
 
@@ -75,9 +75,12 @@ class Scenario(Message):
     name: Annotated[str, Field(min_length=1, max_length=60)]
     site: Annotated[str, Field(min_length=1, max_length=4096)] = "lab"
     """Name of a site, or the path of a site file, relative to the scenario's."""
+    robots: Annotated[tuple[RobotStart, ...], Field(max_length=MOST_ROBOTS)] = ()
+    """The robots in it, the first of which is meant where none is named; instead of robot and start."""
     robot: Name = ROBOT
-    """The robot in it: a file of ``sim/robots/``, or an entry point under ``tandem.robots``."""
-    start: FloorPose
+    """The only robot in it: a file of ``sim/robots/``, or an entry point under ``tandem.robots``."""
+    start: FloorPose | None = Field(default=None, validate_default=True)
+    """Where the only robot starts. Read ``placed``, which has both forms."""
     items: tuple[TrueItem, ...] = ()
     obstacles: tuple[Obstacle, ...] = ()
     noise: Noise = Noise()
@@ -87,9 +90,27 @@ class Scenario(Message):
     faults: tuple[Fault, ...] = ()
     """Faults to inject, each at its time."""
 
+    @field_validator("robot")
+    @classmethod
+    def _not_both(cls, robot: str, info: ValidationInfo) -> str:
+        if robot != ROBOT and info.data.get("robots"):
+            raise ValueError("expected it in each of robots; found it beside them")
+        return robot
+
+    @field_validator("start")
+    @classmethod
+    def _one_form(cls, start: FloorPose | None, info: ValidationInfo) -> FloorPose | None:
+        several = bool(info.data.get("robots", ["wrong"]))
+        if start is None and not several:
+            raise ValueError("expected a value, or robots; found neither")
+        if start is not None and info.data.get("robots"):
+            raise ValueError("expected it in each of robots; found it beside them")
+        return start
+
     @model_validator(mode="after")
     def _unique(self) -> Scenario:
         for what, names in (
+            ("robot", [each.name for each in self.robots]),
             ("tag", [str(item.tag) for item in self.items]),
             ("obstacle", [obstacle.name for obstacle in self.obstacles]),
             ("surface", [surface.name for surface in self.surfaces]),
@@ -98,6 +119,27 @@ class Scenario(Message):
             if twice:
                 raise ValueError(f"duplicate {what}: {', '.join(twice)}")
         return self
+
+    @property
+    def placed(self) -> tuple[RobotStart, ...]:
+        """Every robot; the only one of the single form is called ``robot``."""
+        if self.start is None:
+            return self.robots
+        return (RobotStart(name=ALONE, robot=self.robot, start=self.start),)
+
+    @property
+    def first(self) -> RobotStart:
+        """The robot that is meant where none is named."""
+        return self.placed[0]
+
+    @property
+    def robots_by_name(self) -> Mapping[str, str]:
+        """What kind of robot each is, by its name, the first one first."""
+        return {each.name: each.robot for each in self.placed}
+
+    def path_of(self, index: int, field: str) -> str:
+        """Return the path in the file of a field of one of ``placed``."""
+        return field if self.start is not None else f"robots.{index}.{field}"
 
     def item(self, tag: int) -> TrueItem:
         """Return the item with a tag.
@@ -124,8 +166,11 @@ class Scenario(Message):
         return self.model_copy(update={"faults": (*self.faults, *faults)})
 
     def starting_at(self, start: FloorPose) -> Scenario:
-        """Return the same scenario with the robot elsewhere."""
-        return self.model_copy(update={"start": start})
+        """Return the same scenario with the (first) robot elsewhere."""
+        if self.start is not None:
+            return self.model_copy(update={"start": start})
+        first = self.robots[0].model_copy(update={"start": start})
+        return self.model_copy(update={"robots": (first, *self.robots[1:])})
 
 
 def scenario_names() -> tuple[str, ...]:

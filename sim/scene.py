@@ -7,14 +7,16 @@ what is seen is what collides.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from typing import Final
 
 from tandem.sim import placing
 from tandem.sim.faults import DepotTaken, Fault, ItemMoves, ObstacleAppears, Place
 from tandem.sim.robots import registry
 from tandem.sim.scenario import Scenario, ScenarioError
+from tandem.sim.starts import ALONE, RobotStart
 from tandem.sim.things import FLOOR, BoxShape, CylinderShape, Obstacle, TrueItem
 from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.geometry.poses import about
@@ -70,8 +72,16 @@ def build_scene(site: Site, scenario: Scenario, source: Source | None = None) ->
     furniture = furniture_bodies(site)
     items = tuple(item_body(site, item) for item in scenario.items)
     obstacles = tuple(obstacle_body(site, obstacle) for obstacle in scenario.obstacles)
-    robot = registry.robot_named(scenario.robot)
-    clashes = placing.clashes(furniture, items, obstacles, scenario.start, robot)
+    robots = tuple(
+        placing.Placed(
+            where=scenario.path_of(index, "start"),
+            words="the robot" if each.name == ALONE else each.name,
+            start=each.start,
+            robot=registry.robot_named(each.robot),
+        )
+        for index, each in enumerate(scenario.placed)
+    )
+    clashes = placing.clashes(furniture, items, obstacles, robots)
     if told := [f"{source.at(where)}: {reason}" for where, reason in clashes]:
         raise ScenarioError("\n".join(told))
     return (*furniture, *items, *obstacles)
@@ -161,9 +171,8 @@ def _covers(box: SiteBox, x: float, y: float) -> bool:
 def _problems(site: Site, scenario: Scenario, source: Source) -> list[str]:
     """Return a line for each thing in the scenario that the site has no place or no name for."""
     found: list[str] = []
-    if scenario.robot not in registry.names():
-        known = ", ".join(registry.names())
-        found.append(f"{source.at('robot')}: expected one of {known}, found {scenario.robot}")
+    for index, each in enumerate(scenario.placed):
+        found += _robot_problems(site, each, source, partial(scenario.path_of, index))
     taken = {item_name(item.tag) for item in scenario.items}
     for index, item in enumerate(scenario.items):
         if site.item(item.tag) is None:
@@ -182,19 +191,37 @@ def _problems(site: Site, scenario: Scenario, source: Source) -> list[str]:
                 support_height(site, surface.support, x, y)
             except KeyError as error:
                 found.append(f"{source.at(f'surfaces.{index}.{corner}')}: {error.args[0]}")
-    found += fault_problems(site, scenario.faults, source)
-    x_min, y_min, x_max, y_max = site.bounds
-    if not (x_min < scenario.start.x < x_max and y_min < scenario.start.y < y_max):
-        expected = f"expected a place in the room, {site.bounds} (x, y from; x, y to)"
-        found.append(f"{source.at('start')}: {expected}")
+    found += fault_problems(site, scenario.faults, source, tuple(each.name for each in scenario.placed))
     return found
 
 
-def fault_problems(site: Site, faults: Iterable[Fault], source: Source) -> list[str]:
-    """Return a line for each thing in the faults that the site has no place or no name for."""
+def _robot_problems(site: Site, each: RobotStart, source: Source, path: Callable[[str], str]) -> list[str]:
+    found = []
+    if each.robot not in registry.names():
+        known = ", ".join(registry.names())
+        found.append(f"{source.at(path('robot'))}: expected one of {known}, found {each.robot}")
+    x_min, y_min, x_max, y_max = site.bounds
+    if not (x_min < each.start.x < x_max and y_min < each.start.y < y_max):
+        expected = f"expected a place in the room, {site.bounds} (x, y from; x, y to)"
+        found.append(f"{source.at(path('start'))}: {expected}")
+    return found
+
+
+def fault_problems(site: Site, faults: Iterable[Fault], source: Source, robots: tuple[str, ...]) -> list[str]:
+    """Return a line for each thing in the faults that the site has no place or no name for.
+
+    Args:
+        site: places and items.
+        faults: checked one by one.
+        source: the file that is named.
+        robots: names of those that a fault may be meant for.
+    """
     found = []
     for index, fault in enumerate(faults):
         where = f"faults.{index}"
+        if fault.robot is not None and fault.robot not in robots:
+            expected = f"expected one of {', '.join(robots)}, found {fault.robot}"
+            found.append(f"{source.at(f'{where}.robot')}: {expected}")
         tag = getattr(fault, "tag", None)
         if tag is not None and site.item(tag) is None:
             known = ", ".join(str(each.item) for each in site.items)

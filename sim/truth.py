@@ -11,10 +11,11 @@ from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from tandem.sim.body import RobotBody
     from tandem.sim.world import World
 
-ROBOT: Final = "robot"
 LYING_TOLERANCE: Final = 0.01
 """Metres by which an item's underside may be off its support's top."""
 
@@ -28,20 +29,40 @@ class TrueBody(Message):
 
 
 class TrueContact(Message):
-    """Two touching bodies, as ``robot/<link>`` or a body's name, and the sum of the normal forces in N."""
+    """Two touching bodies, as ``<robot>/<link>`` or a body's name, and the sum of the normal forces in N."""
 
     first: str
     second: str
     force: float
 
 
+class TrueRobot(Message):
+    """Where a robot of the scenario is, and how fast: m/s along map's x and y, rad/s to the left."""
+
+    name: str
+    base_in_map: Pose
+    linear: tuple[float, float]
+    angular: float
+
+
 class Truth(Message):
-    """The true state of the world; ``bodies`` are those that can move."""
+    """The true state of the world; ``bodies`` are those that can move.
+
+    ``base_in_map`` is that of the robot whose keys were asked; ``robots`` are all, in the scenario's order.
+    """
 
     stamp: RobotTime
     base_in_map: Pose
     bodies: tuple[TrueBody, ...]
     contacts: tuple[TrueContact, ...]
+    robots: tuple[TrueRobot, ...] = ()
+
+    def robot(self, name: str) -> TrueRobot:
+        """Return a robot; KeyError when there is none of that name."""
+        for robot in self.robots:
+            if robot.name == name:
+                return robot
+        raise KeyError(f"no robot {name}; there are {', '.join(each.name for each in self.robots)}")
 
     def item(self, tag: int) -> TrueBody:
         """Return an item; KeyError when there is none with that tag."""
@@ -63,6 +84,7 @@ TRUTH: Final = Service("sim/truth", Nothing, Truth, reads=True)
 def read_truth(world: World, robot: RobotBody, stamp: RobotTime) -> Truth:
     """Return what is so now."""
     position, orientation = robot.base_pose()
+    robots = tuple(world.robots.values()) or (robot,)
     bodies = []
     for name in world.movable():
         label = world.bodies[name].label
@@ -71,7 +93,8 @@ def read_truth(world: World, robot: RobotBody, stamp: RobotTime) -> Truth:
         stamp=stamp,
         base_in_map=Pose(position=position, orientation=orientation),
         bodies=tuple(bodies),
-        contacts=_contacts(world, robot),
+        contacts=_contacts(world, robots),
+        robots=tuple(_true_robot(each) for each in robots),
     )
 
 
@@ -92,21 +115,31 @@ def lies_on(truth: Truth, site: Site, tag: int, furniture: str) -> bool:
     except KeyError:
         return False
     resting = any(abs(z - top - edge / 2) < LYING_TOLERANCE for edge in known.size)
-    held = any(other.startswith(f"{ROBOT}/") for other in truth.touching(item_name(tag)))
+    held = any("/" in other for other in truth.touching(item_name(tag)))
     return resting and not held
 
 
-def _contacts(world: World, robot: RobotBody) -> tuple[TrueContact, ...]:
-    """Return the contacts of the robot and of all that can move, one for each pair, sorted."""
+def _true_robot(robot: RobotBody) -> TrueRobot:
+    position, orientation = robot.base_pose()
+    (vx, vy, _), (_, _, turning) = robot.physics.body_velocity(robot.body)
+    pose = Pose(position=position, orientation=orientation)
+    return TrueRobot(name=robot.name, base_in_map=pose, linear=(vx, vy), angular=turning)
+
+
+def _contacts(world: World, robots: Sequence[RobotBody]) -> tuple[TrueContact, ...]:
+    """Return the contacts of the robots and of all that can move, one for each pair, sorted."""
     names = world.names_by_id()
-    links = {index: name for name, index in robot.link_index.items()}
+    links = {
+        robot.body: {index: f"{robot.name}/{name}" for name, index in robot.link_index.items()}
+        for robot in robots
+    }
 
     def name_of(body: int, link: int) -> str:
-        return f"{ROBOT}/{links[link]}" if body == robot.body else names[body]
+        return links[body][link] if body in links else names[body]
 
     forces: dict[tuple[str, str], float] = {}
     told: set[int] = set()
-    for body in (robot.body, *(world.id_of(name) for name in world.movable())):
+    for body in (*links, *(world.id_of(name) for name in world.movable())):
         for contact in world.physics.contacts(body):
             if contact.body_b in told or contact.force <= 0.0:
                 continue

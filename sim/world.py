@@ -13,6 +13,7 @@ from tandem.skills.ports.pose import Pose
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from tandem.sim.body import RobotBody
     from tandem.sim.physics import Physics
     from tandem.sim.scenario import Scenario
     from tandem.skills.ports.site import Site
@@ -22,7 +23,7 @@ RESTING_SPEED: Final = 0.002
 
 
 class World:
-    """All bodies but the robot.
+    """All bodies, and the robots among them.
 
     A body is moved by hand only as the sim's own controls do it: taken away and made anew elsewhere.
     ``revision`` counts such changes, so that a drawing of the world knows when it is out of date.
@@ -34,6 +35,8 @@ class World:
         self.revision = 0
         self._bodies: dict[str, SceneBody] = {}
         self._ids: dict[str, int] = {}
+        self.robots: dict[str, RobotBody] = {}
+        """The robots that have been let in, by name; they are no ``bodies``."""
 
     @property
     def bodies(self) -> Mapping[str, SceneBody]:
@@ -47,6 +50,14 @@ class World:
     def names_by_id(self) -> dict[int, str]:
         """Return the name of each body by its number, the floor's too."""
         return {self.floor: "floor", **{body: name for name, body in self._ids.items()}}
+
+    def admit(self, robot: RobotBody) -> None:
+        """Have a robot in the room; the physics has it already."""
+        self.robots[robot.name] = robot
+
+    def names_with_robots(self) -> dict[int, str]:
+        """Return the name of each body by its number, the floor's and the robots' too."""
+        return {**self.names_by_id(), **{robot.body: name for name, robot in self.robots.items()}}
 
     def put(self, body: SceneBody) -> int:
         """Make a body, in place of the one of that name if there is one; return its number."""

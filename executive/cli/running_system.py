@@ -151,7 +151,7 @@ def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
     build_scene(site, scenario, source=source)
     if options.faults is None:
         return scenario, site, None
-    more = check_faults(options.faults, site, scenario.robot)
+    more = check_faults(options.faults, site, scenario.robots_by_name)
     return scenario.with_faults(more.faults), site, more.bus
 
 

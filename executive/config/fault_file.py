@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 from tandem.sim.faults import Fault, JointStall
@@ -37,19 +38,20 @@ def _read(path: str | Path) -> tuple[FaultFile, Source]:
     return validate(data, source, FaultFile), source
 
 
-def check_faults(path: str | Path, site: Site, robot: str) -> FaultFile:
-    """Return what a file says, when its faults fit the site and the robot of that name.
+def check_faults(path: str | Path, site: Site, robots: Mapping[str, str]) -> FaultFile:
+    """Return what a file says, when its faults fit the site and the robots: kinds by name, the first first.
 
     Raises:
         DocumentError: as ``load_faults``.
     """
     file, source = _read(path)
-    if problems := fault_problems(site, file.faults, source):
+    if problems := fault_problems(site, file.faults, source, tuple(robots)):
         raise DocumentError("\n".join(problems))
     if any(isinstance(fault, JointStall) for fault in file.faults):
         # Only what names joints needs the robot, which takes a moment to be put together.
         from tandem.sim.defects import check_faults as check_joints  # noqa: PLC0415
         from tandem.sim.robots.registry import robot_model  # noqa: PLC0415
 
-        check_joints(file.faults, robot_model(robot).description, source=source)
+        described = {name: robot_model(robot).description for name, robot in robots.items()}
+        check_joints(file.faults, described, source=source)
     return file

@@ -43,7 +43,7 @@ def make_room(name: str = "Demo", start: FloorPose | None = None) -> Room:
     for group, posture in POSTURES:
         joints = description.group(group).joints
         positions.update(zip(joints, description.posture(group, posture).positions, strict=True))
-    start = start or scenario.start
+    start = start or scenario.first.start
     robot = RobotBody(physics, model, x=start.x, y=start.y, yaw=start.yaw, positions=positions)
     world.settle(most=100)
     return Room(site, scenario, physics, world, model, robot)

@@ -27,7 +27,7 @@ class CountingRenderer(InlineRenderer):
 
 @pytest.fixture
 def renderer(room: Room) -> Iterator[CountingRenderer]:
-    made = CountingRenderer(PainterSettings(room.model.physics_urdf))
+    made = CountingRenderer(PainterSettings((room.model.physics_urdf,)))
     yield made
     made.close()
 
@@ -36,7 +36,7 @@ def film(
     room: Room, renderer: Renderer, bus: MemoryBus, *, periods: int = 50, seed: int = 1
 ) -> list[tuple[int, RgbdImage]]:
     """Return the pictures of 10 ms periods, each with the period in which it came."""
-    studio = Studio(room.world, room.robot, renderer, noise=room.scenario.noise, seed=seed)
+    studio = Studio(room.world, (room.robot,), renderer, noise=room.scenario.noise, seed=seed)
     sensor = room.model.description.camera
     camera = HeadCamera(bus, studio, room.robot, sensor, rate=5.0, latency=0.06)
     inbox = bus.subscribe(rgbd("head"))
@@ -49,7 +49,7 @@ def film(
 
 
 def test_nobody_listens_nothing_is_drawn(room: Room, renderer: CountingRenderer) -> None:
-    studio = Studio(room.world, room.robot, renderer, noise=room.scenario.noise, seed=1)
+    studio = Studio(room.world, (room.robot,), renderer, noise=room.scenario.noise, seed=1)
     camera = HeadCamera(MemoryBus(), studio, room.robot, room.model.description.camera, rate=5.0)
     for period in range(100):
         camera.step(at(period * 0.01))
@@ -83,9 +83,9 @@ def test_depth_noise_grows_with_the_range(room: Room, renderer: CountingRenderer
 
 def test_a_worker_draws_the_same_and_its_death_is_told(room: Room, renderer: CountingRenderer) -> None:
     inline = film(room, renderer, MemoryBus(), periods=8)[0][1]
-    worker = WorkerRenderer(PainterSettings(room.model.physics_urdf))
+    worker = WorkerRenderer(PainterSettings((room.model.physics_urdf,)))
     try:
-        studio = Studio(room.world, room.robot, worker, noise=room.scenario.noise, seed=1)
+        studio = Studio(room.world, (room.robot,), worker, noise=room.scenario.noise, seed=1)
         bus = MemoryBus()
         inbox = bus.subscribe(rgbd("head"))
         camera = HeadCamera(bus, studio, room.robot, room.model.description.camera, rate=5.0)
@@ -103,7 +103,7 @@ def test_a_worker_draws_the_same_and_its_death_is_told(room: Room, renderer: Cou
 
 
 def test_a_photograph_is_a_png(room: Room, renderer: CountingRenderer) -> None:
-    studio = Studio(room.world, room.robot, renderer, noise=room.scenario.noise, seed=1)
+    studio = Studio(room.world, (room.robot,), renderer, noise=room.scenario.noise, seed=1)
     png = studio.fetch(studio.order_photograph((-2.8, -2.7, 2.3), (0.0, 0.4, 0.5), 320, 200))
     assert png is not None
     assert png.startswith(b"\x89PNG")

@@ -39,7 +39,7 @@ class Asking:
     def __init__(self, room: Room) -> None:
         self.resets: list[int] = []
         self._bus = MemoryBus()
-        studio = Studio(room.world, room.robot, FakeRenderer(), noise=room.scenario.noise, seed=1)
+        studio = Studio(room.world, (room.robot,), FakeRenderer(), noise=room.scenario.noise, seed=1)
         self.faults: list[Fault] = []
         self._controls = Controls(
             self._bus, room.site, room.world, room.robot, studio, reset=self._reset, fault=self._fault

@@ -26,7 +26,9 @@ AT = (0.5, 0.3, 0.8)
 @pytest.fixture(scope="module", params=[True, False], ids=["egl", "tiny"])
 def twin(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[RenderWorld]:
     made = RenderWorld(
-        robot_model("tiago_dual").physics_urdf, Path(tmp_path_factory.mktemp("twin")), hardware=request.param
+        (robot_model("tiago_dual").physics_urdf,),
+        Path(tmp_path_factory.mktemp("twin")),
+        hardware=request.param,
     )
     yield made
     made.close()

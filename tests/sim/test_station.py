@@ -70,7 +70,7 @@ class Instant:
 
 
 def test_the_picture_that_warms_up_is_not_kept(room: Room) -> None:
-    studio = Studio(room.world, room.robot, Instant(), noise=room.scenario.noise, seed=1)
+    studio = Studio(room.world, (room.robot,), Instant(), noise=room.scenario.noise, seed=1)
     studio.warm_up()
     number = studio.order_photograph((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), 16, 16)
     assert [studio.fetch(number), studio.fetch(number)] == [None, b"picture"]

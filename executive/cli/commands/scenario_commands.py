@@ -37,7 +37,9 @@ def list_all(*, as_json: Json = False) -> None:
     table = Table("name", "site", "items", "obstacles", "robot starts at", box=None)
     for name in scenario_names():
         scenario = load_scenario(name)
-        start = f"({scenario.start.x:g}, {scenario.start.y:g}), {scenario.start.yaw:.2f} rad"
+        start = "; ".join(
+            f"({at.x:g}, {at.y:g}), {at.yaw:.2f} rad" for at in (each.start for each in scenario.placed)
+        )
         tags = " ".join(str(item.tag) for item in scenario.items)
         table.add_row(name, scenario.site, tags, str(len(scenario.obstacles)), start)
     Console().print(table)
@@ -122,4 +124,4 @@ def checked_faults(path: Path, scenario: Scenario) -> FaultFile:
     from tandem.executive.config.fault_file import check_faults  # noqa: PLC0415
     from tandem.skills.site import load  # noqa: PLC0415
 
-    return check_faults(path, load(scenario.site), scenario.robot)
+    return check_faults(path, load(scenario.site), scenario.robots_by_name)

@@ -45,7 +45,7 @@ def draw(
     """Draw where the left hand, the right hand, both or neither can grasp. Takes a few seconds."""
     from tandem.executive.render.zones import png_zones, svg_zones, unicode_zones  # noqa: PLC0415
     from tandem.sim.robots.registry import robot_model  # noqa: PLC0415
-    from tandem.sim.scenario import ROBOT  # noqa: PLC0415
+    from tandem.sim.starts import ROBOT  # noqa: PLC0415
     from tandem.skills.bimanual.zones import ZonesAsk, zones  # noqa: PLC0415
 
     found = zones(ZonesAsk(robot_model(ROBOT).description.model_dump_json(), height, torso))

@@ -81,7 +81,7 @@ def draw_run(site: Site, scenario: Scenario, rng: Generator) -> Draw:
     """Draw a fetch over all that the robot reaches of the scenario's surfaces."""
     from tandem.sim.robots.registry import robot_model  # noqa: PLC0415 - loads pybullet; used only here
 
-    description = robot_model(scenario.robot).description
+    description = robot_model(scenario.first.robot).description
     reachable = Reachable(description, site)
     return draw_fetch(site, scenario, rng, description.footprint_radius + ARM_MARGIN, reachable.why_not)
 
@@ -96,7 +96,7 @@ def _fetch(system: LockstepSystem, run: int, draw: Draw) -> FetchRun:
     return FetchRun(
         run=run,
         item=item,
-        start=scenario.start,
+        start=scenario.first.start,
         place=FloorPose(x=place.x, y=place.y, yaw=place.yaw),
         rejected=tuple(
             f"{each.what} at ({each.x:.2f}, {each.y:.2f}, {each.yaw:.2f}): {each.reason}"

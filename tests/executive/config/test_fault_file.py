@@ -12,7 +12,7 @@ from tandem.executive.config.run_options import BusOptions, RunOptions
 from tandem.executive.system.lockstep import Digest, Lockstep
 from tandem.executive.system.systems import ProcessSystem
 from tandem.sim.faults import CameraDark, HandOpens, HardwareSilent, ItemLifted
-from tandem.sim.scenario import ROBOT, load_scenario
+from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.keys import BUMPERS, Latest
 from tandem.skills.ports.sources import DocumentError
 from tandem.skills.ports.tasks import REQUEST
@@ -20,6 +20,7 @@ from tandem.skills.site import load
 from tandem.skills.testing.faulty_bus import BusFaults
 from tests.fakes.ports import free_endpoint
 
+ROBOTS = {"robot": "tiago_dual"}
 EXAMPLES = sorted((Path(__file__).parents[3] / "examples" / "faults").glob("*.yaml"))
 GOOD = "faults: [{kind: camera_dark, at: 1}]\nbus: {drop: 0.1}\n"
 
@@ -32,7 +33,7 @@ def written(folder: Path, text: str) -> Path:
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.name)
 def test_each_example_is_right(path: Path) -> None:
-    assert check_faults(path, load("lab"), ROBOT).faults
+    assert check_faults(path, load("lab"), ROBOTS).faults
 
 
 def test_what_a_file_says_is_what_is_read(tmp_path: Path) -> None:
@@ -66,7 +67,7 @@ def test_what_a_file_says_is_what_is_read(tmp_path: Path) -> None:
 def test_a_mistake_is_told_with_file_and_path(tmp_path: Path, text: str, path: str, said: str) -> None:
     file = written(tmp_path, text)
     with pytest.raises(DocumentError) as caught:
-        check_faults(file, load("lab"), ROBOT)
+        check_faults(file, load("lab"), ROBOTS)
     assert str(caught.value).startswith(f"{file}: {path}")
     assert said in str(caught.value)
 
