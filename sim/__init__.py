@@ -1,10 +1,10 @@
 """The stand-in for the hardware: a pybullet world that speaks the hardware's messages.
 
-The whole: station, hardware, parts, pace, controls, chatter.
+The whole: station, stationed (one robot of it), hardware, parts, pace, controls, chatter.
 The robot: robot, model, urdf, meshes, postures, footprint, body.
 Controllers: joints, motors, gripper, base, spline.
 Sensors: camera, render, render_world, pixels, lens, laser, wrench.
-The room: scenario, scene, world, room, things, tags, placing, plan, draw.
+The room: scenario, starts, wanderer, scene, world, room, things, tags, placing, plan, draw.
 Physics and truth: physics, truth, disturbances.
 Faults: faults, trouble, events, defects, faulty_link.
 """

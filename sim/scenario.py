@@ -76,7 +76,7 @@ class Scenario(Message):
     site: Annotated[str, Field(min_length=1, max_length=4096)] = "lab"
     """Name of a site, or the path of a site file, relative to the scenario's."""
     robots: Annotated[tuple[RobotStart, ...], Field(max_length=MOST_ROBOTS)] = ()
-    """The robots in it, the first of which is meant where none is named; instead of robot and start."""
+    """The robots in it, instead of ``robot`` and ``start``."""
     robot: Name = ROBOT
     """The only robot in it: a file of ``sim/robots/``, or an entry point under ``tandem.robots``."""
     start: FloorPose | None = Field(default=None, validate_default=True)
@@ -129,13 +129,13 @@ class Scenario(Message):
 
     @property
     def first(self) -> RobotStart:
-        """The robot that is meant where none is named."""
-        return self.placed[0]
+        """The robot that is meant where none is named: the first with an executive, if any has one."""
+        return next((each for each in self.placed if each.drives == "executive"), self.placed[0])
 
     @property
     def robots_by_name(self) -> Mapping[str, str]:
         """What kind of robot each is, by its name, the first one first."""
-        return {each.name: each.robot for each in self.placed}
+        return {each.name: each.robot for each in (self.first, *self.placed)}
 
     def path_of(self, index: int, field: str) -> str:
         """Return the path in the file of a field of one of ``placed``."""
@@ -169,8 +169,9 @@ class Scenario(Message):
         """Return the same scenario with the (first) robot elsewhere."""
         if self.start is not None:
             return self.model_copy(update={"start": start})
-        first = self.robots[0].model_copy(update={"start": start})
-        return self.model_copy(update={"robots": (first, *self.robots[1:])})
+        moved = self.first.model_copy(update={"start": start})
+        robots = tuple(moved if each is self.first else each for each in self.robots)
+        return self.model_copy(update={"robots": robots})
 
 
 def scenario_names() -> tuple[str, ...]:

@@ -196,7 +196,9 @@ class Station:
             expected = f"expected {', '.join(self._cast)}, found {', '.join(found)}"
             raise ScenarioError(f"{scenario.name}: robot: {expected}; another robot needs another start")
         build_scene(self._site, scenario)
-        described = {each.name: registry.robot_model(each.robot).description for each in scenario.placed}
+        described = {
+            name: registry.robot_model(robot).description for name, robot in scenario.robots_by_name.items()
+        }
         if len({each.period for each in described.values()}) > 1:
             periods = ", ".join(f"{name} {each.period:g}" for name, each in described.items())
             raise ScenarioError(f"{scenario.name}: robots: expected one period (s) for all, found {periods}")

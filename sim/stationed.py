@@ -122,7 +122,7 @@ class StationedRobot:
     def drive(self) -> None:
         """Have the script that drives it, if one does, command the wheels."""
         if self._driver is not None:
-            self._driver.step(self.hardware.now)
+            self._driver.step()
 
     def restart(self, setting: Setting) -> None:
         """Begin anew, with another body in another world."""

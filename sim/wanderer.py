@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from tandem.sim.body import RobotBody
     from tandem.sim.parts import BasePart
     from tandem.sim.world import World
-    from tandem.skills.ports.message import RobotTime
 
 SPEED: Final = (0.10, 0.28)
 """m/s: slowest and fastest; always below the 0.3 m/s of the paper's R1 (RoCS, section 7)."""
@@ -48,18 +47,21 @@ class Wanderer:
 
     def __init__(self, body: RobotBody, base: BasePart, world: World, rng: np.random.Generator) -> None:
         self._body, self._base, self._world, self._rng = body, base, world, rng
-        self._look_at = self._whim_until = 0.0
+        self._period = body.model.description.period
+        self._until_look = self._until_whim = 0.0
         self._linear = self._angular = 0.0
         self._side = 0.0
         """The side to which it is turning away: 1 left, -1 right, 0 not at all."""
 
-    def step(self, now: RobotTime) -> None:
-        """Look, when it is time, and command the wheels."""
-        if now.seconds < self._look_at - 1e-9:
+    def step(self) -> None:
+        """Let a period pass; look, when it is time, and command the wheels."""
+        self._until_look -= self._period
+        self._until_whim -= self._period
+        if self._until_look > 0.0:
             return
-        self._look_at = now.seconds + LOOK_EVERY
-        if now.seconds >= self._whim_until:
-            self._whim_until = now.seconds + float(self._rng.uniform(*WHIM))
+        self._until_look = LOOK_EVERY
+        if self._until_whim <= 0.0:
+            self._until_whim = float(self._rng.uniform(*WHIM))
             self._linear = float(self._rng.uniform(*SPEED))
             self._angular = float(self._rng.uniform(-TURN, TURN))
         linear, angular = self._avoiding(self.close())

@@ -7,12 +7,15 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property, partial
 
 from tandem.executive.system.roles.executive import executive_node
 from tandem.executive.system.roles.registry import skill_roles
 from tandem.executive.system.roles.role import Role, Surroundings
 from tandem.executive.system.skill_process import nodes_of
-from tandem.sim.scenario import Scenario
+from tandem.sim.scenario import Scenario, ScenarioError
+from tandem.sim.starts import ALONE
 from tandem.sim.station import Station, StationSettings
 from tandem.skills.one_boot import OneBoot
 from tandem.skills.ports.bus import Bus
@@ -45,16 +48,44 @@ class Digest:
         return self._hash.hexdigest()
 
 
+@dataclass(frozen=True)
+class LockstepRobot:
+    """One robot of a lockstep: its own bus, clocks, skills and executive; nothing of it is another's.
+
+    Args:
+        name: as the scenario has it.
+        hub: what travels on its keys.
+        clocks: what it knows of the time.
+        nodes: its skills and its executive, in the order in which they are stepped.
+    """
+
+    name: str
+    hub: MemoryHub
+    clocks: SteppedClocks
+    nodes: tuple[Node, ...]
+
+    @cached_property
+    def bus(self) -> Bus:
+        """An end of its bus for whoever runs the system."""
+        return MemoryBus(self.hub)
+
+
 class Lockstep:
-    """Hardware, skills and executive, stepped one after the other, one hardware period at a time.
+    """Hardware, skills and executives, stepped one after the other, one hardware period at a time.
+
+    The hardware of all robots goes first, then robot by robot, in the scenario's order, its skills and its
+    executive. ``hub``, ``bus`` and ``clocks`` are those of the first robot.
 
     Args:
         scenario: where things truly are.
         seed: of all noise and all planning.
         without: roles that are left out.
         site: what is known beforehand, when it is not the scenario's own site file.
-        bus_faults: what happens to messages that skills and executive receive.
+        bus_faults: what happens to messages that skills and executives receive.
         left_out: plug-ins that are known not to load; None: all plug-ins are left out.
+
+    Raises:
+        ScenarioError: when the scenario does not fit the site, or no robot in it has an executive.
     """
 
     def __init__(
@@ -67,46 +98,91 @@ class Lockstep:
         bus_faults: BusFaults | None = None,
         left_out: Mapping[str, str] | None = None,
     ) -> None:
-        self.hub = MemoryHub()
         self._seed, self._bus_faults, self._left_out = seed, bus_faults, left_out
-        self.clocks = SteppedClocks()
-        site = load(scenario.site) if site is None else site
-        how = StationSettings(boot=self.clocks.boot, seed=seed)
-        self.station = Station(MemoryBus(self.hub), site, scenario, how)
+        self._site = load(scenario.site) if site is None else site
+        driven = [each.name for each in scenario.placed if each.drives == "executive"]
+        if not driven:
+            raise ScenarioError(f"{scenario.name}: robots: expected one with drives: executive, found none")
+        hubs = {name: MemoryHub() for name in driven}
+        clocks = {name: SteppedClocks() for name in driven}
+        how = StationSettings(boot=clocks[driven[0]].boot, seed=seed)
+        buses = {name: MemoryBus(hub) for name, hub in hubs.items()}
+        self.station = Station(buses, self._site, scenario, how)
         self.period = self.station.model.description.period
-        self.nodes: list[Node] = [self.station]
-        for role in skill_roles(self.station.model.description, left_out):
-            if role.name not in without:
-                self.nodes.append(self._skills(role, seed, site))
-        self.bus = MemoryBus(self.hub)
-        """An end of the bus for whoever runs the system."""
-        if "executive" not in without:
-            self.nodes.append(
-                executive_node(self._end("executive"), self.clocks, site, start="", left_out=left_out)
+        self.robots: dict[str, LockstepRobot] = {
+            name: LockstepRobot(
+                name, hubs[name], clocks[name], self._nodes(name, hubs[name], clocks[name], without)
             )
+            for name in driven
+        }
+        """Those that have an executive, by name."""
+        self.nodes: list[Node] = [
+            self.station,
+            *(node for robot in self.robots.values() for node in robot.nodes),
+        ]
 
-    def _skills(self, role: Role, seed: int, site: Site) -> Node:
+    @property
+    def hub(self) -> MemoryHub:
+        """What travels on the first robot's keys."""
+        return self._first.hub
+
+    @property
+    def bus(self) -> Bus:
+        """An end of the first robot's bus for whoever runs the system."""
+        return self._first.bus
+
+    @property
+    def clocks(self) -> SteppedClocks:
+        """The first robot's clocks."""
+        return self._first.clocks
+
+    @property
+    def _first(self) -> LockstepRobot:
+        return next(iter(self.robots.values()))
+
+    def watch(self, digest: Digest) -> None:
+        """Have a digest take in every message: of several robots, with the robot's name before the key."""
+        for name, robot in self.robots.items():
+            robot.hub.watch(digest if len(self.robots) == 1 else partial(_named, digest, name))
+
+    def _nodes(
+        self, name: str, hub: MemoryHub, clocks: SteppedClocks, without: Sequence[str]
+    ) -> tuple[Node, ...]:
+        end = partial(self._end, name, hub, clocks)
+        description = self.station.robots[name].model.description
+        nodes: list[Node] = [
+            self._skills(role, end(role.name), clocks, description)
+            for role in skill_roles(description, self._left_out)
+            if role.name not in without
+        ]
+        if "executive" not in without:
+            left_out = self._left_out
+            nodes.append(executive_node(end("executive"), clocks, self._site, start="", left_out=left_out))
+        return tuple(nodes)
+
+    def _skills(self, role: Role, bus: Bus, clocks: SteppedClocks, description: RobotDescription) -> Node:
         def build(bus: Bus, description: RobotDescription) -> Sequence[Node]:
             at = Surroundings(
                 bus=bus,
-                clocks=self.clocks,
+                clocks=clocks,
                 description=description,
-                site=site,
-                compute=InlineCompute(self.clocks),
-                seed=seed,
+                site=self._site,
+                compute=InlineCompute(clocks),
+                seed=self._seed,
                 charge=True,
                 left_out=self._left_out,
             )
             return nodes_of(role, at)
 
-        return OneBoot(role.name, self._end(role.name), self.clocks, build, self.station.model.description)
+        return OneBoot(role.name, bus, clocks, build, description)
 
-    def _end(self, role: str) -> Bus:
-        """Return an end of the bus for a role."""
-        bus = MemoryBus(self.hub)
+    def _end(self, robot: str, hub: MemoryHub, clocks: SteppedClocks, role: str) -> Bus:
+        """Return an end of a robot's bus for a role."""
+        bus = MemoryBus(hub)
         if self._bus_faults is None:
             return bus
-        return FaultyBus(bus, self.clocks, f"{self._seed}/{role}", self._bus_faults)
+        who = role if robot == ALONE else f"{robot}/{role}"
+        return FaultyBus(bus, clocks, f"{self._seed}/{who}", self._bus_faults)
 
     @property
     def seconds(self) -> float:
@@ -115,11 +191,13 @@ class Lockstep:
 
     def step(self) -> None:
         """Let one period pass."""
-        self.clocks.advance(self.period, heard=not self.station.silent)
+        for name, robot in self.robots.items():
+            robot.clocks.advance(self.period, heard=not self.station.robots[name].silent)
         for node in self.nodes:
             node.step()
             if node is self.station and self.station.boot != self.clocks.boot:
-                self.clocks.reboot(self.station.boot)
+                for robot in self.robots.values():
+                    robot.clocks.reboot(self.station.boot)
 
     def run_until(self, condition: Callable[[], bool], *, within: float) -> bool:
         """Step until the condition holds, at most ``within`` robot seconds; return whether it does."""
@@ -134,3 +212,7 @@ class Lockstep:
         """End all nodes, the last one first."""
         for node in reversed(self.nodes):
             node.close()
+
+
+def _named(digest: Digest, robot: str, kind: Kind, key: str, payload: bytes) -> None:
+    digest(kind, f"{robot}/{key}", payload)

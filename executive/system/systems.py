@@ -7,6 +7,7 @@ import tempfile
 import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack, suppress
+from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Final, Protocol, Self
@@ -87,7 +88,30 @@ def roles_of(scenario: Scenario, left_out: Mapping[str, str] | None = None) -> t
     """
     from tandem.sim.robots.registry import robot_model  # noqa: PLC0415 - loads numpy, which watchers do without
 
-    return names(robot_model(scenario.robot).description, left_out)
+    return names(robot_model(scenario.first.robot).description, left_out)
+
+
+@dataclass(frozen=True)
+class RobotSystem:
+    """A system as one of its robots has it, for a client of that robot. All robots go on together.
+
+    Args:
+        whole: what goes on.
+        bus: an end of the robot's bus.
+        clocks: the robot's.
+    """
+
+    whole: System
+    bus: Bus
+    clocks: Clocks
+
+    def advance(self) -> None:
+        """Let the whole system go on a little."""
+        self.whole.advance()
+
+    def close(self) -> None:
+        """End the whole system."""
+        self.whole.close()
 
 
 class LockstepSystem:
@@ -119,9 +143,20 @@ class LockstepSystem:
             self.lockstep = Lockstep(scenario, seed, site=site, bus_faults=bus_faults, left_out=left_out)
         self._digest = Digest()
         if digest:
-            self.lockstep.hub.watch(self._digest)
+            self.lockstep.watch(self._digest)
         self.bus: Bus = self.lockstep.bus
         self.clocks: Clocks = self.lockstep.clocks
+
+    def of(self, robot: str) -> RobotSystem:
+        """Return the same system as one of its robots has it: with that robot's bus and clocks.
+
+        Raises:
+            KeyError: naming the robots that have an executive.
+        """
+        robots = self.lockstep.robots
+        if robot not in robots:
+            raise KeyError(f"no robot {robot!r} with an executive; there are {', '.join(robots)}")
+        return RobotSystem(self, robots[robot].bus, robots[robot].clocks)
 
     def advance(self) -> None:
         """Let one period pass."""
