@@ -104,6 +104,62 @@ class LocaliseResult(Message):
     """The fit of the best pose elsewhere; close to ``fit`` means ambiguous."""
 
 
+class GoGoal(Message):
+    """Go straight to a place in the map; whatever stands in the way is left to the reflexes.
+
+    For robots that know no obstacles beforehand (RoCS, section 6.2). ``yaw`` (rad in the map) is turned to at the
+    end; None: any heading will do.
+    """
+
+    x: float
+    y: float
+    yaw: float | None = None
+    position_tolerance: Annotated[float, Field(gt=0.0)] = 0.10
+    yaw_tolerance: Annotated[float, Field(gt=0.0)] = 0.10
+
+
+class GoFeedback(Message):
+    """Where the base is, how far it has to go, and what it does, the outermost action first."""
+
+    base_in_map: FloorPose
+    remaining: float
+    """Metres."""
+    doing: tuple[str, ...]
+
+
+class GoResult(Message):
+    """Where it stopped."""
+
+    base_in_map: FloorPose
+    position_error: float
+
+
+class FollowGoal(Message):
+    """Follow another robot at a distance between the two centres (m), for so many robot seconds."""
+
+    robot: Annotated[str, Field(min_length=1, max_length=64)]
+    distance: Annotated[float, Field(gt=0.0)] = 1.3
+    seconds: Annotated[float, Field(gt=0.0)] = 60.0
+
+
+class FollowFeedback(Message):
+    """Where the base is, how far the other robot, and what the base does, the outermost action first."""
+
+    base_in_map: FloorPose
+    distance: float | None
+    """Metres between the centres; None while the other is not seen."""
+    doing: tuple[str, ...]
+
+
+class FollowResult(Message):
+    """For how long the other robot was seen, of the seconds that it was followed."""
+
+    seconds: float
+    seen: float
+
+
+GO: Final = ActionType("base/go", GoGoal, GoFeedback, GoResult, timeout=120.0)
+FOLLOW: Final = ActionType("base/follow", FollowGoal, FollowFeedback, FollowResult, timeout=600.0)
 DRIVE: Final = ActionType("base/drive", DriveGoal, DriveFeedback, DriveResult, timeout=120.0)
 ROTATE: Final = ActionType("base/rotate", RotateGoal, RotateFeedback, RotateResult, timeout=30.0)
 LOCALISE: Final = ActionType("base/localise", LocaliseGoal, LocaliseFeedback, LocaliseResult, timeout=30.0)
