@@ -107,8 +107,8 @@ class LocaliseResult(Message):
 class GoGoal(Message):
     """Go straight to a place in the map; whatever stands in the way is left to the reflexes.
 
-    For robots that know no obstacles beforehand (RoCS, section 6.2). ``yaw`` (rad in the map) is turned to at the
-    end; None: any heading will do.
+    For robots that know no obstacles beforehand (RoCS, section 6.2). ``yaw`` (rad in the map) is turned to at
+    the end; None: any heading will do.
     """
 
     x: float
