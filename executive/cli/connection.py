@@ -10,7 +10,7 @@ from typing import Final, Self, TypeVar
 
 from pydantic import JsonValue, ValidationError
 
-from tandem.executive.cli.allowed import refuse_unless_allowed
+from tandem.executive.cli.allowed import may_ask, refuse_unless_allowed
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.client.talks import reason_of
@@ -83,7 +83,7 @@ class Connection:
         """Return the answer to a document; asks again while nothing comes. Errors as ``ask``."""
         document = self.raw(key, payload)
         if document is None:
-            raise CommandError(self._nobody(of), ExitCode.NOBODY_THERE)
+            raise CommandError(self.nobody(of), ExitCode.NOBODY_THERE)
         try:
             return read_leniently(model, document)
         except ValidationError as error:
@@ -110,6 +110,10 @@ class Connection:
         """Raise REFUSED, with who may, when the key that is shown does not allow a question at this key."""
         if self._identity is not None:
             refuse_unless_allowed(self._identity, key)
+
+    def allows(self, key: str) -> bool:
+        """Say whether the key that is shown allows a question at this key."""
+        return self._identity is None or may_ask(self._identity.rights(), key)
 
     def raw(self, key: str, payload: bytes) -> bytes | None:
         """Return what is answered as it is, or None when nobody answers in time.
@@ -143,7 +147,8 @@ class Connection:
         while not pending.done() and pending.poll() is None and time.monotonic() < deadline:
             self.bus.waker.wait(min(0.05, max(0.0, deadline - time.monotonic())))
 
-    def _nobody(self, of: str) -> str:
+    def nobody(self, of: str) -> str:
+        """Return that nobody answers, who is there, and what to do; ``of`` is whom, in words."""
         options = self.options
         there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))
         seen = f"connected are only {there}" if there else "nothing else is connected"

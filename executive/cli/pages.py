@@ -18,6 +18,8 @@ from tandem.executive.cli.commands import request_command, run_task_command
 from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
 from tandem.executive.cli.main import build
 from tandem.executive.cli.shapes import EACH, LINES, shapes
+from tandem.executive.conformance.clause import Clause
+from tandem.executive.conformance.suite import SUITE
 from tandem.executive.interface.field_docs import first_paragraph, models_within
 from tandem.executive.interface.tables import all_models, interface_tables, message_tables, table
 from tandem.skills.ports.message import Message
@@ -33,6 +35,7 @@ def tables() -> dict[str, str]:
         **interface_tables(),
         "exit_codes": _exit_code_table(),
         "commands": _command_table(),
+        "hardware_clauses": _clause_table(),
         "json_commands": _json_table(),
         "json_shapes": _json_shapes(),
     }
@@ -55,6 +58,19 @@ def marked(page: str) -> list[str]:
 
 def _exit_code_table() -> str:
     return table(("code", "meaning"), [(str(code.value), MEANINGS[code]) for code in ExitCode])
+
+
+def _clause_table() -> str:
+    rows = [
+        (f"`{each.name}`", each.requires, _effect(each), f"[{each.where.partition('.md')[0]}]({each.where})")
+        for each in SUITE
+    ]
+    return table(("clause", "what it requires", "what trying it does", "where"), rows)
+
+
+def _effect(clause: Clause) -> str:
+    effects = (("moves", clause.moving), ("sets the stop", clause.interrupts))
+    return ", ".join(word for word, has in effects if has) or "reads"
 
 
 def _json_table() -> str:

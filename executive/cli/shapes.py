@@ -164,6 +164,30 @@ class Findings(Message):
     """Essential things that are missing."""
 
 
+class ClauseFound(Message):
+    """A clause of the hardware contract, and how it ended."""
+
+    name: str
+    requires: str
+    where: str
+    """The page that says so."""
+    moving: bool
+    """Whether trying it moves something."""
+    state: str
+    """``ok``, ``failed`` or ``skipped``; empty with ``--list``."""
+    expected: str = ""
+    """If it failed."""
+    found: str = ""
+    why: str = ""
+    """If it was skipped."""
+
+
+class HardwareChecked(Message):
+    """Clauses of the hardware contract, in the order in which they were tried."""
+
+    clauses: tuple[ClauseFound, ...]
+
+
 def shapes() -> Mapping[str, type[Message]]:
     """Return the shape of each command that has ``--json``, by the command's words."""
     from tandem.executive.system.plugin_probe import Fared  # noqa: PLC0415
@@ -188,6 +212,7 @@ def shapes() -> Mapping[str, type[Message]]:
         "scenario check": ScenarioChecked,
         "keys list": KeyList,
         "plugins": Fared,
+        "hardware check": HardwareChecked,
         "doctor": Findings,
     }
 

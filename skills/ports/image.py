@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from dataclasses import dataclass
 from typing import Final
 
@@ -10,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tandem.skills.ports.hardware import RgbdHeader
+from tandem.skills.ports.picture_header import LENGTH, split
 
 ENCODING: Final = "application/vnd.tandem.rgbd"
-_LENGTH: Final = struct.Struct("<I")
 
 
 @dataclass(frozen=True)
@@ -26,13 +25,13 @@ class RgbdImage:
 
 def header_of(payload: bytes) -> RgbdHeader:
     """Return the header of a payload that is a picture; ValueError when it is none."""
-    return _header(payload)[0]
+    return split(payload)[0]
 
 
 def encode(image: RgbdImage) -> bytes:
     """Return header length (4 bytes, little-endian), header as JSON, colour, depth."""
     head = image.header.model_dump_json().encode()
-    return b"".join((_LENGTH.pack(len(head)), head, image.colour.tobytes(), image.depth.tobytes()))
+    return b"".join((LENGTH.pack(len(head)), head, image.colour.tobytes(), image.depth.tobytes()))
 
 
 def decode(payload: bytes) -> RgbdImage:
@@ -41,21 +40,8 @@ def decode(payload: bytes) -> RgbdImage:
     Raises:
         ValueError: when the payload has no header, or its length is not what its header says.
     """
-    header, start = _header(payload)
+    header, start = split(payload)
     pixels = header.width * header.height
     colour = np.frombuffer(payload, np.uint8, pixels * 3, start).reshape(header.height, header.width, 3)
     depth = np.frombuffer(payload, np.uint16, pixels, start + pixels * 3).reshape(header.height, header.width)
     return RgbdImage(header=header, colour=colour, depth=depth)
-
-
-def _header(payload: bytes) -> tuple[RgbdHeader, int]:
-    """Return the header and where the pixels begin; ValueError when the payload is no picture."""
-    if len(payload) < _LENGTH.size:
-        raise ValueError(f"expected an RGB-D payload, got {len(payload)} bytes")
-    (size,) = _LENGTH.unpack_from(payload)
-    start = _LENGTH.size + size
-    header = RgbdHeader.model_validate_json(payload[_LENGTH.size : start])
-    expected = start + header.width * header.height * 5
-    if len(payload) != expected:
-        raise ValueError(f"expected an RGB-D payload of {expected} bytes, got {len(payload)}")
-    return header, start

@@ -18,6 +18,7 @@ MAY_SUBSCRIBE: Final = {
     "skills/testing/faulty_bus.py": "a bus around a bus",
     "skills/scoped_bus.py": "a bus around a bus",
     "sim/faulty_link.py": "a bus around a bus",
+    "executive/conformance/recording.py": "the hardware check: it tells what is wrong with a message",
     "executive/trials/campaigns/crash_points.py": "a bus around a bus",
     "skills/ports/serving.py": "documents that are put instead of asked: served, so checked as questions are",
 }

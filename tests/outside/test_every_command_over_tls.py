@@ -44,6 +44,7 @@ EXPECTED: Final[dict[str, tuple[list[str], int, set[str]]]] = {
     "logs": (["fetch-none"], 2, CLIENTS),
     "why": ([], 0, ALL),
     "doctor": ([], 0, ALL),
+    "hardware check": (["--seconds", "1.1"], 0, ALL),
     "tree render": (["--live"], 0, ALL),
     "request json": (['{"task": "dance"}'], 2, {"requester", "operator"}),
     "request fetch": (["--item", NOT_IN_SITE], 2, {"requester", "operator"}),

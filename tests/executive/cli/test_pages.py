@@ -15,17 +15,17 @@ from tandem.skills.ports.keys import Service, Topic
 from tandem.trees.registry import discover
 
 DOCS = Path(__file__).parents[3] / "docs"
-PAGE, JSON = DOCS / "interface.md", DOCS / "json.md"
+PAGE, JSON, CLAUSES = DOCS / "interface.md", DOCS / "json.md", DOCS / "hardware-check.md"
 
 
-@pytest.mark.parametrize("path", [PAGE, JSON], ids=lambda path: path.name)
+@pytest.mark.parametrize("path", [PAGE, JSON, CLAUSES], ids=lambda path: path.name)
 def test_the_page_is_up_to_date(path: Path) -> None:
     page = path.read_text(encoding="utf-8")
     assert fill(page) == page, f"run: python -m tandem.executive.cli.pages docs/{path.name}"
 
 
 def test_the_pages_have_every_table() -> None:
-    found = [name for path in (PAGE, JSON) for name in marked(path.read_text(encoding="utf-8"))]
+    found = [name for path in (PAGE, JSON, CLAUSES) for name in marked(path.read_text(encoding="utf-8"))]
     assert sorted(found) == sorted(tables())
 
 
