@@ -143,7 +143,10 @@ def topics(robot: RobotDescription) -> tuple[Topic[Message], ...]:
     driven = () if robot.drive is None else (keys.ODOMETRY, keys.BUMPERS)
     seen = (keys.RANGES, keys.POSE_READING, keys.ROBOTS_SEEN)
     return (
-        *(_any(topic) for topic in (keys.CLOCK, keys.JOINT_STATES, keys.STOP_STATE, keys.LEASES, *driven, *seen)),
+        *(
+            _any(topic)
+            for topic in (keys.CLOCK, keys.JOINT_STATES, keys.STOP_STATE, keys.LEASES, *driven, *seen)
+        ),
         *(_any(keys.group_status(group.name)) for group in robot.groups),
         *(_any(keys.gripper_state(hand)) for hand in robot.hands),
         *(_any(keys.wrench(hand)) for hand in robot.hands),
