@@ -12,6 +12,7 @@ from tandem.skills.ports.hardware import RobotDescription, StopState
 from tandem.skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, Latest, Nothing
 from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.site import Site
+from tandem.skills.ports.whereabouts import Neighbours
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, WORLD, PlanningScene, RobotPose, WorldState
 
 ASSUMED: Final = PAIR
@@ -41,9 +42,12 @@ class Knowledge:
         bus: where the skills are.
         clocks: host time, for asking again.
         site: what was known beforehand.
+        neighbours: the other robots of the site; unless given there are none.
     """
 
-    def __init__(self, bus: Bus, clocks: Clocks, site: Site) -> None:
+    def __init__(self, bus: Bus, clocks: Clocks, site: Site, neighbours: Neighbours | None = None) -> None:
+        self.neighbours = Neighbours(None, clocks, "") if neighbours is None else neighbours
+        """The other robots of the site, as they tell of themselves."""
         self.site = site
         self.description: RobotDescription | None = None
         self._bus, self._clocks = bus, clocks
@@ -68,6 +72,7 @@ class Knowledge:
         self._world.refresh()
         self._robot.refresh()
         self._stop.refresh()
+        self.neighbours.refresh()
         self._hear_hardware()
         for latest in self._arms.values():
             latest.refresh()
@@ -155,6 +160,7 @@ class Knowledge:
         self._scene.close()
         self._robot.close()
         self._stop.close()
+        self.neighbours.close()
         self._zones.close()
         self._ticks.close()
         for latest in self._arms.values():

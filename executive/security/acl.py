@@ -71,6 +71,8 @@ MESSAGES: Final[Mapping[str, Mapping[Flow, tuple[Kind, ...]]]] = {
     "asks": {"ingress": ("query",), "egress": ("reply",)},
     "serves": {"ingress": ("declare_queryable", "reply"), "egress": ("query",)},
     "announces": {"ingress": ("liveliness_token",)},
+    "tells_site": {"ingress": ("put",)},
+    "hears_site": {"ingress": ("declare_subscriber",), "egress": ("put",)},
     "sees": {
         "ingress": ("declare_liveliness_subscriber", "liveliness_query"),
         "egress": ("liveliness_token", "reply"),
@@ -86,6 +88,8 @@ ROUTER_LETS_THROUGH_OF_STREAMS: Final = 64 * 1024 * 1024
 SMALL_QUERIES: Final = ("task/**", "tree/**", "world/**", "skill/**", "sim/**", "hw/stop/**", "hw/gripper/**")
 """Keys whose documents are small."""
 PUT_BY_CLIENTS: Final = ("task/request", "task/by/**")
+SITE_VERBS: Final = ("tells_site", "hears_site")
+ROBOT_IN_KEY: Final = "{robot}"
 _DECLARATIONS: Final[tuple[Kind, ...]] = ("declare_subscriber", "declare_queryable")
 
 
@@ -147,10 +151,18 @@ def _rules(holder: Holder, prefix: str, parts: Mapping[Part, Rights]) -> list[Ru
                     id=f"{holder.common_name}/{verb}/{flow}",
                     flows=(flow,),
                     messages=kinds,
-                    key_exprs=tuple(f"{prefix}/{key}" for key in keys),
+                    key_exprs=tuple(_whole(verb, key, prefix) for key in keys),
                 )
                 rules.append(rule)
     return [*rules, *_kept_rules(holder, rights, prefix)]
+
+
+def _whole(verb: str, key: str, prefix: str) -> str:
+    """Return a right's key expression as it stands in the router."""
+    if verb not in SITE_VERBS:
+        return f"{prefix}/{key}"
+    site, _, robot = prefix.partition("/")
+    return f"{site}/{key.replace(ROBOT_IN_KEY, robot)}"
 
 
 def _kept_rules(holder: Holder, rights: Rights, prefix: str) -> list[Rule]:

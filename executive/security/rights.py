@@ -21,7 +21,11 @@ _FOR_ALL_CLIENTS: Final = "clients"
 
 
 class Rights(Message):
-    """Key expressions by what may be done there; relative to ``<site>/<robot>``."""
+    """Key expressions by what may be done there; relative to ``<site>/<robot>``, but for the last two.
+
+    ``tells_site`` and ``hears_site`` are relative to ``<site>``, which all its robots share; ``{robot}`` in
+    them is the robot's own name.
+    """
 
     tells: tuple[str, ...] = ()
     hears: tuple[str, ...] = ()
@@ -29,6 +33,8 @@ class Rights(Message):
     serves: tuple[str, ...] = ()
     announces: tuple[str, ...] = ()
     sees: tuple[str, ...] = ()
+    tells_site: tuple[str, ...] = ()
+    hears_site: tuple[str, ...] = ()
 
     def of(self, name: str) -> Rights:
         """Return them with the client's own name where its keys have it."""

@@ -37,7 +37,8 @@ from tandem.executive.service.tasks.wall_clock import WallClock
 from tandem.executive.service.verbs.task_control import Control
 from tandem.executive.service.verbs.task_queries import Questions
 from tandem.executive.service.verbs.verb_service import Verbs
-from tandem.skills.ports.bus import Bus
+from tandem.executive.service.whereabouts import Whereabouts
+from tandem.skills.ports.bus import Bus, Commons
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.message import Message
@@ -54,6 +55,7 @@ from tandem.skills.ports.tasks import (
     TreeSnapshot,
     task_status,
 )
+from tandem.skills.ports.whereabouts import Neighbours
 from tandem.trees.clients import Clients
 from tandem.trees.context import TreeContext
 from tandem.trees.dialogue import Dialogue
@@ -102,6 +104,8 @@ class Executive:
         ledger: what was accepted and what became of it; in memory unless given. Closed with the service.
         policy: how the service treats tasks.
         died: how the executive of before ended, in words; empty when it did not crash, or nobody knows.
+        commons: where the robots of the site tell where they are; None: there is no such place.
+        robot: the robot's name among them.
 
     Raises:
         LedgerError: also in ``step``, when the ledger can't be written: nothing may be told then.
@@ -120,10 +124,14 @@ class Executive:
         ledger: Ledger | None = None,
         policy: Policy | None = None,
         died: str = "",
+        commons: Commons | None = None,
+        robot: str = "",
     ) -> None:
         self._ledger: Ledger = MemoryLedger() if ledger is None else ledger
         self._policy = Policy() if policy is None else policy
-        self.knowledge = Knowledge(bus, clocks, site)
+        self.knowledge = Knowledge(bus, clocks, site, Neighbours(commons, clocks, robot))
+        start_here = f"{start}/{clocks.utc():.6f}"
+        self._whereabouts = None if commons is None else Whereabouts(commons, clocks, robot, start_here)
         self.clients = Clients(bus, clocks, NAME, LedgerJournal(self._ledger, self._remember))
         self._wall = WallClock(clocks, self._ledger.reading(), host)
         bounds = self._policy.bounds
@@ -193,6 +201,9 @@ class Executive:
         more = self._album.step() or more
         more = self._questions.step() or more
         self._pulse.step("" if self._turn is None else self._turn.task, len(self.book.waiting))
+        if self._whereabouts is not None:
+            running = None if self._turn is None else self.book.get(self._turn.task)
+            self._whereabouts.step(self.knowledge.robot, running)
         next_one = self._turn is None and self.book.next() is not None and self._leftovers.none
         return self._intake.unread or more or next_one
 

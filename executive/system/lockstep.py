@@ -105,6 +105,8 @@ class Lockstep:
             raise ScenarioError(f"{scenario.name}: robots: expected one with drives: executive, found none")
         hubs = {name: MemoryHub() for name in driven}
         clocks = {name: SteppedClocks() for name in driven}
+        self.commons = MemoryHub()
+        """What travels on the keys that all robots of the site share."""
         how = StationSettings(boot=clocks[driven[0]].boot, seed=seed)
         buses = {name: MemoryBus(hub) for name, hub in hubs.items()}
         self.station = Station(buses, self._site, scenario, how)
@@ -151,16 +153,23 @@ class Lockstep:
         end = partial(self._end, name, hub, clocks)
         description = self.station.robots[name].model.description
         nodes: list[Node] = [
-            self._skills(role, end(role.name), clocks, description)
+            self._skills(role, name, end(role.name), clocks, description)
             for role in skill_roles(description, self._left_out)
             if role.name not in without
         ]
         if "executive" not in without:
             left_out = self._left_out
-            nodes.append(executive_node(end("executive"), clocks, self._site, start="", left_out=left_out))
+            bus, commons = end("executive"), MemoryBus(self.commons)
+            nodes.append(
+                executive_node(
+                    bus, clocks, self._site, start="", left_out=left_out, commons=commons, robot=name
+                )
+            )
         return tuple(nodes)
 
-    def _skills(self, role: Role, bus: Bus, clocks: SteppedClocks, description: RobotDescription) -> Node:
+    def _skills(
+        self, role: Role, robot: str, bus: Bus, clocks: SteppedClocks, description: RobotDescription
+    ) -> Node:
         def build(bus: Bus, description: RobotDescription) -> Sequence[Node]:
             at = Surroundings(
                 bus=bus,
@@ -171,6 +180,8 @@ class Lockstep:
                 seed=self._seed,
                 charge=True,
                 left_out=self._left_out,
+                commons=MemoryBus(self.commons),
+                robot=robot,
             )
             return nodes_of(role, at)
 

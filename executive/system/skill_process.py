@@ -58,6 +58,8 @@ def play_skills(stage: Stage, role: Role) -> None:
                     seed=settings.seed,
                     left_out=settings.left_out,
                     journal=None if settings.journal is None else Path(settings.journal),
+                    commons=stage.bus.commons(),
+                    robot=settings.prefix.rpartition("/")[2],
                 )
                 nodes = nodes_of(role, at) if role.needed(description) else ()
                 _keep_goals(settings, nodes)

@@ -1,7 +1,7 @@
 """The vocabulary that all rooms share: messages, failure kinds, protocols and keys.
 
 What a message is: message, utc, pose, image, picture_header, problems, documents, sources.
-What is said: hardware, sensors, world, tasks, site, action, failure; goals and results are in ``actions/``.
+What is said: hardware, sensors, world, whereabouts, tasks, site, action, failure; goals are in ``actions/``.
 The table of keys: keys, match, delivery.
 Protocols: bus, forwarding_bus, clocks, compute, node, skill.
 Serving and hearing: serving, endpoint, limits, hearing, checks, refusals.

@@ -116,6 +116,30 @@ class Pending(Protocol):
         ...
 
 
+class Commons(Protocol):
+    """What all robots of a site share: keys are relative to ``<site>``, and begin with ``world/``.
+
+    Only messages: nothing is asked or served there, so that no robot waits for another.
+    """
+
+    @property
+    def ear(self) -> Ear:
+        """What this process checks what it hears by."""
+        ...
+
+    def publish(self, key: str, payload: bytes) -> None:
+        """Send to all who subscribed, of whatever robot."""
+        ...
+
+    def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
+        """Receive what is put on the key expression from now on; of each key ``depth`` are kept."""
+        ...
+
+    def lease(self) -> Lease | None:
+        """Return None: nobody commands another robot."""
+        ...
+
+
 class Bus(Protocol):
     """Keys are relative to ``<site>/<robot>``; ``*`` stands for one part of a key, ``**`` for any number."""
 

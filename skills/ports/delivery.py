@@ -58,6 +58,7 @@ DELIVERY: Final[tuple[tuple[str, Delivery], ...]] = (
     ("hw/stop/state", Delivery.STATE),
     ("hw/leases", Delivery.STATE),
     ("world/robot", Delivery.CONTROL),
+    ("world/robots/*", Delivery.CONTROL),
     ("world/**", Delivery.STATE),
     ("skill/*/approach_state", Delivery.CONTROL),
     ("skill/reflex/crossing", Delivery.CONTROL),

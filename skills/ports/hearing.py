@@ -21,7 +21,7 @@ from tandem.skills.ports.problems import in_words, problems_of
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
-    from tandem.skills.ports.bus import Bus
+    from tandem.skills.ports.bus import Commons
     from tandem.skills.ports.hardware import RobotDescription
 
 M = TypeVar("M", bound=Message)
@@ -173,7 +173,9 @@ class Heard(Generic[M]):
         depth: how many of each key are kept until they are taken; then the oldest go.
     """
 
-    def __init__(self, bus: Bus, expression: str, decode: Callable[[bytes], M], *, depth: int = 256) -> None:
+    def __init__(
+        self, bus: Commons, expression: str, decode: Callable[[bytes], M], *, depth: int = 256
+    ) -> None:
         self._inbox = bus.subscribe(expression, depth=depth)
         self._entrance = Entrance(bus.ear, decode)
 

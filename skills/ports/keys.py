@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass
 from typing import Final, Generic, TypeVar
 
-from tandem.skills.ports.bus import Bus, Inbox, Pending
+from tandem.skills.ports.bus import Bus, Commons, Inbox, Pending
 from tandem.skills.ports.hardware import (
     Answer,
     BaseVelocity,
@@ -45,7 +45,7 @@ class Nothing(Message):
     """An empty document, for a query without arguments."""
 
 
-def _with_lease(bus: Bus, message: Message) -> Message:
+def _with_lease(bus: Commons, message: Message) -> Message:
     lease = bus.lease() if isinstance(message, Leased) and message.lease is None else None
     return message if lease is None else message.model_copy(update={"lease": lease})
 
@@ -62,7 +62,7 @@ class Topic(Generic[M]):
     key: str
     model: type[M]
 
-    def publish(self, bus: Bus, message: M) -> None:
+    def publish(self, bus: Commons, message: M) -> None:
         """Put the message; a command carries the lease of the bus's process."""
         bus.publish(self.key, _with_lease(bus, message).model_dump_json().encode())
 

@@ -140,16 +140,11 @@ class ZenohBus:
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
         """Receive what is put on the key expression from now on."""
-        inbox = ZenohInbox(KeyedQueue(depth, "oldest goes"))
-        start = len(self._prefix) + 1
+        return _subscribed(self._session, self._prefix, key, depth, self.waker)
 
-        def arrived(sample: zenoh.Sample) -> None:
-            name = str(sample.key_expr)[start:]
-            inbox.waiting.put(name, MemorySample(name, sample.payload.to_bytes()))
-            self.waker.wake()
-
-        inbox.subscriber = self._session.declare_subscriber(f"{self._prefix}/{key}", arrived)
-        return inbox
+    def commons(self) -> ZenohCommons:
+        """Return the end, on the same session, of what all robots of the site share."""
+        return ZenohCommons(self._session, self._prefix.partition("/")[0], self.ear, self.waker)
 
     def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
         """Query the process that serves the key."""
@@ -284,6 +279,57 @@ class ZenohBus:
     def _on_beat(self, sample: zenoh.Sample) -> None:
         # Wakes nobody: who asks for it looks every turn.
         self._pulse.hear(sample.payload.to_string().split("\n"))
+
+
+class ZenohCommons:
+    """What all robots of a site share; implements ``skills.ports.bus.Commons`` on a process's session.
+
+    Args:
+        session: it ends with its owner.
+        site: put before every key.
+        ear: of the process.
+        waker: told when something has arrived.
+    """
+
+    def __init__(self, session: zenoh.Session, site: str, ear: Ear, waker: Waker) -> None:
+        self._session, self._site, self._waker = session, site, waker
+        self.ear = ear
+        self._publishers: dict[str, zenoh.Publisher] = {}
+
+    def publish(self, key: str, payload: bytes) -> None:
+        """Send to all who subscribed."""
+        publisher = self._publishers.get(key)
+        if publisher is None:
+            means = MEANS[delivery_of(key)]
+            publisher = self._session.declare_publisher(
+                f"{self._site}/{key}",
+                express=means.express,
+                congestion_control=means.congestion,
+                priority=means.priority,
+            )
+            self._publishers[key] = publisher
+        publisher.put(payload)
+
+    def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
+        """Receive what is put on the key expression from now on."""
+        return _subscribed(self._session, self._site, key, depth, self._waker)
+
+    def lease(self) -> Lease | None:
+        """Return None: nobody commands another robot."""
+        return None
+
+
+def _subscribed(session: zenoh.Session, prefix: str, key: str, depth: int, waker: Waker) -> Inbox:
+    inbox = ZenohInbox(KeyedQueue(depth, "oldest goes"))
+    start = len(prefix) + 1
+
+    def arrived(sample: zenoh.Sample) -> None:
+        name = str(sample.key_expr)[start:]
+        inbox.waiting.put(name, MemorySample(name, sample.payload.to_bytes()))
+        waker.wake()
+
+    inbox.subscriber = session.declare_subscriber(f"{prefix}/{key}", arrived)
+    return inbox
 
 
 def _process(names: Sequence[str]) -> str:

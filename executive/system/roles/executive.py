@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.security.rights import Rights
 from tandem.executive.system.roles.role import Role, Stage, process_rights
-from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.bus import Bus, Commons
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.node import Node
 from tandem.skills.ports.plugins import NONE
@@ -41,6 +41,8 @@ def executive_node(
     on_restart: OnRestart = "resume",
     died: str = "",
     left_out: Mapping[str, str] | None = NONE,
+    commons: Commons | None = None,
+    robot: str = "",
 ) -> Node:
     """Return the executive with all kinds of tasks there are.
 
@@ -54,6 +56,8 @@ def executive_node(
         on_restart: what becomes of a task that was under way.
         died: how the executive of before ended.
         left_out: plug-ins that are known not to load; None: all plug-ins are left out.
+        commons: where the robots of the site tell where they are.
+        robot: the robot's name among them.
     """
     from importlib.metadata import version  # noqa: PLC0415
 
@@ -71,6 +75,8 @@ def executive_node(
         ledger=ledger,
         policy=Policy(on_restart=on_restart),
         died=died,
+        commons=commons,
+        robot=robot,
     )
 
 
@@ -102,6 +108,8 @@ def service_node(stage: Stage, bus: Bus, clocks: Clocks, ledger: Ledger | None) 
         on_restart=settings.on_restart,
         died=settings.died,
         left_out=settings.left_out,
+        commons=stage.bus.commons(),
+        robot=settings.prefix.rpartition("/")[2],
     )
 
 
@@ -126,6 +134,8 @@ RIGHTS: Final = process_rights(
         # Of the hardware it may ask who it is, and set the stop; it can't release it.
         asks=("hw/description", "hw/lease", "hw/stop", "skill/**", "world/**"),
         serves=("task/**", "tree/**", "site/**"),
+        tells_site=("world/robots/{robot}",),
+        hears_site=("world/robots/*",),
     )
 )
 ROLES = (Role(name="executive", starts=80, kind="executive", play=_play, rights=RIGHTS, ahead=_load_ahead),)

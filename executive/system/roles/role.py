@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final, Literal
 from tandem.executive.config.extras import Extra
 from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.security.rights import Rights
-from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.bus import Bus, Commons
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.compute import Compute
 from tandem.skills.ports.hardware import RobotDescription
@@ -44,6 +44,10 @@ class Surroundings:
     journal: Path | None = None
     left_out: Mapping[str, str] | None = None
     """Plug-ins that are known not to load; None: all plug-ins are left out."""
+    commons: Commons | None = None
+    """What all robots of the site share (``tandem.skills.ports.whereabouts``)."""
+    robot: str = ""
+    """The robot's name among them."""
 
 
 @dataclass(frozen=True)
@@ -117,6 +121,7 @@ _EVERY_SKILL: Final = Rights(
     hears=("hw/**", "world/**", "skill/**", "beat", "refused"),
     asks=("hw/description", "hw/lease", "hw/stop"),  # no skill calls another
     serves=("skill/**",),
+    hears_site=("world/robots/*",),
 ).also(_EVERY_PROCESS)
 
 

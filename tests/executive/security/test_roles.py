@@ -277,3 +277,24 @@ def test_states_are_asked_for_again_by_those_who_may_hear_them(bus: Secured) -> 
         "operator",
     }
     assert set(answers.values()) == {b"believed", None}
+
+
+def test_only_the_executive_tells_the_site_and_only_of_its_own_robot(bus: Secured) -> None:
+    heard = bus.sessions["skills"].commons().subscribe("world/robots/*")
+    commons = {who: bus.sessions[who].commons() for who in EVERYBODY if who != "skills"}
+    got: set[tuple[str, str]] = set()
+
+    def tell() -> bool:
+        for who, end in commons.items():
+            for robot in ("tiago", "other"):
+                end.publish(f"world/robots/{robot}", who.encode())
+        got.update((each.key, each.payload.decode()) for each in heard.drain())
+        return bool(got)
+
+    assert bus.until(tell)
+    fence(bus)
+    tell()
+    fence(bus)
+    got.update((each.key, each.payload.decode()) for each in heard.drain())
+    assert got == {("world/robots/tiago", "executive")}
+    heard.close()

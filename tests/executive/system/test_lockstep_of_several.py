@@ -15,6 +15,8 @@ from tandem.sim.truth import Truth
 from tandem.skills.ports.hardware import Stop
 from tandem.skills.ports.keys import STOP, STOP_STATE, Latest
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.whereabouts import Neighbours
+from tandem.skills.wire.memory import MemoryBus
 
 TRIO = Scenario(
     name="trio",
@@ -99,3 +101,26 @@ def test_somebody_must_have_an_executive() -> None:
     wanderers = tuple(each.model_copy(update={"drives": "wander"}) for each in TRIO.robots)
     with pytest.raises(ScenarioError, match="robots: expected one with drives: executive"):
         Lockstep(TRIO.model_copy(update={"robots": wanderers}), 1)
+
+
+def test_robots_know_of_each_other_where_they_are_and_what_they_do() -> None:
+    system = LockstepSystem(TRIO, 1)
+    try:
+        heard = Neighbours(MemoryBus(system.lockstep.commons), system.lockstep.clocks, "r2")
+        assert Caller(system.of("r3"), lambda _: None).request({"task": "inspect"}).accepted
+        for _ in range(300):
+            system.advance()
+            heard.refresh()
+        told = heard.of("r3")
+        assert told is not None
+        assert set(heard.all()) == {"r3"}  # a robot that a script drives tells nothing
+        assert (told.told.task, told.told.kind) == ("inspect-0001", "inspect")
+        assert told.told.phase
+        assert told.age <= 0.11
+        assert told.told.base_in_map is not None
+        truth = system.lockstep.station.truth().robot("r3").base_in_map
+        where = (told.told.base_in_map.x, told.told.base_in_map.y)
+        # 0.3 m/s at the most by now, 0.1 s old, and 3 cm for localisation.
+        assert math.dist(where, truth.position[:2]) < 0.1
+    finally:
+        system.close()
