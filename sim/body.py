@@ -94,7 +94,7 @@ class RobotBody:
         states = pybullet.getJointStates(
             self.body, [self.joint_index[name] for name in joints], physicsClientId=self.physics.client
         )
-        return [JointReading(s[0], s[1], s[3]) for s in states]
+        return [JointReading(s[0], s[1], s[3]) for s in states or ()]  # None of no joints
 
     def reaction(self, joint: str) -> tuple[Vector3, Vector3]:
         """Return the force (N) and torque (N m) that a joint with a sensor passes to its child link.

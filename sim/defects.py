@@ -17,10 +17,13 @@ from tandem.sim.faults import (
     JointStall,
     LaserSilent,
     OdometryJump,
+    RangeSilent,
+    RangeStuck,
 )
 from tandem.sim.gripper import HandDefects
 from tandem.sim.lens import Freeze, darken
 from tandem.sim.scenario import ScenarioError
+from tandem.sim.sensor_nodes import RangesNode
 from tandem.skills.ports import keys
 from tandem.skills.ports.sources import Source
 
@@ -54,6 +57,10 @@ def break_hardware(standing: Sequence[Standing], link: FaultyLink, hardware: Har
     if any(isinstance(fault, LaserSilent) for fault in faults):
         cut |= {keys.laser(each.name).key for each in hardware.description.lasers}
     link.cut = frozenset(cut)
+    for node in hardware.sensors:
+        if isinstance(node, RangesNode):
+            node.silent = _ranges(RangeSilent, faults, hardware.description)
+            node.stuck = _ranges(RangeStuck, faults, hardware.description)
     pictures = [keys.rgbd(each.name) for each in hardware.description.cameras]
     link.spoils = {key: spoil for key in pictures for spoil in _spoils(standing)}
     stalls = [stall for each in standing for stall in _stalls(each, hardware.description)]
@@ -68,6 +75,14 @@ def break_hardware(standing: Sequence[Standing], link: FaultyLink, hardware: Har
         hand.defects = _hand([each.fault for each in standing if side in each.sides])
     for base in hardware.bases:
         base.jammed = frozenset(fault.bumper for fault in faults if isinstance(fault, BumperPressed))
+
+
+def _ranges(
+    kind: type[RangeSilent | RangeStuck], faults: Sequence[Fault], robot: RobotDescription
+) -> frozenset[str]:
+    """Return the range sensors that faults of a kind are about."""
+    meant = [fault.sensor for fault in faults if isinstance(fault, kind)]
+    return frozenset(each.name for each in robot.range_sensors if None in meant or each.name in meant)
 
 
 def _stalls(each: Standing, robot: RobotDescription) -> list[tuple[str, JointStall]]:
@@ -112,15 +127,16 @@ def stalled_joints(fault: JointStall, group: str, robot: RobotDescription) -> tu
     return tuple(named)
 
 
-def misfit(fault: Fault, robot: RobotDescription) -> str:
-    """Return what a fault names and the robot doesn't have, and what was expected; else nothing."""
-    if isinstance(fault, OdometryJump | BumperPressed) and robot.drive is None:
-        return f"kind: expected a robot that drives, found {robot.name}, whose base is fixed"
-    side = getattr(fault, "side", None)
-    if side is not None and side not in robot.hands:
-        return f"side: expected one of {', '.join(robot.hands) or 'none: it has no hands'}, found {side}"
-    if not isinstance(fault, JointStall):
+def _range_misfit(fault: RangeSilent | RangeStuck, robot: RobotDescription) -> str:
+    there = [each.name for each in robot.range_sensors]
+    if not there:
+        return f"kind: expected a robot with range sensors, found {robot.name}, which has none"
+    if fault.sensor is None or fault.sensor in there:
         return ""
+    return f"sensor: expected one of {', '.join(there)}, found {fault.sensor}"
+
+
+def _stall_misfit(fault: JointStall, robot: RobotDescription) -> str:
     groups = [group.name for group in robot.groups]
     if fault.group is not None and fault.group not in groups:
         return f"group: expected one of {', '.join(groups)}, found {fault.group}"
@@ -131,6 +147,18 @@ def misfit(fault: Fault, robot: RobotDescription) -> str:
     except LookupError as error:
         return str(error.args[0])
     return ""
+
+
+def misfit(fault: Fault, robot: RobotDescription) -> str:
+    """Return what a fault names and the robot doesn't have, and what was expected; else nothing."""
+    if isinstance(fault, OdometryJump | BumperPressed) and robot.drive is None:
+        return f"kind: expected a robot that drives, found {robot.name}, whose base is fixed"
+    if isinstance(fault, RangeSilent | RangeStuck):
+        return _range_misfit(fault, robot)
+    side = getattr(fault, "side", None)
+    if side is not None and side not in robot.hands:
+        return f"side: expected one of {', '.join(robot.hands) or 'none: it has no hands'}, found {side}"
+    return _stall_misfit(fault, robot) if isinstance(fault, JointStall) else ""
 
 
 def check_faults(faults: Iterable[Fault], robots: Mapping[str, RobotDescription], *, source: Source) -> None:

@@ -11,7 +11,7 @@ from typing import Annotated, Final, Literal
 from pydantic import Field, model_validator
 
 from tandem.sim.things import Angle, BoxShape, Colour, Coordinate, Friction, Name, Shape
-from tandem.skills.ports.message import Count, HandName, Message, RobotTime
+from tandem.skills.ports.message import Count, HandName, Message, PartName, RobotTime
 
 Tag = Annotated[int, Field(ge=0, le=586)]
 Seconds = Annotated[float, Field(ge=0.0, le=3600.0)]
@@ -125,6 +125,20 @@ class LaserSilent(_Lasting):
     """The laser sends nothing."""
 
     kind: Literal["laser_silent"] = "laser_silent"
+
+
+class RangeSilent(_Lasting):
+    """A range sensor tells nothing; without a name: all of them."""
+
+    kind: Literal["range_silent"] = "range_silent"
+    sensor: PartName | None = None
+
+
+class RangeStuck(_Lasting):
+    """A range sensor repeats its last distance, with new stamps; without a name: all of them."""
+
+    kind: Literal["range_stuck"] = "range_stuck"
+    sensor: PartName | None = None
 
 
 class OdometryJump(_Once):
@@ -289,6 +303,8 @@ Fault = Annotated[
     | CameraFrozen
     | CameraSilent
     | LaserSilent
+    | RangeSilent
+    | RangeStuck
     | OdometryJump
     | JointStall
     | GripperStuck

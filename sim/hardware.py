@@ -132,6 +132,11 @@ class Hardware:
         return self._tick
 
     @property
+    def sensors(self) -> Sequence[Sensor]:
+        """What publishes by itself: cameras, lasers, sonars, ..."""
+        return self._sensors
+
+    @property
     def base(self) -> BasePart:
         """The base that drives; LookupError when it is fixed."""
         if not self.bases:

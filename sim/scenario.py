@@ -41,6 +41,8 @@ class Noise(Message):
     """Radians of heading per square root of a metre driven."""
     laser_sigma: float = Field(default=0.0, ge=0.0, le=0.2)
     """Metres."""
+    range_sigma: float = Field(default=0.0, ge=0.0, le=0.5)
+    """Metres: of sonars and other range sensors."""
     depth_sigma: float = Field(default=0.0, ge=0.0, le=0.1)
     """Metres at a range of 1 m; grows with the range squared, as in stereo and structured light."""
     depth_quantum: float = Field(default=0.0, ge=0.0, le=0.1)

@@ -16,6 +16,7 @@ from tandem.sim.laser import Laser
 from tandem.sim.parts import LaserSensorNode
 from tandem.sim.robots import registry
 from tandem.sim.room import Room
+from tandem.sim.sensing import others_in, sensor_nodes
 from tandem.sim.trouble import Trouble
 from tandem.sim.wanderer import Wanderer
 
@@ -106,7 +107,7 @@ class StationedRobot:
             boot=setting.boot,
             noise=noise,
             rng=self._rng(1),
-            sensors=self._sensors(setting.scenario),
+            sensors=self._sensors(setting.scenario, setting.world),
             waits=waits,
         )
         room = Room(site, setting.world, self.body)
@@ -132,7 +133,7 @@ class StationedRobot:
             boot=setting.boot,
             noise=setting.scenario.noise,
             rng=self._rng(1),
-            sensors=self._sensors(setting.scenario),
+            sensors=self._sensors(setting.scenario, setting.world),
         )
         self.trouble.restart(Room(self._site, setting.world, self.body), self._faults(setting.scenario))
         self.controls.restart(setting.world, self.body)
@@ -153,7 +154,7 @@ class StationedRobot:
         first = scenario.first.name
         return tuple(each for each in scenario.faults if (each.robot or first) == self.name)
 
-    def _sensors(self, scenario: Scenario) -> tuple[Sensor, ...]:
+    def _sensors(self, scenario: Scenario, world: World) -> tuple[Sensor, ...]:
         self.cameras: tuple[HeadCamera, ...] = ()
         if self.drives != "executive":
             return ()  # nobody hears them
@@ -166,7 +167,15 @@ class StationedRobot:
             HeadCamera(self._link, self._studio, self.body, each, rate=scenario.camera_rate)
             for each in description.cameras
         )
-        return (*lasers, *self.cameras)
+        others = sensor_nodes(
+            self._link,
+            self.body,
+            noise=noise,
+            ranging=self._rng(4),
+            posing=self._rng(5),
+            others=lambda: others_in(world, self.body),
+        )
+        return (*lasers, *others, *self.cameras)
 
     def _rng(self, purpose: int) -> np.random.Generator:
         """Return the source of chance for a purpose; each robot has its own."""

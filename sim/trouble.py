@@ -27,6 +27,8 @@ from tandem.sim.faults import (
     JointStall,
     ObstacleAppears,
     OdometryJump,
+    RangeSilent,
+    RangeStuck,
     StopSet,
 )
 from tandem.sim.lens import Freeze
@@ -215,4 +217,7 @@ def _standing(case: _Case) -> str:
             what += f" ({' and '.join(case.sides)})"
         case BumperPressed():
             what = f"bumper {fault.bumper} reads pressed"
+        case RangeSilent() | RangeStuck():
+            sensors = "all range sensors" if fault.sensor is None else f"range sensor {fault.sensor}"
+            what = f"{sensors} {fault.kind.removeprefix('range_')}"
     return f"{what} {span}"

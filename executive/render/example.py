@@ -53,7 +53,7 @@ def tree_of(kind: TaskType[Message], site: Site, document: dict[str, JsonValue])
 
 
 def _example(name: str, info: FieldInfo, site: Site, known: Mapping[str, JsonValue]) -> JsonValue:
-    if name == "item" or name.endswith("_item"):
+    if site.items and (name == "item" or name.endswith("_item")):
         return site.items[0].item
     if name in PAIR:
         for each in site.items:

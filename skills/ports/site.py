@@ -101,8 +101,8 @@ class Site(Message):
     furniture: tuple[Furniture, ...]
     home: FloorPose
     spots: Annotated[tuple[Spot, ...], Field(min_length=1)]
-    depots: Annotated[tuple[Depot, ...], Field(min_length=1)]
-    items: Annotated[tuple[SiteItem, ...], Field(min_length=1)]
+    depots: tuple[Depot, ...] = ()
+    items: tuple[SiteItem, ...] = ()
 
     @model_validator(mode="after")
     def _names_are_unique(self) -> Site:

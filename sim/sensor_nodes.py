@@ -1,0 +1,105 @@
+"""The nodes of sensors that measure once in each of their periods, and publish what they measured."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tandem.skills.ports import keys
+from tandem.skills.ports.sensors import PoseReading, RangeReading, Ranges, RobotsSeen
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from tandem.sim.pose_sensor import PoseFinder
+    from tandem.sim.range_sensor import RangeFinder
+    from tandem.sim.robot_sensor import RobotFinder
+    from tandem.skills.ports.bus import Bus
+    from tandem.skills.ports.message import RobotTime
+
+
+class _Due:
+    """Says when it is time again.
+
+    Args:
+        period: robot seconds.
+    """
+
+    def __init__(self, period: float) -> None:
+        self._period, self._next = period, 0.0
+
+    def __call__(self, now: RobotTime) -> bool:
+        if now.seconds < self._next - 1e-9:
+            return False
+        self._next = now.seconds + self._period
+        return True
+
+
+class RangesNode:
+    """Publishes the last reading of each range sensor whenever one has measured.
+
+    Args:
+        bus: where readings go.
+        finders: one for each sensor.
+    """
+
+    def __init__(self, bus: Bus, finders: Sequence[RangeFinder]) -> None:
+        self._bus = bus
+        self._finders = [(each, _Due(each.sensor.period)) for each in finders]
+        self._last: dict[str, float] = {}
+        self.silent: frozenset[str] = frozenset()
+        """Sensors that tell nothing."""
+        self.stuck: frozenset[str] = frozenset()
+        """Sensors that repeat what they told last."""
+
+    def step(self, now: RobotTime) -> None:
+        """Measure with those whose time it is; publish if there were any."""
+        due = [finder for finder, is_due in self._finders if is_due(now)]
+        for finder in due:
+            name, measured = finder.sensor.name, finder.measure()  # also when stuck: the noise goes on
+            if name not in self.stuck or name not in self._last:
+                self._last[name] = measured
+        if due:
+            told = tuple(
+                RangeReading(sensor=name, distance=distance)
+                for name, distance in self._last.items()
+                if name not in self.silent
+            )
+            keys.RANGES.publish(self._bus, Ranges(stamp=now, readings=told))
+
+
+class PoseNode:
+    """Publishes where a pose sensor has the base.
+
+    Args:
+        bus: where readings go.
+        finder: measures.
+    """
+
+    def __init__(self, bus: Bus, finder: PoseFinder) -> None:
+        self._bus, self._finder, self._due = bus, finder, _Due(finder.sensor.period)
+
+    def step(self, now: RobotTime) -> None:
+        """Publish when it is time."""
+        if self._due(now):
+            reading = PoseReading(
+                stamp=now, sensor=self._finder.sensor.name, base_in_map=self._finder.measure()
+            )
+            keys.POSE_READING.publish(self._bus, reading)
+
+
+class RobotsNode:
+    """Publishes which other robots a sensor sees, also when there are none.
+
+    Args:
+        bus: where readings go.
+        finder: looks.
+    """
+
+    def __init__(self, bus: Bus, finder: RobotFinder) -> None:
+        self._bus, self._finder, self._due = bus, finder, _Due(finder.sensor.period)
+
+    def step(self, now: RobotTime) -> None:
+        """Publish when it is time."""
+        if self._due(now):
+            seen = RobotsSeen(stamp=now, sensor=self._finder.sensor.name, robots=self._finder.measure())
+            keys.ROBOTS_SEEN.publish(self._bus, seen)
