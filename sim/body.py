@@ -64,7 +64,7 @@ class RobotBody:
         self.physics = physics
         self.name = name
         self._group = robot_group(number)
-        self.seen = Group.THING | Group.FIXED | (ROBOTS & ~self._group)
+        self.seen = Group.THING | Group.FIXED | Group(int(ROBOTS) & ~int(self._group))
         """What the rays of its sensors hit: everything but itself."""
         self.model = model
         self.body = _load(
