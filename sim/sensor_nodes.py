@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from tandem.skills.ports import keys
 from tandem.skills.ports.sensors import PoseReading, RangeReading, Ranges, RobotsSeen
@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from tandem.skills.ports.bus import Bus
     from tandem.skills.ports.message import RobotTime
 
+SLACK: Final = 1e-6
+"""Seconds that sums of periods may be off by."""
+
 
 class _Due:
     """Says when it is time again.
@@ -25,12 +28,13 @@ class _Due:
     """
 
     def __init__(self, period: float) -> None:
-        self._period, self._next = period, 0.0
+        self._period = period
+        self._next: RobotTime | None = None
 
     def __call__(self, now: RobotTime) -> bool:
-        if now.seconds < self._next - 1e-9:
+        if self._next is not None and self._next.is_after(now):
             return False
-        self._next = now.seconds + self._period
+        self._next = now.plus(self._period - SLACK)
         return True
 
 
