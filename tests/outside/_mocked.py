@@ -57,11 +57,13 @@ class Mocked:
     Args:
         folder: of ledger, truth and logs.
         site: of this test alone.
+        shift: seconds by which the wall clock of all processes is wrong.
     """
 
     folder: Path
     site: str
     endpoint: str = field(default_factory=free_endpoint)
+    shift: float = 0.0
     _processes: dict[str, subprocess.Popen[bytes]] = field(default_factory=dict)
     _started: int = 0
     _client: Client | None = None
@@ -71,7 +73,7 @@ class Mocked:
         """Start all."""
         (self.folder / "clock").mkdir()
         (self.folder / "clock" / "sitecustomize.py").write_text(_CLOCK)
-        self.shift_clock(0.0)
+        self.shift_clock(self.shift)
         for role in ("router", "mock", "executive"):
             self.start(role)
         until("all is there", self._is_there)
