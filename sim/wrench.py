@@ -15,6 +15,8 @@ BUMPERS: Final = ("front", "left", "back", "right")
 """Each covers a quarter of the base, centred on its direction."""
 BUMPER_FORCE: Final = 1.0
 """N from which a bumper closes."""
+GROUND: Final = 0.01
+"""Metres: wheels that are bumpers, too, touch the floor below this."""
 
 
 class WristSensor:
@@ -57,7 +59,7 @@ def pressed_bumpers(body: RobotBody, links: Sequence[str]) -> tuple[str, ...]:
     hits = [
         contact
         for contact in body.physics.contacts(body.body, links=indices)
-        if contact.body_b != body.body and contact.force > BUMPER_FORCE
+        if contact.body_b != body.body and contact.force > BUMPER_FORCE and contact.position[2] > GROUND
     ]
     if not hits:
         return ()

@@ -74,7 +74,7 @@ def compose() -> RobotModel:
         hands=(),
         wheels=WHEELS,
         floor_frictions=FLOOR_FRICTIONS,
-        bumper_links=(ROOT,),
+        bumper_links=(ROOT, *(link for link in FLOOR_FRICTIONS if link != CASTER_LINK)),
         touching_links=(),
     )
 

@@ -69,7 +69,7 @@ def compose() -> RobotModel:
         wheels=WHEELS,
         floor_frictions=FLOOR_FRICTIONS,
         sideways_frictions=dict.fromkeys(FLOOR_FRICTIONS, SIDEWAYS),
-        bumper_links=(ROOT,),
+        bumper_links=(ROOT, *FLOOR_FRICTIONS),
         touching_links=(),
     )
 

@@ -12,6 +12,7 @@ from tandem.sim.scenario import Noise, ScenarioError, load_scenario
 from tandem.sim.station import Station, StationSettings
 from tandem.skills.ports import keys
 from tandem.skills.ports.hardware import BaseVelocity
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.sensors import Ranges
 from tandem.skills.site import load
 from tandem.skills.wire.memory import MemoryBus
@@ -137,3 +138,29 @@ def test_it_drives_by_velocity_commands_and_its_pose_sensor_tells_where(stage: S
     assert 0.15 < way < 0.30
     assert reading is not None
     assert (reading.base_in_map.x, reading.base_in_map.y) == pytest.approx(ended[:2], abs=0.05)
+
+
+@pytest.mark.parametrize(
+    ("scenario", "linear", "bumper"),
+    [
+        ("RocsP3dx", 0.2, "front"),
+        ("RocsSummit", 0.2, "front"),
+        ("RocsSummit", -0.2, "back"),
+    ],
+)
+def test_its_bumpers_tell_what_it_runs_into_and_not_the_floor(
+    stage: Stage, scenario: str, linear: float, bumper: str
+) -> None:
+    """From the room's middle, heading west; an immovable wall stands 0.3 m beyond the robot, either way."""
+    station = stage(scenario)
+    station.reset(1, station.scenario.model_copy(update={"start": FloorPose(x=0.0, y=0.0, yaw=math.pi)}))
+    told = keys.Latest(stage.bus, keys.BUMPERS)
+    stage.run(0.5)
+    assert {each.pressed for each in told.take()} == {()}
+    robot = station.hardware.description.footprint_radius
+    for side in (-1.0, 1.0):
+        station.physics.add_box((0.1, 2.0, 0.6), 0.0, (side * (robot + 0.35), 0.0, 0.3))
+    for _ in range(400):
+        keys.BASE_VELOCITY.publish(stage.bus, BaseVelocity(linear=linear, angular=0.0))
+        station.step()
+    assert {name for each in told.take() for name in each.pressed} == {bumper}

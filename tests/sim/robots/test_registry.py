@@ -19,6 +19,21 @@ def test_a_shipped_robot_is_called_as_its_description_says(name: str) -> None:
     assert robot_model(name).description.name == name
 
 
+@pytest.mark.parametrize("name", shipped())
+def test_each_sensor_sits_on_a_frame_of_the_robot(name: str) -> None:
+    model = robot_model(name)
+    told = model.description
+    sensors = (*told.cameras, *told.lasers, *told.range_sensors, *told.robot_sensors)
+    assert {each.frame for each in sensors} <= model.frames.keys()
+    assert f'name="{sensors[0].frame}"' in told.urdf
+
+
+@pytest.mark.parametrize("name", shipped())
+def test_a_robot_has_bumpers_where_it_feels_contacts(name: str) -> None:
+    model = robot_model(name)
+    assert bool(model.bumper_links) is bool(model.description.bumpers)
+
+
 def test_a_robot_whose_description_takes_other_room_than_it_declares_is_refused(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
