@@ -91,6 +91,8 @@ class RobotBody:
 
     def read(self, joints: Sequence[str]) -> list[JointReading]:
         """Return the joints' readings, in order."""
+        if not joints:
+            return []  # pybullet answers None to a question about no joint
         states = pybullet.getJointStates(
             self.body, [self.joint_index[name] for name in joints], physicsClientId=self.physics.client
         )

@@ -1,4 +1,4 @@
-"""The pipeline of one resource: who commands it now, at which of two priorities (RoCS, section 5.1).
+"""The pipeline of one resource: who commands it now, at which of two priorities (RoCS paper, 5.1).
 
 A goal of the tree claims the resource at normal priority. A reflex overrides it at high priority, at once:
 the claim is void from that moment, what its holder still sends goes nowhere, and its goal ends as

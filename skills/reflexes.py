@@ -1,4 +1,4 @@
-"""Reflexes: declared in a file each, run beside the owner of their resources (RoCS, sections 4.3 and 5.1).
+"""Reflexes: declared in a file each, run beside the owner of their resources (RoCS paper, 4.3 and 5.1).
 
 A reflex looks in every step of its process, before any skill goes on: so it acts in the same step as the
 message that makes it fire, whatever the tree does. It takes all of its resources or none, runs its action to
@@ -24,13 +24,13 @@ from tandem.skills.ports.message import Message
 from tandem.skills.ports.problems import in_words, problems_of
 from tandem.skills.ports.reflex import (
     PipelineState,
-    ReflexSetting,
     ReflexState,
     ReflexSwitch,
     pipeline_state,
     reflex_state,
     reflex_switch,
 )
+from tandem.skills.ports.reflex_setting import ReflexSetting
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.sources import DocumentError
 

@@ -71,6 +71,8 @@ class _Current(Generic[F, R]):
     """Under which it was sent."""
     marks: tuple[int, ...] = ()
     """Of the pipelines when it began."""
+    overridden: Failure | None = None
+    """A reflex has taken what it moves: it ends when that is given back."""
 
 
 class ActionServer(Generic[G, F, R]):
@@ -281,16 +283,25 @@ class ActionServer(Generic[G, F, R]):
         self._end(GoalState.FAILED, failure=self._failure(FailureKind.HARDWARE_LOST, text))
 
     def _watch_pipelines(self) -> None:
-        """End a goal of which a reflex has taken what it moves; what it would still send goes nowhere."""
+        """Have done with a goal of which a reflex has taken what it moves.
+
+        Its run ends at once, and what it would still send goes nowhere. The goal ends when the reflex gives
+        back what it took: until then the robot moves, and a goal that has ended says that nothing does.
+        """
         current = self._current
         if current is None:
             return
         for pipeline, mark in zip(self._pipelines, current.marks, strict=True):
             overridden = pipeline.taken_since(mark, self.name)
-            if overridden is not None:
+            if overridden is not None and current.overridden is None:
+                current.overridden = overridden
                 current.run.close()
-                self._end(GoalState.FAILED, failure=overridden)
-                return
+        if current.overridden is None or any(each.override is not None for each in self._pipelines):
+            return
+        if self._known[current.goal_id].state is GoalState.CANCELING:
+            self._end(GoalState.CANCELED)
+        else:
+            self._end(GoalState.FAILED, failure=current.overridden)
 
     def _stand_by(self, current: _Current[F, R], *, awake: bool) -> None:
         """Come to rest while the client does not go on, and go on when it does."""
@@ -310,7 +321,7 @@ class ActionServer(Generic[G, F, R]):
                 self._command(current, Command.RESUME)
 
     def _resume(self) -> bool:
-        while (current := self._current) is not None:
+        while (current := self._current) is not None and current.overridden is None:
             now = robot_seconds(self._clocks)
             if self._charge and current.ready_at > now:
                 return False

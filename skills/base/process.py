@@ -7,16 +7,20 @@ from typing import Final
 
 from tandem.skills.base.drive import Drive
 from tandem.skills.base.fixed import FixedBase
+from tandem.skills.base.follow_robot import Follow
+from tandem.skills.base.go import Go
 from tandem.skills.base.guard import Guard
 from tandem.skills.base.journey import Course
 from tandem.skills.base.localise import Localise
 from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.map import build_map
 from tandem.skills.base.obstacles import Obstacles
-from tandem.skills.base.reflexes import base_guard, bumper
+from tandem.skills.base.reflexes import avoid_collision, base_guard, bumper
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
 from tandem.skills.base.rotate import Rotate
 from tandem.skills.base.status import BaseStatusBoard
+from tandem.skills.base.surround import Surround
+from tandem.skills.base.tracker import PoseTracker
 from tandem.skills.base.wheels import Wheels
 from tandem.skills.pipeline import Pipeline
 from tandem.skills.ports.actions.base import LOCALISE
@@ -26,10 +30,11 @@ from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
 from tandem.skills.ports.reflex import BASE
 from tandem.skills.ports.site import Site
-from tandem.skills.reflexes import Reflexes, fitted
+from tandem.skills.reflexes import Fitted, Reflexes, fitted
 from tandem.skills.server import ActionServer
 
-REFLEXES: Final = (bumper.REFLEX, base_guard.REFLEX)
+REFLEXES: Final = (bumper.REFLEX, base_guard.REFLEX, avoid_collision.REFLEX)
+"""The base's reflexes."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +64,7 @@ def assemble(bus: Bus, clocks: Clocks, description: RobotDescription, site: Site
         localiser=localiser,
         obstacles=obstacles,
         board=board,
-        reflexes=Reflexes(bus, clocks, (pipeline,), fitted(REFLEXES, around, {BASE: pipeline}, ())),
+        reflexes=Reflexes(bus, clocks, (pipeline,), _fitted(around, site)),
         drive=Drive(bus, clocks, course, board),
         rotate=Rotate(bus, clocks, description.driven, localiser, guard=guard, board=board),
         localise=Localise(
@@ -88,6 +93,8 @@ def build(
     """
     if description.drive is None:
         return [FixedBase(bus, clocks, site.home)]
+    if not description.lasers:
+        return _by_pose_sensor(bus, clocks, description, site, charge=charge)
     base = assemble(bus, clocks, description, site)
     return [
         base.localiser,
@@ -99,3 +106,42 @@ def build(
             for skill in (base.localise, base.drive, base.rotate)
         ),
     ]
+
+
+def _by_pose_sensor(
+    bus: Bus, clocks: Clocks, description: RobotDescription, site: Site, *, charge: bool
+) -> list[Node]:
+    """Return the nodes of a base that is told where it is, and knows no obstacles but those that it sees."""
+    if not description.pose_sensors:
+        return []
+    drive, pipeline = description.driven, Pipeline(BASE)
+    tracker, board = PoseTracker(bus, clocks, description), BaseStatusBoard(bus, clocks, pipeline)
+    guard, sees = (
+        Guard(bus, clocks, description, tracker),
+        Surround(bus, clocks, description, lambda: tracker.moving),
+    )
+    ranges = sees if description.range_sensors else None
+    around = BaseSurroundings(bus, clocks, description, tracker, guard, board, ranges)
+    servers: list[Node] = [
+        ActionServer(
+            bus,
+            clocks,
+            Go(bus, clocks, drive, tracker, guard=guard, board=board, surround=sees),
+            charge=charge,
+            pipelines=(pipeline,),
+        )
+    ]
+    if description.robot_sensors:
+        follow = Follow(bus, clocks, drive, tracker, sees, guard=guard, board=board)
+        servers.append(ActionServer(bus, clocks, follow, charge=charge, pipelines=(pipeline,)))
+    reflexes = Reflexes(bus, clocks, (pipeline,), _fitted(around, site))
+    return [tracker, sees, board, reflexes, *servers]
+
+
+def _fitted(around: BaseSurroundings, site: Site) -> list[Fitted]:
+    robot = around.description
+    declared = [
+        *((f"robot {robot.name}: reflexes.{at}", each) for at, each in enumerate(robot.reflexes)),
+        *((f"site {site.name}: reflexes.{at}", each) for at, each in enumerate(site.reflexes)),
+    ]
+    return fitted(REFLEXES, around, {BASE: around.board.pipeline}, declared)

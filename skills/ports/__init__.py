@@ -5,7 +5,7 @@ What is said: hardware, sensors, world, whereabouts, tasks, site, action, failur
 The table of keys: keys, match, delivery.
 Protocols: bus, forwarding_bus, clocks, compute, node, skill.
 Serving and hearing: serving, endpoint, limits, hearing, checks, refusals.
-Who commands: lease, fencing; reflex.
+Who commands: lease, fencing; reflex, reflex_setting.
 Robot descriptions: packages, urdf_check.
 What other packages add: plugins.
 """

@@ -12,6 +12,7 @@ from pydantic import Field, model_validator
 from tandem.skills.ports.lease import Leased
 from tandem.skills.ports.message import Count, HandName, Message, Positive, RobotTime, Vector3, repeated
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.reflex_setting import ReflexSetting
 from tandem.skills.ports.sensors import (
     Bumper,
     CameraSensor,
@@ -184,6 +185,8 @@ class RobotDescription(Message):
     postures: tuple[Posture, ...]
     period: Positive
     """Seconds between two messages of the clock and of the joints' state."""
+    reflexes: tuple[ReflexSetting, ...] = ()
+    """Reflexes with other parameters than their own, or switched off."""
     arms_crossing: ArmsCrossing | None = None
     """For robots with two arms that can meet; without it, nothing checks for crossing arms."""
 

@@ -43,6 +43,7 @@ class Group(StrEnum):
     SITES = "sites"
     NODES = "nodes"
     DETECTORS = "detectors"
+    REFLEXES = "reflexes"
 
     @property
     def entry_points(self) -> str:

@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from tandem.skills.ports.message import HandName, Message, Vector3
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.reflex_setting import ReflexSetting
 
 Edge = Annotated[float, Field(gt=0.0)]
 
@@ -103,6 +104,8 @@ class Site(Message):
     spots: Annotated[tuple[Spot, ...], Field(min_length=1)]
     depots: tuple[Depot, ...] = ()
     items: tuple[SiteItem, ...] = ()
+    reflexes: tuple[ReflexSetting, ...] = ()
+    """Reflexes with other parameters than the robot's, or switched off, at this site."""
 
     @model_validator(mode="after")
     def _names_are_unique(self) -> Site:

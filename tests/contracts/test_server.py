@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from tandem.skills.goal_journal import KEPT, GoalJournal
+from tandem.skills.pipeline import Override, Pipeline, take_all
 from tandem.skills.ports.action import (
     AskResult,
     GoalCommand,
@@ -56,7 +57,8 @@ class Desk:
         self.start()
 
     def start(self) -> None:
-        self.server = ActionServer(self.bus, SteppedClocks("test"), self.skill)
+        self.pipeline = Pipeline("base")
+        self.server = ActionServer(self.bus, SteppedClocks("test"), self.skill, pipelines=(self.pipeline,))
 
     def send(self, goal_id: str) -> None:
         goal_service("test/clumsy").query(self.bus, SendGoal(goal_id=goal_id, client="", goal={}))
@@ -83,6 +85,36 @@ def test_an_error_while_it_is_cancelled_ends_the_goal_all_the_same() -> None:
     assert desk.skill.stopped == 1
     desk.send("t/a/2")
     assert desk.ask("t/a/2").state is GoalState.RUNNING
+
+
+WALL = Failure(kind=FailureKind.BASE_BLOCKED, message="a wall")
+
+
+def test_a_run_ends_with_the_step_in_which_a_reflex_takes_over_and_its_goal_with_the_release() -> None:
+    desk = Desk()
+    desk.send("t/a/1")
+    take_all((desk.pipeline,), Override("avoid", 50, WALL))
+    desk.server.step()
+    assert desk.skill.stopped == 1
+    assert desk.ask("t/a/1").state is GoalState.RUNNING, "the robot still moves"
+    desk.pipeline.let_go("avoid")
+    status = desk.ask("t/a/1")
+    assert status.state is GoalState.FAILED
+    assert status.failure is not None
+    assert (status.failure.kind, status.failure.causes) == (FailureKind.OVERRIDDEN, (WALL,))
+    desk.send("t/a/2")
+    assert desk.ask("t/a/2").state is GoalState.RUNNING
+
+
+def test_a_goal_that_is_cancelled_while_a_reflex_acts_ends_cancelled_with_the_release() -> None:
+    desk = Desk()
+    desk.send("t/a/1")
+    take_all((desk.pipeline,), Override("avoid", 50, WALL))
+    desk.server.step()
+    desk.cancel("t/a/1")
+    assert desk.ask("t/a/1").state is GoalState.CANCELING
+    desk.pipeline.let_go("avoid")
+    assert desk.ask("t/a/1").state is GoalState.CANCELED
 
 
 def test_closing_has_the_skill_send_its_stop() -> None:

@@ -13,13 +13,8 @@ from tandem.skills.pipeline import Pipeline
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import Message
-from tandem.skills.ports.reflex import (
-    ReflexSetting,
-    ReflexSwitch,
-    Threshold,
-    pipeline_state,
-    reflex_switch,
-)
+from tandem.skills.ports.reflex import ReflexSwitch, pipeline_state, reflex_switch
+from tandem.skills.ports.reflex_setting import ReflexSetting, Threshold
 from tandem.skills.ports.sources import DocumentError
 from tandem.skills.reflexes import Act, Fitted, Reflexes, ReflexType, fitted
 from tandem.skills.wire.clocks import SteppedClocks

@@ -107,7 +107,7 @@ class LocaliseResult(Message):
 class GoGoal(Message):
     """Go straight to a place in the map; whatever stands in the way is left to the reflexes.
 
-    For robots that know no obstacles beforehand (RoCS, section 6.2). ``yaw`` (rad in the map) is turned to at
+    For robots that know no obstacles beforehand (RoCS paper, 6.2). ``yaw`` (rad in the map) is turned to at
     the end; None: any heading will do.
     """
 

@@ -1,0 +1,140 @@
+"""What a base does, as atomic actions and macro-actions composed of them (RoCS paper, Table 2).
+
+Atomic are ``SetWheelSpeed`` and ``TurnAngle``; ``TurnTo``, ``GoTo`` and ``AvoidCollision`` are made of these.
+Each is a generator that is resumed once a cycle; ``doing`` names what is at work, the outermost first. A goal
+of the tree and a reflex use the same ones: what differs is at which priority they have the wheels.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Generator, Iterator
+from contextlib import contextmanager
+from typing import Final
+
+from tandem.skills.base.wheels import Wheels, stopping_speed
+from tandem.skills.base.whereabouts import Whereabouts, base_in_map
+from tandem.skills.geometry.poses import wrap
+from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.pose import FloorPose
+
+CYCLE: Final = 0.02
+"""Robot seconds between two commands to the wheels: as often as odometry comes."""
+LATENCY: Final = 0.08
+"""Seconds between a command and what odometry tells of it, with a period of a pose sensor's filter."""
+AIM: Final = 0.03
+"""Radians: a turn ends when as near. A pose sensor's heading is uncertain by as much as a third of it."""
+SLOW: Final = 0.08
+"""rad/s: a turn ends when as slow."""
+OFF: Final = 0.5
+"""Radians off the way to a place at which the base stops and turns to it again."""
+STEER: Final = 1.5
+"""rad/s for each radian off the way."""
+
+Steps = Generator[None, None, None]
+
+
+class Macros:
+    """The actions of one base, through one set of wheels.
+
+    Args:
+        clocks: robot time.
+        monitor: where the base is.
+        wheels: as whoever acts has them.
+        speed: tells the m/s at the most, now.
+    """
+
+    def __init__(
+        self, clocks: Clocks, monitor: Whereabouts, wheels: Wheels, speed: Callable[[], float]
+    ) -> None:
+        self._clocks, self._monitor, self.wheels = clocks, monitor, wheels
+        self._speed = speed
+        self.doing: tuple[str, ...] = ()
+
+    @property
+    def pose(self) -> FloorPose:
+        """base_in_map, as of the newest odometry."""
+        return base_in_map(self._monitor)
+
+    @property
+    def resting(self) -> bool:
+        """Whether the base was told to stand, and does."""
+        return self.wheels.resting and not self._monitor.moving
+
+    def set_wheel_speed(self, linear: float, angular: float, until: Callable[[], bool]) -> Steps:
+        """Atomic: go on at these speeds (m/s, rad/s), as the drive's limits allow, until something holds."""
+        with self._named("SetWheelSpeed"):
+            while not until():
+                self.wheels.send(linear, angular)
+                yield from self._cycle()
+
+    def turn_angle(self, angle: float) -> Steps:
+        """Atomic: turn on the spot by so many radians, as odometry tells."""
+        with self._named("TurnAngle"):
+            remaining, yaw = angle, self.pose.yaw
+            while abs(remaining) > AIM or abs(self.wheels.angular) > SLOW:
+                speed = stopping_speed(abs(remaining), self.wheels.drive.turn_acceleration, LATENCY)
+                self.wheels.send(0.0, math.copysign(speed, remaining))
+                yield from self._cycle()
+                now = self.pose.yaw
+                remaining, yaw = remaining - wrap(now - yaw), now
+
+    def brake(self) -> Steps:
+        """Bring the base to rest."""
+        with self._named("SetWheelSpeed"):
+            while not self.resting:
+                self.wheels.send(0.0, 0.0)
+                yield from self._cycle()
+
+    def turn_to(self, x: float, y: float) -> Steps:
+        """Turn towards a place in the map (the paper's TurnToOrigin)."""
+        with self._named("TurnTo"):
+            yield from self.turn_angle(self.bearing(x, y))
+
+    def go_to(self, x: float, y: float, near: float) -> Steps:
+        """Turn to a place in the map and go there, until it is within ``near`` metres (GoToOrigin)."""
+        with self._named("GoTo"):
+            while self.distance(x, y) > near:
+                if abs(self.bearing(x, y)) > OFF:
+                    yield from self.turn_to(x, y)
+                yield from self._approach(x, y, near)
+            yield from self.brake()
+
+    def bearing(self, x: float, y: float) -> float:
+        """Return in which direction a place in the map lies, in radians to the left of the heading."""
+        here = self.pose
+        return wrap(math.atan2(y - here.y, x - here.x) - here.yaw)
+
+    def distance(self, x: float, y: float) -> float:
+        """Return how far a place in the map is (m)."""
+        here = self.pose
+        return math.hypot(x - here.x, y - here.y)
+
+    def _approach(self, x: float, y: float, near: float) -> Steps:
+        with self._named("SetWheelSpeed"):
+            while self.distance(x, y) > near and abs(self.bearing(x, y)) <= OFF:
+                left = self.distance(x, y)
+                speed = stopping_speed(left, self.wheels.drive.acceleration, LATENCY)
+                self.wheels.send(min(speed, self._speed()), STEER * self.bearing(x, y))
+                yield from self._cycle()
+
+    def _cycle(self) -> Steps:
+        until = robot_seconds(self._clocks) + CYCLE - 1e-6
+        while True:
+            yield
+            if robot_seconds(self._clocks) >= until:
+                return
+
+    @contextmanager
+    def _named(self, name: str) -> Iterator[None]:
+        self.doing = (*self.doing, name)
+        try:
+            yield
+        finally:
+            self.doing = self.doing[:-1]
+
+    @contextmanager
+    def macro(self, name: str) -> Iterator[None]:
+        """Name a macro-action that is made elsewhere."""
+        with self._named(name):
+            yield

@@ -1,0 +1,165 @@
+"""What range sensors and robot sensors see around the base, and which of them can't be trusted."""
+
+from __future__ import annotations
+
+import logging
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Final
+
+from tandem.skills.geometry.chain import Chain
+from tandem.skills.geometry.poses import to_floor, wrap
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.keys import RANGES, ROBOTS_SEEN, Latest
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.sensors import RangeSensor, SeenRobot
+
+log = logging.getLogger(__name__)
+
+SILENT: Final = 3.5
+"""Periods of a sensor without a reading after which it is said to be silent."""
+STUCK_AFTER: Final = 30
+"""Readings in a row, while the base moves, that are the same to the last digit."""
+SLOWLY: Final = 0.15
+"""m/s at the most while a range sensor that looks ahead is deaf: what comes into its gap is met slowly."""
+AHEAD: Final = math.radians(60.0)
+"""To either side of the heading."""
+OTHER_RADIUS: Final = 0.30
+"""Metres: what is taken for the radius of a robot of which only the middle is told."""
+
+
+@dataclass(frozen=True)
+class Echo:
+    """Something near: metres between it and the footprint, and where, in radians left of the heading."""
+
+    clear: float
+    bearing: float
+    sensor: str
+
+
+@dataclass
+class _Ranger:
+    sensor: RangeSensor
+    in_base: FloorPose
+    said: float | None = None
+    at: RobotTime | None = None
+    same: int = 0
+    """Readings in a row, on the way, that are the same."""
+
+    def hear(self, said: float | None, at: RobotTime, *, moving: bool) -> None:
+        """Take a reading; None: it was missing."""
+        if said is not None:
+            repeats = moving and said == self.said and said < self.sensor.range_max
+            self.same = self.same + 1 if repeats else 0 if moving else self.same
+            self.said, self.at = said, at
+
+
+class Surround:
+    """Hears the sensors that see what is near; a ``Node``.
+
+    Args:
+        bus: where they tell.
+        clocks: robot time.
+        description: the sensors, their frames and the footprint.
+        moving: says whether the base moves.
+    """
+
+    name: Final = "base/surround"
+
+    def __init__(
+        self, bus: Bus, clocks: Clocks, description: RobotDescription, moving: Callable[[], bool]
+    ) -> None:
+        self._clocks, self._radius, self._moving = clocks, description.footprint_radius, moving
+        self._deaf = tuple(each.name for each in description.range_sensors)
+        self._ranges = Latest(bus, RANGES)
+        self._robots = {each.name: Latest(bus, ROBOTS_SEEN) for each in description.robot_sensors}
+        self._rangers = [_Ranger(each, _mount(description, each.frame)) for each in description.range_sensors]
+
+    def step(self) -> bool:
+        """Hear what has come; nothing is published."""
+        told = self._ranges.take()
+        for ranges in told:
+            for ranger in self._rangers:
+                said = ranges.of(ranger.sensor.name)
+                ranger.hear(said, ranges.stamp, moving=self._moving())
+        for seen in self._robots.values():
+            seen.refresh()
+        self._deaf, before = self._find_deaf(), self._deaf
+        if self._deaf != before and self._deaf:
+            log.warning("range sensors that are silent or stuck: %s", ", ".join(self._deaf))
+        elif self._deaf != before:
+            log.info("all range sensors tell what they see")
+        return False
+
+    def close(self) -> None:
+        """End the subscriptions."""
+        self._ranges.close()
+        for each in self._robots.values():
+            each.close()
+
+    @property
+    def deaf(self) -> tuple[str, ...]:
+        """The range sensors that are silent, or stuck at one distance."""
+        return self._deaf
+
+    def speed(self, wished: float) -> float:
+        """Return how fast (m/s) the base may go ahead: slowly where a sensor that looks there is deaf."""
+        ahead = {each.sensor.name for each in self._rangers if abs(each.in_base.yaw) < AHEAD}
+        return min(wished, SLOWLY) if ahead & {*self._deaf} else wished
+
+    def _find_deaf(self) -> tuple[str, ...]:
+        now = self._clocks.robot()
+        ages = [None if now is None or each.at is None else now.since(each.at) for each in self._rangers]
+        return tuple(
+            each.sensor.name
+            for each, age in zip(self._rangers, ages, strict=True)
+            if age is None or age > SILENT * each.sensor.period or each.same >= STUCK_AFTER
+        )
+
+    @property
+    def robots(self) -> tuple[SeenRobot, ...]:
+        """The other robots that are in view now, in the base."""
+        now = self._clocks.robot()
+        found: dict[str, SeenRobot] = {}
+        for latest in self._robots.values():
+            age = None if latest.value is None or now is None else now.since(latest.value.stamp)
+            if latest.value is not None and age is not None and age < 0.5:  # noqa: PLR2004 - as of now
+                found |= {each.name: each for each in latest.value.robots}
+        return tuple(found.values())
+
+    @property
+    def echoes(self) -> tuple[Echo, ...]:
+        """What is near, the nearest first."""
+        return tuple(sorted((*self._of_ranges(), *self._of_robots()), key=lambda each: each.clear))
+
+    def room(self, bearing: float, width: float) -> float:
+        """Return the metres to the nearest thing within ``width`` radians to either side of a direction.
+
+        Where no sensor looks nothing is known, and the room is infinite.
+        """
+        return min(
+            (each.clear for each in self.echoes if abs(wrap(each.bearing - bearing)) <= width),
+            default=math.inf,
+        )
+
+    def _of_ranges(self) -> Iterable[Echo]:
+        deaf = self._deaf
+        for each in self._rangers:
+            if each.said is None or each.sensor.name in deaf or each.said >= each.sensor.range_max:
+                continue
+            at = each.in_base
+            x, y = at.x + each.said * math.cos(at.yaw), at.y + each.said * math.sin(at.yaw)
+            yield Echo(math.hypot(x, y) - self._radius, math.atan2(y, x), each.sensor.name)
+
+    def _of_robots(self) -> Iterable[Echo]:
+        for each in self.robots:
+            clear = math.hypot(each.x, each.y) - self._radius - OTHER_RADIUS
+            yield Echo(clear, math.atan2(each.y, each.x), f"robot {each.name}")
+
+
+def _mount(description: RobotDescription, frame: str) -> FloorPose:
+    return to_floor(Chain.from_urdf(description.urdf, description.base_frame, frame).pose({}))
