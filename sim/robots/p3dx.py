@@ -54,7 +54,7 @@ SONARS: Final = (
 """x and y in mm, and heading in degrees, in ARIA's order."""
 SONAR_HEIGHT: Final = 0.19
 SONAR_CONE: Final = math.radians(30.0)
-"""Neighbours look 20 degrees apart, those at the corners 40: with less there are gaps before the robot."""
+"""As in the model of the Stage simulator. Neighbours look 20 degrees apart: their cones overlap."""
 SONAR_RANGE: Final = (0.15, 5.0)
 SONAR_PERIOD: Final = 0.1
 """Seconds between two packets of the maker's controller. The real sonars of an array fire one after the
