@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import time
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Final
 
 import pytest
@@ -122,6 +124,12 @@ ASKED: Final = frozenset(
 
 def test_the_client_asked_everything_that_it_can_ask() -> None:
     assert {exchange.key for exchange in Release(releases()[-1]).exchanges} >= ASKED
+
+
+def test_the_changelog_dates_the_version_that_is_kept_last() -> None:
+    changelog = (Path(__file__).parents[2] / "CHANGELOG.md").read_text("utf-8")
+    dated = re.findall(r"^## \[(\d+\.\d+\.\d+)\] - \d{4}-\d{2}-\d{2}$", changelog, re.MULTILINE)
+    assert dated[0] == Release(releases()[-1]).facts.version
 
 
 def test_folders_are_small() -> None:
