@@ -19,7 +19,7 @@ from benchmarks.rows import Row
 from benchmarks.stillness import Stillness
 from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.config.run_options import BusOptions
-from tandem.executive.system.systems import roles_of
+from tandem.executive.system.crews import roles_of
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.keys import CLOCK, Latest
 from tandem.skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus

@@ -9,7 +9,7 @@ from tandem.skills.ports.keys import Latest
 from tandem.skills.wire.loop import FOLLOW
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from tandem.sim.station import Station
     from tandem.skills.wire.zenoh_bus import ZenohBus
@@ -31,28 +31,32 @@ def await_renderer(station: Station, bus: ZenohBus, stopped: Callable[[], bool])
     """
     deadline = time.monotonic() + WARM_WITHIN
     while station.studio.warming() and not stopped() and time.monotonic() < deadline:
-        station.hardware.hear()
+        station.hear()
         bus.waker.wait(0.02)
 
 
-def run_paced(station: Station, bus: ZenohBus, speed: float | None, stopped: Callable[[], bool]) -> None:
+def run_paced(
+    station: Station, buses: Sequence[ZenohBus], speed: float | None, stopped: Callable[[], bool]
+) -> None:
     """Step the station until ``stopped`` says so.
 
     Args:
         station: one step is one period.
-        bus: wakes the wait, and tells who follows.
+        buses: of the robots; they tell who follows, and the first one wakes the wait for all.
         speed: simulated seconds in a second; None: as fast as the followers go.
         stopped: asked once a period.
     """
     period = station.model.description.period
-    followers = Followers(bus)
+    followers = [Followers(bus) for bus in buses]
     due = time.monotonic()
     while not stopped():
-        bus.beat()
+        for bus in buses:
+            bus.beat()
         station.step()
         if speed is None and not station.silent:
-            followers.wait_for(station.hardware.tick)
-            _wait_for_picture(station, bus)
+            for each in followers:
+                each.wait_for(station.hardware.tick)
+            _wait_for_picture(station, buses[0])
             continue
         # Silent hardware hurries nobody: who waits for it counts the host's seconds.
         due += period / (speed or 1.0)
@@ -60,9 +64,9 @@ def run_paced(station: Station, bus: ZenohBus, speed: float | None, stopped: Cal
         if now - due > FALLEN_BEHIND:
             due = now
         while (left := due - time.monotonic()) > 0.0:
-            bus.waker.wait(left)
+            buses[0].waker.wait(left)
             # A stop need not wait for the period's end to be heard.
-            station.hardware.hear()
+            station.hear()
 
 
 class Followers:

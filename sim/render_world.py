@@ -116,7 +116,10 @@ class RenderWorld:
         self._scene: tuple[SceneBody, ...] = ()
         self._written = 0
         self._add_floor()
-        self._robots = tuple(_DrawnRobot(urdf, folder, self.client) for urdf in urdfs)
+        self._robots = tuple(
+            _DrawnRobot(urdf, folder / f"robot_{number}.urdf", self.client)
+            for number, urdf in enumerate(urdfs)
+        )
         for _ in range(WARM_UP):
             self.draw(View(looking_at((1.0, 0.0, 1.0), (0.0, 0.0, 0.0)), 64, 36, math.pi / 3))
 
@@ -285,8 +288,8 @@ def _load_egl(client: int) -> int:
 class _DrawnRobot:
     """A robot in the drawing."""
 
-    def __init__(self, urdf: str, folder: Path, client: int) -> None:
-        self._client, self._body = client, _load_robot(urdf, folder, client)
+    def __init__(self, urdf: str, path: Path, client: int) -> None:
+        self._client, self._body = client, _load_robot(urdf, path, client)
         self._joints: dict[str, int] = {}
         for index in range(pybullet.getNumJoints(self._body, physicsClientId=client)):
             info = pybullet.getJointInfo(self._body, index, physicsClientId=client)
@@ -303,10 +306,10 @@ class _DrawnRobot:
             pybullet.resetJointState(self._body, self._joints[name], position, physicsClientId=self._client)
 
 
-def _load_robot(urdf: str, folder: Path, client: int) -> int:
+def _load_robot(urdf: str, path: Path, client: int) -> int:
+    """Load a robot; pybullet takes a path that it has read before for the same file, so each has its own."""
     for uri in sorted({part.split('"')[0] for part in urdf.split('filename="')[1:]}):
         urdf = urdf.replace(uri, str(resolve(uri)))
-    path = folder / "robot.urdf"
     path.write_text(urdf, encoding="utf-8")
     robot: int = pybullet.loadURDF(
         str(path), useFixedBase=1, flags=pybullet.URDF_MAINTAIN_LINK_ORDER, physicsClientId=client

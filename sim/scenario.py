@@ -139,6 +139,11 @@ class Scenario(Message):
         """What kind of robot each is, by its name, the first one first."""
         return {each.name: each.robot for each in (self.first, *self.placed)}
 
+    @property
+    def robots_on_the_bus(self) -> tuple[str, ...]:
+        """Names of the robots with an executive, which are parts of keys; none in the single form."""
+        return tuple(each.name for each in self.robots if each.drives == "executive")
+
     def path_of(self, index: int, field: str) -> str:
         """Return the path in the file of a field of one of ``placed``."""
         return field if self.start is not None else f"robots.{index}.{field}"

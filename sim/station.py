@@ -151,6 +151,11 @@ class Station:
             robot.controls.step(robot.hardware.now)
         return False
 
+    def hear(self) -> None:
+        """Have the hardware of all robots answer what was asked, without letting time pass."""
+        for robot in self.robots.values():
+            robot.hardware.hear()
+
     def reset(self, seed: int, scenario: Scenario | None = None) -> None:
         """Begin anew: everything where the scenario has it, under another boot.
 

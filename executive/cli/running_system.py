@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import json
 import signal
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Final
 
@@ -21,6 +22,7 @@ from tandem.executive.config.run_options import RunOptions
 from tandem.executive.ledger.port import LedgerError, LedgerLockedError
 from tandem.executive.render.failure_words import result_lines
 from tandem.executive.system import startup_notice as taking_up
+from tandem.executive.system.crews import data_of
 from tandem.executive.system.first_request import hint
 from tandem.executive.system.free_endpoint import EndpointError
 from tandem.executive.system.systems import (
@@ -81,21 +83,27 @@ def run_up(options: RunOptions) -> ExitCode:
 
     def work(console: Console) -> ExitCode:
         scenario, site, bus_faults = _checked(options)
-        taken_up = _taken_up(options)
+        robots = scenario.robots_on_the_bus
+        taken_up = _taken_up(options, robots)
         with _system(options, scenario, bus_faults, console, first=taken_up) as system:
-            console.print(f"ready: {options.scenario} on {options.bus.prefix} at {options.bus.endpoint}")
-            console.print(f"in another terminal: {hint(options, scenario, site)}", markup=False)
+            buses = tuple(replace(options.bus, robot=name) for name in robots) or (options.bus,)
+            everyone = " and ".join(bus.prefix for bus in buses)
+            console.print(f"ready: {options.scenario} on {everyone} at {options.bus.endpoint}")
+            asked = replace(options, bus=buses[0])
+            console.print(f"in another terminal: {hint(asked, scenario, site)}", markup=False)
             console.print("press Ctrl-C to stop")
-            tasks = TaskLines(system.bus, lambda line: console.print(line, markup=False))
+            tasks = _task_lines(system, robots, console)
             if options.report is None:
                 while True:  # nothing is recorded that nobody asked for: weeks of it fill the memory
                     system.advance()
-                    tasks.step()
+                    for each in tasks:
+                        each.step()
             recorder = Recorder(system.bus, system.clocks)
             try:
                 while True:
                     system.advance()
-                    tasks.step()
+                    for each in tasks:
+                        each.step()
                     recorder.step()
             finally:
                 _write_report(options, recorder, system, notes={})
@@ -103,8 +111,19 @@ def run_up(options: RunOptions) -> ExitCode:
     return _ended(work)
 
 
-def _taken_up(options: RunOptions) -> tuple[str, ...]:
-    """Return what the executive will take up, in words.
+def _task_lines(system: System, robots: Sequence[str], console: Console) -> tuple[TaskLines, ...]:
+    """Say what becomes of the tasks of each robot; of several with the robot's name before the line."""
+
+    def say(robot: str, line: str) -> None:
+        console.print(f"{robot}: {line}" if robot else line, markup=False)
+
+    if not isinstance(system, ProcessSystem) or not robots:
+        return (TaskLines(system.bus, partial(say, "")),)
+    return tuple(TaskLines(system.of(robot).bus, partial(say, robot)) for robot in robots)
+
+
+def _taken_up(options: RunOptions, robots: Sequence[str]) -> tuple[str, ...]:
+    """Return what the executives will take up, in words.
 
     Raises:
         RefusedError: when another process has the ledger.
@@ -113,7 +132,13 @@ def _taken_up(options: RunOptions) -> tuple[str, ...]:
     if options.data is None or (options.only and "executive" not in options.only):
         return ()
     try:
-        return taking_up.lines(taking_up.open_tasks(options.data), options.on_restart)
+        folders = tuple(data_of(options, robot) for robot in robots) or (options.data,)
+        return tuple(
+            line
+            for folder in folders
+            if folder is not None
+            for line in taking_up.lines(taking_up.open_tasks(folder), options.on_restart)
+        )
     except LedgerLockedError as error:
         raise RefusedError(str(error)) from error
     except LedgerError as error:

@@ -18,6 +18,8 @@ class WorkerSettings(Message):
     """What one process needs to know."""
 
     role: Annotated[str, Field(pattern="^[a-z][a-z0-9_]{0,63}$")]
+    unit: Annotated[str, Field(pattern="^([a-z][a-z0-9_]{0,63}/[a-z][a-z0-9_]{0,63})?$")] = ""
+    """What it is called among the processes of several robots, such as ``r2/base``; empty: as its role."""
     played_by: Annotated[str, Field(pattern=r"^([a-z0-9_.]+:[A-Za-z0-9_]+)?$", max_length=200)] = ""
     """``module:attribute`` of the ``Role`` that plays it; empty: the one that ships or is plugged in."""
     left_out: Mapping[str, str] = {}
@@ -49,6 +51,8 @@ class WorkerSettings(Message):
     """Counts them: each takes the place of the one before, which is known to be dead."""
     stop: StopState | None = None
     """The hardware's: the stop that was set when the one before it died; it begins with it."""
+    stops: Mapping[str, StopState] = {}
+    """Likewise of the other robots of its world, by name."""
     verbose: bool = False
     log_format: LogFormat = "text"
     metrics: str = ""
@@ -63,6 +67,12 @@ class WorkerSettings(Message):
     """Folder of keys, with which every process shows who it is; None: nobody asks."""
     holder: str = ""
     """The robot's name in that folder."""
+
+    @property
+    def called(self) -> str:
+        """What people and the supervisor call the process."""
+        return self.unit or self.role
+
     parent: int | None = None
     """Process id of the process that starts it and without which it ends; None: its parent when it begins."""
 

@@ -13,10 +13,10 @@ import threading
 import time
 import uuid
 from collections import Counter, deque
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import FrameType
+from types import FrameType, MappingProxyType
 from typing import IO, Final, Self
 
 from tandem.executive.config.process_settings import REFUSED, UNKEPT, WAIT, WorkerSettings
@@ -85,8 +85,8 @@ class Child:
 
     @property
     def role(self) -> str:
-        """What it plays."""
-        return self.settings.role
+        """What it plays; of several robots with the robot's name before it, such as ``r2/base``."""
+        return self.settings.called
 
     def last_words(self) -> str:
         """Return the end of its log."""
@@ -131,7 +131,7 @@ class Supervisor:
 
     def start(self, settings: WorkerSettings) -> Child:
         """Start one process, in a session of its own: a Ctrl-C reaches the parent alone."""
-        role, kind = settings.role, _kind_of(settings)
+        role, kind = settings.called, _kind_of(settings)
         log = self._log(role)
         stream = log.open("ab")
         self._generations[role] += 1
@@ -153,7 +153,7 @@ class Supervisor:
 
     def _log(self, role: str) -> Path:
         """Return a role's log; what an earlier run has left there becomes ``<role>.log.1``."""
-        log = self.folder / f"{role}.log"
+        log = self.folder / f"{role.replace('/', '-')}.log"
         if log not in self._logs:
             self._logs.add(log)
             if log.exists():
@@ -174,7 +174,7 @@ class Supervisor:
         for role, at in self._spare_at.items():
             if now >= at and role not in self._spares:
                 with self._log(role).open("ab") as stream, _signals_later():
-                    self._spares[role] = _launch([WAIT, role], stream, subprocess.PIPE)
+                    self._spares[role] = _launch([WAIT, role.rpartition("/")[2]], stream, subprocess.PIPE)
 
     def child(self, role: str) -> Child:
         """Return the newest process of a role; KeyError names those that there are."""
@@ -191,13 +191,16 @@ class Supervisor:
             if child.process.poll() is not None
         )
 
-    def restart(self, role: str, stop: StopState | None = None) -> bool:
+    def restart(
+        self, role: str, stop: StopState | None = None, stops: Mapping[str, StopState] = MappingProxyType({})
+    ) -> bool:
         """Start a dead process again, as it was; return whether it may be.
 
-        Hardware begins with the ``stop`` that was set: a crash must not release it.
+        Hardware begins with the ``stop`` that was set, and the ``stops`` of the other robots of its world:
+        a crash must not release them.
         """
         child, now = self.child(role), time.monotonic()
-        bound = RESTARTS_OF_EXECUTIVE if role == "executive" else RESTARTS
+        bound = RESTARTS_OF_EXECUTIVE if child.settings.role == "executive" else RESTARTS
         times = self._restarted.setdefault(role, deque(maxlen=bound))
         often = len(times) == bound and now - times[0] < RESTARTS_WITHIN
         if child.kind not in RESTARTED or often or child.process.returncode in NO_USE:
@@ -208,7 +211,7 @@ class Supervisor:
         self._orphans[child.process.pid] = now + FOLLOWERS_END_WITHIN
         _tell_group(child.process.pid, signal.SIGTERM)
         died = Death(role, child.process.returncode, child.last_words()).describe()[-QUOTED:]
-        fresh: dict[str, object] = {"arguments": {}, "died": died, "stop": stop}
+        fresh: dict[str, object] = {"arguments": {}, "died": died, "stop": stop, "stops": dict(stops)}
         self.start(child.settings.model_copy(update=fresh))
         return True
 

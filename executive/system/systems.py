@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 from typing import Final, Protocol, Self
@@ -15,11 +16,12 @@ from typing import Final, Protocol, Self
 from tandem.executive.config.process_settings import REFUSED, UNKEPT, WorkerSettings
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.security.identity import Identity
+from tandem.executive.system.crews import Crew, crews_of
 from tandem.executive.system.free_endpoint import TakenError, require_vacant
-from tandem.executive.system.hung_processes import HUNG_AFTER, Hung
+from tandem.executive.system.hung_processes import HUNG_AFTER
 from tandem.executive.system.processes import RESTARTED, Death, Supervisor
 from tandem.executive.system.roles.observer import NAME as OBSERVER
-from tandem.executive.system.roles.registry import names, plugged
+from tandem.executive.system.roles.registry import plugged
 from tandem.executive.telemetry.log_files import UserLog
 from tandem.executive.telemetry.log_reading import FOLDER as LOGS
 from tandem.executive.telemetry.relay import LogRelay
@@ -78,17 +80,6 @@ class System(Protocol):
     def close(self) -> None:
         """End it."""
         ...
-
-
-def roles_of(scenario: Scenario, left_out: Mapping[str, str] | None = None) -> tuple[str, ...]:
-    """Return the roles that the scenario's robot needs, and with ``left_out`` those of plug-ins but these.
-
-    Raises:
-        RobotError: when there is no such robot.
-    """
-    from tandem.sim.robots.registry import robot_model  # noqa: PLC0415 - loads numpy, which watchers do without
-
-    return names(robot_model(scenario.first.robot).description, left_out)
 
 
 @dataclass(frozen=True)
@@ -196,37 +187,44 @@ class ProcessSystem:
         hung_after: float = HUNG_AFTER,
         first: Sequence[str] = (),
     ) -> None:
-        observed = (OBSERVER,) if options.metrics or options.traces else ()
         scenario = load_scenario(options.scenario)
-        self._roles = (roles or options.only or roles_of(scenario, options.left_out)) + observed
+        self._crews = crews_of(scenario, options, roles, hung_after)
+        self._main = self._crews[0]
         self._options, self._say = options, say
         self._first, self._played_by = tuple(first), played_by
-        self._plugged = frozenset(plugged(options.left_out))
+        plugged_in = tuple(plugged(options.left_out))
+        self._plugged = frozenset(crew.called(role) for crew in self._crews for role in plugged_in)
         """Roles of other packages: the rest can do without."""
         self._ready = False
-        self._given_up: set[str] = set()
-        self._hung = Hung(time.monotonic, hung_after)
         self._site = locate(options.site) if options.site else scenario.site
         self._folder = tempfile.TemporaryDirectory(prefix="tandem-")
         # Beside the ledger, where `tandem logs` finds them, during the run and after it.
-        self.supervisor = Supervisor(_log_folder(options.data, Path(self._folder.name)))
+        self.supervisor = Supervisor(_log_folder(self._main.logs(options), Path(self._folder.name)))
         self._logs = ExitStack()
         self._relay = LogRelay(self.supervisor.logs, self._log_sinks(), options.log_format)
-        self._bus: ZenohBus | None = None
-        self._clocks: ProcessClocks | None = None
-        self._stop: Latest[StopState] | None = None
 
     @property
     def bus(self) -> ZenohBus:
-        """An end of the bus, once started."""
-        assert self._bus is not None, "start it first"
-        return self._bus
+        """An end of the (first) robot's bus, once started."""
+        return self._main.connected()
 
     @property
     def clocks(self) -> ProcessClocks:
         """Robot time as heard, once started."""
-        assert self._clocks is not None, "start it first"
-        return self._clocks
+        assert self._main.clocks is not None, "start it first"
+        return self._main.clocks
+
+    def of(self, robot: str) -> RobotSystem:
+        """Return the same system as one of several robots has it.
+
+        Raises:
+            KeyError: naming the robots that have an executive.
+        """
+        for crew in self._crews:
+            if crew.robot == robot and crew.clocks is not None:
+                return RobotSystem(self, crew.connected(), crew.clocks)
+        there = ", ".join(crew.robot for crew in self._crews)
+        raise KeyError(f"no robot {robot!r} with an executive; there are {there}")
 
     def __enter__(self) -> Self:
         """Start all processes, and wait until the executive answers.
@@ -250,7 +248,9 @@ class ProcessSystem:
     def advance(self) -> None:
         """Wait for a message, at most 50 ms, and look after the processes."""
         self.bus.waker.wait(0.05)
-        self.clocks.refresh()
+        for crew in self._crews:
+            if crew.clocks is not None:
+                crew.clocks.refresh()
         self._look_after()
 
     def pids(self) -> dict[str, int]:
@@ -259,9 +259,10 @@ class ProcessSystem:
 
     def close(self) -> None:
         """End all processes and remove what they left on disk."""
-        if self._bus is not None:
-            self._bus.close()
-            self._bus = None
+        for crew in self._crews:
+            if crew.bus is not None:
+                crew.bus.close()
+                crew.bus = None
         self.supervisor.end()
         self._relay.step(last=True)
         self._logs.close()
@@ -276,37 +277,36 @@ class ProcessSystem:
         return tuple(sinks)
 
     def _start(self) -> None:
-        bus = self._options.bus
+        self._refuse_keys()
         self.supervisor.folder.mkdir(parents=True, exist_ok=True)
-        if "router" in self._roles:
+        if "router" in self._main.roles:
             self._refuse_second_router()
         for line in self._first:
             self._say(line)
-        if "router" in self._roles:
-            self.supervisor.start(self._settings("router"))
-        self._connect()
-        for role in self._roles:
-            if role != "router":
-                self.supervisor.start(self._settings(role))
+        if "router" in self._main.roles:
+            self.supervisor.start(self._settings(self._main, "router"))
+        for crew in self._crews:
+            self._connect(crew)
+        for crew in self._crews:
+            for role in crew.roles:
+                if role != "router":
+                    self.supervisor.start(self._settings(crew, role))
+        every = " and ".join(crew.prefix for crew in self._crews)
         self._await(
-            lambda: self._plugged.issuperset(self._not_started()),
-            f"not all processes of {bus.prefix} started",
+            lambda: self._plugged.issuperset(self._not_started()), f"not all processes of {every} started"
         )
         self._await_plugged()
-        if "executive" in self._roles:
-            self._await(self._executive_answers, f"the executive of {bus.prefix} did not answer")
-            self.supervisor.keep_spare("executive")
+        for crew in self._crews:
+            if "executive" in crew.roles:
+                answers = partial(self._executive_answers, crew)
+                self._await(answers, f"the executive of {crew.prefix} did not answer")
+                self.supervisor.keep_spare(crew.called("executive"))
         self._ready = True
 
     def _not_started(self) -> tuple[str, ...]:
-        """Return the roles that no process of ours plays yet: settled as the only one, and ready."""
-        alive, ours = self.bus.alive(), self.supervisor.lineage
-        settled = {name.split("/")[1] for name in alive if name.startswith("role/") and f"/{ours}." in name}
-        return tuple(
-            r
-            for r in self._roles
-            if r != "router" and r not in self._given_up and not (r in settled and f"process/{r}" in alive)
-        )
+        """Return the processes that are not ready yet, as they are called."""
+        ours = self.supervisor.lineage
+        return tuple(crew.called(role) for crew in self._crews for role in crew.missing(ours))
 
     def _await_plugged(self) -> None:
         deadline = time.monotonic() + PLUGGED_READY_WITHIN
@@ -317,10 +317,15 @@ class ProcessSystem:
                     why = f"the {role} process of a plug-in was not ready within {PLUGGED_READY_WITHIN:.0f} s"
                     self._do_without(role, why)
 
+    def _refuse_keys(self) -> None:
+        if len(self._crews) > 1 and self._options.bus.keys is not None:
+            expected = "expected no --keys, whose access rules are those of one robot"
+            raise RefusedError(f"{self._options.scenario} has several robots: {expected}")
+
     def _refuse_second_router(self) -> None:
         endpoint = self._options.bus.endpoint
         try:
-            self._open(0.3).close()
+            self._open(0.3, self._main).close()
         except BusError:
             self._require_vacant()
             return
@@ -336,25 +341,25 @@ class ProcessSystem:
         except TakenError as error:
             raise RefusedError(str(error)) from error
 
-    def _connect(self) -> None:
+    def _connect(self, crew: Crew) -> None:
         deadline = time.monotonic() + READY_WITHIN
-        while self._bus is None:
+        while crew.bus is None:
             try:
-                self._bus = self._open(0.5)
+                bus = self._open(0.5, crew)
+                crew.listen(bus, Latest(bus, STOP_STATE))
             except BusError:
                 self._look_after()
                 if time.monotonic() > deadline:
                     raise SystemFailure(f"no router at {self._options.bus.endpoint}") from None
-        self._clocks = ProcessClocks(self._bus)
-        self._stop = Latest(self._bus, STOP_STATE)
 
-    def _open(self, patience: float) -> ZenohBus:
+    def _open(self, patience: float, crew: Crew) -> ZenohBus:
         bus = self._options.bus
         shown = None if bus.keys is None else Identity(bus.keys, bus.holder).part("supervisor")
-        return ZenohBus(bus.endpoint, bus.prefix, patience=patience, credentials=shown)
+        waker = None if self._main.bus is None else self._main.bus.waker
+        return ZenohBus(bus.endpoint, crew.prefix, patience=patience, waker=waker, credentials=shown)
 
-    def _executive_answers(self) -> bool:
-        return wait_for(self, TASK_INFO.query(self.bus, Nothing(), timeout=0.3), 0.5) is not None
+    def _executive_answers(self, crew: Crew) -> bool:
+        return wait_for(self, TASK_INFO.query(crew.connected(), Nothing(), timeout=0.3), 0.5) is not None
 
     def _await(self, holds: Callable[[], bool], otherwise: str) -> None:
         deadline = time.monotonic() + READY_WITHIN
@@ -363,14 +368,15 @@ class ProcessSystem:
             if time.monotonic() > deadline:
                 raise SystemFailure(f"{otherwise} within {READY_WITHIN:.0f} s")
 
-    def _settings(self, role: str) -> WorkerSettings:
-        options = self._options
-        data = options.data or Path(self._folder.name)
+    def _settings(self, crew: Crew, role: str) -> WorkerSettings:
+        options, called = self._options, crew.called(role)
+        data = crew.data or Path(self._folder.name) / crew.robot
         return WorkerSettings(
             role=role,
+            unit="" if called == role else called,
             played_by=self._played_by.get(role, ""),
             endpoint=options.bus.endpoint,
-            prefix=options.bus.prefix,
+            prefix=crew.prefix,
             site=self._site,
             scenario=options.scenario,
             faults=None if options.faults is None else str(options.faults),
@@ -395,7 +401,7 @@ class ProcessSystem:
         """Start skills again that have died; what died in the start, or too often, ends the system."""
         deaths, fatal = self.supervisor.deaths(), list[Death]()
         for death in deaths:
-            if self._ready and self.supervisor.restart(death.role, self._stop_of(death.role)):
+            if self._ready and self.supervisor.restart(death.role, *self._stops_of(death.role)):
                 self._say(f"{death.head()}; restarted")
             elif death.role in self._plugged:
                 self._do_without(
@@ -416,27 +422,33 @@ class ProcessSystem:
     def _do_without(self, role: str, why: str) -> None:
         """Go on without a process of another package."""
         self.supervisor.give_up(role)
-        self._given_up.add(role)
+        for crew in self._crews:
+            crew.given_up.update(each for each in crew.roles if crew.called(each) == role)
         self._say(f"{why}\nthe plug-in role {role} is off from now on")
 
-    def _stop_of(self, role: str) -> StopState | None:
-        """Return the stop that hardware which is started again begins with: that of before."""
-        stop = None if self._stop is None or role != "hardware" else self._stop.refresh()
-        return stop if stop is not None and stop.stopped else None
+    def _stops_of(self, role: str) -> tuple[StopState | None, dict[str, StopState]]:
+        """Return the stops that restarted hardware begins with: the first robot's, and the others'."""
+        if role != "hardware":
+            return None, {}
+        found = {crew.robot: None if crew.stop is None else crew.stop.refresh() for crew in self._crews}
+        stopped = {robot: stop for robot, stop in found.items() if stop is not None and stop.stopped}
+        return stopped.pop(self._main.robot, None), stopped
 
     def _kill_hung(self) -> None:
         """Kill who hangs for too long; the next look finds it dead, and starts it again.
 
         Not the hardware: what it simulates would begin anew, and a robot's own is not ours to kill.
         """
-        names = {
-            f"process/{child.role}": child
-            for child in self.supervisor.children
-            if child.kind in RESTARTED - {"hardware"}
-        }
-        for name in self._hung.look(names.keys() & self.bus.alive(), self.bus.awake()):
-            self._say(f"the {names[name].role} process hangs; killing it")
-            names[name].process.kill()
+        for crew in self._crews:
+            names = {
+                f"process/{child.settings.role}": child
+                for child in self.supervisor.children
+                if child.kind in RESTARTED - {"hardware"} and child.settings.prefix == crew.prefix
+            }
+            bus = crew.connected()
+            for name in crew.hung.look(names.keys() & bus.alive(), bus.awake()):
+                self._say(f"the {names[name].role} process hangs; killing it")
+                names[name].process.kill()
 
 
 def _log_folder(data: Path | None, otherwise: Path) -> Path:

@@ -54,7 +54,7 @@ def main(argv: list[str]) -> int:
             return 0
     settings = WorkerSettings.model_validate_json(argv[0])
     handler = logging.StreamHandler(sys.stderr)
-    handler.setFormatter(formatter(settings.log_format, settings.role))
+    handler.setFormatter(formatter(settings.log_format, settings.called))
     logging.basicConfig(level=logging.DEBUG if settings.verbose else logging.INFO, handlers=[handler])
     # zenoh's callbacks wait until the loop's thread lets them go on. At Python's 5 ms a message, a loop
     # that is busy would hear 200 of them in a second.
@@ -70,7 +70,7 @@ def main(argv: list[str]) -> int:
         logging.getLogger(__name__).error("%s", error)  # noqa: TRY400 - the disk's fault
         return UNKEPT
     except Exception:
-        logging.getLogger(__name__).exception("%s failed with an unexpected error", settings.role)
+        logging.getLogger(__name__).exception("%s failed with an unexpected error", settings.called)
         return 1
     return 0
 

@@ -13,13 +13,13 @@ import pytest
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.ledger.sqlite import FILE, SqliteLedger
+from tandem.executive.system.crews import roles_of
 from tandem.executive.system.processes import RESTARTS
 from tandem.executive.system.systems import (
     LedgerFailure,
     ProcessSystem,
     RefusedError,
     SystemFailure,
-    roles_of,
     wait_for,
 )
 from tandem.executive.trials.demo import Caller

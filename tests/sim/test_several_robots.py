@@ -7,8 +7,11 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TypeVar
 
+import cv2
+import numpy as np
 import pytest
 import yaml
+from numpy.typing import NDArray
 from pydantic import JsonValue
 
 from tandem.executive.cli.commands.scenario_commands import checked
@@ -222,3 +225,28 @@ def test_several_survive_a_file_and_the_first_can_be_moved() -> None:
     assert Scenario.model_validate_json(made.model_dump_json()) == made
     moved = made.starting_at(FloorPose(x=1.0, y=-1.0, yaw=0.0))
     assert [each.start.x for each in moved.placed] == [1.0, FREE[0]]
+
+
+def test_a_photograph_shows_robots_of_different_kinds() -> None:
+    x, y = FREE
+    small = {"name": "r2", "robot": "p3dx", "start": {"x": x, "y": y - 1.0, "yaw": 0.0}}
+    stage = Stage(scenario(robot("r1", x, y), small))
+    empty = Stage(scenario(robot("r1", x, y), {**small, "start": {"x": 2.4, "y": -2.4, "yaw": 0.0}}))
+    try:
+        pictures = [photograph(each) for each in (stage, empty)]
+        shown = np.abs(pictures[0].astype(int) - pictures[1].astype(int)).max(axis=2) > 30
+        # The middle of the picture is r2, 0.5 m wide at 1.5 m: about a third of 60 degrees.
+        assert shown[90:110, 90:110].mean() > 0.8
+    finally:
+        stage.station.close()
+        empty.station.close()
+
+
+def photograph(stage: Stage) -> NDArray[np.uint8]:
+    x, y = FREE
+    studio = stage.station.studio
+    number = studio.order_photograph((x + 1.2, y - 1.0, 1.0), (x, y - 1.0, 0.12), 200, 200)
+    png = studio.fetch(number)
+    assert png is not None
+    picture = cv2.imdecode(np.frombuffer(png, dtype=np.uint8), cv2.IMREAD_COLOR)
+    return np.asarray(picture, dtype=np.uint8)

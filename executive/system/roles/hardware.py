@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import uuid
+from collections.abc import Callable, Sequence
+from contextlib import ExitStack
+from typing import TYPE_CHECKING
 
 from tandem.executive.config.extras import SIM
 from tandem.executive.security.rights import Rights
 from tandem.executive.system.roles.role import Role, Stage, process_rights
+
+if TYPE_CHECKING:
+    from tandem.skills.wire.zenoh_bus import ZenohBus
 
 
 def _play(stage: Stage) -> None:
@@ -16,7 +22,6 @@ def _play(stage: Stage) -> None:
     from tandem.skills.site import load  # noqa: PLC0415
 
     settings, bus = stage.settings, stage.bus
-    stopped = stage.presence.watch(stage.stopped)
     how = StationSettings(
         boot=uuid.uuid4().hex[:8],
         seed=settings.seed,
@@ -29,15 +34,50 @@ def _play(stage: Stage) -> None:
         from tandem.executive.config.fault_file import load_faults  # noqa: PLC0415
 
         scenario = scenario.with_faults(load_faults(settings.faults).faults)
-    station = Station(bus, load(settings.site), scenario, how)
-    if settings.stop is not None:
-        station.hardware.set_stop(settings.stop)
-    try:
+    with ExitStack() as ends:
+        buses, stopped = _buses(stage, scenario.robots_on_the_bus, ends)
+        station = Station(buses or bus, load(settings.site), scenario, how)
+        ends.callback(station.close)
+        stops = {scenario.first.name: settings.stop, **settings.stops}
+        for name, stop in stops.items():
+            if stop is not None and name in station.robots:
+                station.robots[name].hardware.set_stop(stop)
+        each = tuple(buses.values()) or (bus,)
         await_renderer(station, bus, stopped)
-        bus.announce("process/hardware")
-        run_paced(station, bus, settings.speed, stopped)
-    finally:
-        station.close()
+        for one in each:
+            one.announce("process/hardware")
+        run_paced(station, each, settings.speed, stopped)
+
+
+def _buses(
+    stage: Stage, robots: Sequence[str], ends: ExitStack
+) -> tuple[dict[str, ZenohBus], Callable[[], bool]]:
+    """Return a bus for each of several robots, all of which wake the first one's loop, and when to end.
+
+    The process plays the hardware of each, and ends when another one plays that of any.
+    """
+    from tandem.executive.system.playing import claim_of  # noqa: PLC0415
+    from tandem.skills.wire.presence import Presence  # noqa: PLC0415
+    from tandem.skills.wire.zenoh_bus import ZenohBus  # noqa: PLC0415
+
+    settings = stage.settings
+    site, _, own = settings.prefix.partition("/")
+    stopped, buses = stage.presence.watch(stage.stopped), {}
+    for name in robots:
+        if name == own:
+            buses[name] = stage.bus
+            continue
+        buses[name] = ZenohBus(
+            settings.endpoint,
+            f"{site}/{name}",
+            waker=stage.bus.waker,
+            silent_after=settings.silent_after,
+        )
+        ends.callback(buses[name].close)
+        presence = Presence(buses[name], settings.role, claim_of(settings))
+        presence.settle(stage.stopped)
+        stopped = presence.watch(stopped)
+    return buses, stopped
 
 
 ROLES = (

@@ -103,7 +103,8 @@ def test_the_option_reaches_who_runs_it(
 def test_each_process_is_told_of_the_file(tmp_path: Path) -> None:
     file = written(tmp_path, GOOD)
     system = ProcessSystem(RunOptions(bus=BusOptions(), faults=file))
-    assert system._settings("hardware").faults == system._settings("base").faults == str(file)
+    (crew,) = system._crews
+    assert [system._settings(crew, role).faults for role in ("hardware", "base")] == [str(file)] * 2
     system.close()
 
 

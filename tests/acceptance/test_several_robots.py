@@ -1,0 +1,79 @@
+"""Two robots with an executive each, and a third that a script drives, as processes behind one router."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from tandem.executive.config.run_options import RunOptions
+from tandem.executive.system.systems import ProcessSystem
+from tandem.executive.trials.demo import Caller
+from tandem.sim.scenario import Scenario
+from tandem.sim.starts import RobotStart
+from tandem.skills.ports.hardware import Stop, StopState
+from tandem.skills.ports.keys import STOP, STOP_STATE, Latest
+from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.whereabouts import Neighbours
+from tests.acceptance.live import go_on, kill, own_bus, written
+
+pytestmark = [pytest.mark.processes, pytest.mark.xdist_group("processes")]
+
+TRIO = Scenario(
+    name="trio",
+    robots=(
+        RobotStart(name="r2", robot="tiago_base", start=FloorPose(x=-0.8, y=1.2, yaw=1.57)),
+        RobotStart(name="r1", robot="tiago_base", start=FloorPose(x=-1.3, y=-1.2, yaw=2.0), drives="wander"),
+        RobotStart(name="r3", robot="tiago_base", start=FloorPose(x=2.2, y=-1.5, yaw=1.57)),
+    ),
+)
+
+
+def has_moved(caller: Caller, robot: str, start: FloorPose) -> bool:
+    x, y, _ = caller.truth().robot(robot).base_in_map.position
+    return math.dist((x, y), (start.x, start.y)) > 0.05
+
+
+def stopped(state: Latest[StopState]) -> bool:
+    told = state.refresh()
+    return told is not None and told.stopped
+
+
+def replaced(system: ProcessSystem, name: str, dead: int) -> bool:
+    return system.pids()[name] != dead
+
+
+def knows_of(neighbours: Neighbours, name: str) -> bool:
+    neighbours.refresh()
+    return neighbours.of(name) is not None
+
+
+def test_each_robot_has_processes_of_its_own_and_outlives_the_other(tmp_path: Path) -> None:
+    said: list[str] = []
+    options = RunOptions(bus=own_bus(), scenario=written(TRIO, tmp_path), data=tmp_path / "data")
+    with ProcessSystem(options, say=said.append) as system:
+        each = {"executive", "base", "perception", "keeper"}
+        expected = {"router", "hardware"} | {f"{robot}/{role}" for robot in ("r2", "r3") for role in each}
+        assert set(system.pids()) == expected
+        r2, r3 = system.of("r2"), system.of("r3")
+        stops = {name: Latest(end.bus, STOP_STATE) for name, end in (("r2", r2), ("r3", r3))}
+        caller = Caller(r3, lambda _: None)
+        neighbours = Neighbours(system.bus.commons(), system.clocks, "r2")
+        go_on(system, partial(knows_of, neighbours, "r3"), within=20.0)
+
+        # The stop of r2, and the death of its executive, are r2's alone.
+        STOP.query(r2.bus, Stop(by="test", reason="r2 alone"))
+        go_on(system, partial(stopped, stops["r2"]), within=10.0)
+        dead = system.pids()["r2/executive"]
+        kill(dead)
+        go_on(system, partial(replaced, system, "r2/executive", dead), within=20.0)
+        assert said[-1].startswith("the r2/executive process ended (signal 9)")
+
+        assert caller.request({"task": "inspect"}).accepted
+        start = TRIO.placed[2].start
+        go_on(system, partial(has_moved, caller, "r3", start), within=60.0)
+        assert not stopped(stops["r3"])
+        assert has_moved(caller, "r1", TRIO.placed[1].start)
+        assert not has_moved(caller, "r2", TRIO.placed[0].start)
