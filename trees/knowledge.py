@@ -11,6 +11,7 @@ from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.hardware import RobotDescription, StopState
 from tandem.skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, Latest, Nothing
 from tandem.skills.ports.message import HandName, RobotTime
+from tandem.skills.ports.reflex import BASE, PipelineState, pipeline_state
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.whereabouts import Neighbours
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, WORLD, PlanningScene, RobotPose, WorldState
@@ -19,6 +20,8 @@ ASSUMED: Final = PAIR
 """The hands of a robot that has not told its own yet."""
 ASK_AGAIN: Final = 0.5
 """Host seconds between two questions for the robot's description."""
+STALE: Final = 3.0
+"""Robot seconds after which what a pipeline told, which it does once a second, says nothing any more."""
 
 
 class _Stamped(Protocol):
@@ -56,6 +59,7 @@ class Knowledge:
         self._robot = Latest(bus, ROBOT_POSE)
         self._stop = Latest(bus, STOP_STATE)
         self._zones = Latest(bus, ZONES, depth=4)
+        self._base = Latest(bus, pipeline_state(BASE))
         self._arms: dict[HandName, Latest[ArmStatus]] = {}
         self.assume_hands(ASSUMED)
         self._ticks = Latest(bus, CLOCK, depth=4)
@@ -73,6 +77,7 @@ class Knowledge:
         self._robot.refresh()
         self._stop.refresh()
         self.neighbours.refresh()
+        self._base.refresh()
         self._hear_hardware()
         for latest in self._arms.values():
             latest.refresh()
@@ -94,7 +99,8 @@ class Knowledge:
         self._arms = {hand: Latest(self._bus, arm_status(f"arm_{hand}")) for hand in hands}
 
     def _believed(self) -> tuple[object, ...]:
-        return (self.world, self.robot_localised, self.stopped, *(self.arm(hand) for hand in self.hands))
+        told = (self.world, self.robot_localised, self.stopped, self.base_taken)
+        return (*told, *(self.arm(hand) for hand in self.hands))
 
     @property
     def world(self) -> WorldState | None:
@@ -124,6 +130,24 @@ class Knowledge:
     def stopped(self) -> StopState:
         """Whether the hardware's stop is set, and by whom."""
         return self._stop.value or StopState(stopped=False)
+
+    @property
+    def base_reflex(self) -> PipelineState | None:
+        """What the base's pipeline told last, if a reflex has it; None when none has, or it is silent."""
+        state, now = self._current(self._base.value), self._clocks.robot()
+        if state is None or not state.reflex:
+            return None
+        age = None if now is None else now.since(state.stamp)
+        return None if age is not None and age > STALE else state
+
+    @property
+    def base_taken(self) -> str:
+        """Which reflex has the base, and what it saw, in words; nothing when none has it."""
+        state = self.base_reflex
+        if state is None:
+            return ""
+        saw = "" if state.why is None else f": {state.why.message}"
+        return f"reflex {state.reflex} has the base{saw}"
 
     @property
     def hardware_silent_for(self) -> float:
@@ -162,6 +186,7 @@ class Knowledge:
         self._stop.close()
         self.neighbours.close()
         self._zones.close()
+        self._base.close()
         self._ticks.close()
         for latest in self._arms.values():
             latest.close()

@@ -22,12 +22,16 @@ class Needs:
         named: hands that must be called so.
         drive: whether the base must drive.
         camera: whether something must see.
+        place: whether a sensor must tell where it is in the map: a laser or a pose sensor.
+        robots: whether a sensor must see other robots.
     """
 
     hands: int = 0
     named: tuple[HandName, ...] = ()
     drive: bool = False
     camera: bool = False
+    place: bool = False
+    robots: bool = False
 
     def missing(self, robot: RobotDescription) -> tuple[str, ...]:
         """Return the parts that a robot lacks, in words after "needs"."""
@@ -44,6 +48,10 @@ class Needs:
             yield "a base that drives"
         if self.camera and not robot.cameras:
             yield "a camera"
+        if self.place and not (robot.lasers or robot.pose_sensors):
+            yield "a laser or a pose sensor, to know where it is"
+        if self.robots and not robot.robot_sensors:
+            yield "a sensor for other robots"
 
 
 def unable(task: str, needs: Needs, robot: RobotDescription) -> str:

@@ -38,11 +38,15 @@ from tandem.skills.ports.actions.arm import (
 )
 from tandem.skills.ports.actions.base import (
     DRIVE,
+    FOLLOW,
+    GO,
     LOCALISE,
     ROTATE,
     DriveFeedback,
     DriveGoal,
     DriveResult,
+    FollowFeedback,
+    GoFeedback,
     LocaliseFeedback,
     LocaliseGoal,
     LocaliseResult,
@@ -92,6 +96,7 @@ from tandem.skills.ports.world import (
     WorldState,
 )
 from tandem.skills.server import ActionServer
+from tandem.skills.testing.mock_base import MockBase
 from tandem.skills.testing.mock_description import mock_description
 from tandem.skills.testing.mock_skill import Fault, MockSkill
 from tandem.skills.testing.mock_zones import mock_zones
@@ -187,9 +192,10 @@ class MockRobot:
         self.bus, self._clocks, self._site, self._items = bus, clocks, site, dict(items)
         self._seen_at_look, self._duration = seen_at_look, duration
         self._extent: dict[HandName, float] = {"left": TUCKED, "right": TUCKED}
-        self._description = mock_description()
+        self.description = mock_description()
+        """What it says that it is."""
         self._endpoints = Endpoints(
-            bus, clocks.monotonic, (answering(DESCRIPTION, lambda _: self._description),)
+            bus, clocks.monotonic, (answering(DESCRIPTION, lambda _: self.description),)
         )
         self._faults: dict[str, dict[int, Fault]] = {}
         self.leaf_faults: dict[str | tuple[str, int], Fault] = {}
@@ -204,6 +210,11 @@ class MockRobot:
         self._told = False
         self._serve(LOOK, LookFeedback(pictures=0, seen=()), self._look)
         base = FloorPose(x=0.0, y=0.0, yaw=0.0)
+        self.wheels = MockBase(self)
+        """Goes straight, follows, and has a reflex that takes the base."""
+        self._serve(GO, GoFeedback(base_in_map=base, remaining=0.0, doing=("GoTo", "TurnTo")), self.wheels.go)
+        chasing = FollowFeedback(base_in_map=base, distance=1.3, doing=("Follow", "GoTo"))
+        self._serve(FOLLOW, chasing, self.wheels.follow)
         self._serve(DRIVE, DriveFeedback(base_in_map=base, remaining=0.0, progress=0.0), self._drive)
         self._serve(ROTATE, RotateFeedback(remaining=0.0), self._rotate)
         self._serve(LOCALISE, LocaliseFeedback(progress=0.0), self._localise)
@@ -235,6 +246,7 @@ class MockRobot:
         if not self._told:
             self._told = True
             self.tell()
+        self.wheels.step()
         more = [served.server.step() for served in self._servers.values() if served.there]
         return any(more)
 

@@ -7,6 +7,7 @@ import pytest
 from tandem.executive.trials.exploration.exploring import Coverage, explore
 from tandem.executive.trials.exploration.hand_worlds import HAND_WORLDS
 from tandem.executive.trials.exploration.inspect_worlds import inspect_worlds
+from tandem.executive.trials.exploration.travel_worlds import TRAVEL_WORLDS
 from tandem.executive.trials.exploration.worlds import fetch_corners, fetch_worlds
 
 DEPTH = 3
@@ -33,4 +34,10 @@ def test_inspect_as_well() -> None:
 @pytest.mark.parametrize("task", HAND_WORLDS)
 def test_the_tasks_of_two_arms_as_well(task: str) -> None:
     seen = explore(*HAND_WORLDS[task](), depth=1, tell=lambda _: None)
+    assert (seen.missing(), seen.broken) == ({}, [])
+
+
+@pytest.mark.parametrize("task", TRAVEL_WORLDS)
+def test_the_tasks_on_wheels_as_well(task: str) -> None:
+    seen = explore(*TRAVEL_WORLDS[task](), depth=1, tell=lambda _: None)
     assert (seen.missing(), seen.broken) == ({}, [])

@@ -23,6 +23,13 @@ BARE = BOTH.model_copy(update={"end_effectors": (), "cameras": (), "drive": None
         (Needs(hands=2), ONE, "it needs two hands"),
         (Needs(named=("left", "right")), ONE, "it needs hands called left and right (there are: left)"),
         (Needs(drive=True, camera=True), BARE, "it needs a base that drives and a camera"),
+        (Needs(place=True), BOTH.model_copy(update={"lasers": ()}), ""),
+        (Needs(place=True), BOTH.model_copy(update={"pose_sensors": ()}), ""),
+        (
+            Needs(place=True, robots=True),
+            BOTH.model_copy(update={"lasers": (), "pose_sensors": (), "robot_sensors": ()}),
+            "it needs a laser or a pose sensor, to know where it is and a sensor for other robots",
+        ),
         (Needs(), BARE, ""),
     ],
 )

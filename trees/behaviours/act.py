@@ -76,6 +76,11 @@ class Act(Behaviour, Generic[G, F, R]):
         return self._skill
 
     @property
+    def feedback(self) -> F | None:
+        """What the skill told last of the goal of this attempt."""
+        return None if self._handle is None else self._handle.feedback
+
+    @property
     def holder(self) -> str:
         """The id of the goal of this attempt."""
         return f"{self._context.task}/{self.name}/{self._attempt}"
@@ -157,8 +162,9 @@ def _words(handle: GoalHandle[G, F, R]) -> str:
     if handle.feedback is None:
         return handle.state.lower()
     fields = handle.feedback.model_dump(mode="json")
+    doing = [" > ".join(fields.pop("doing"))] if fields.get("doing") else []
     shown = ", ".join(
-        f"{name} {_short(value)}" for name, value in fields.items() if not isinstance(value, dict)
+        doing + [f"{name} {_short(value)}" for name, value in fields.items() if not isinstance(value, dict)]
     )
     return f"{handle.state.lower()}: {shown}" if shown else handle.state.lower()
 

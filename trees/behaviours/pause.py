@@ -19,7 +19,7 @@ class Pause(Behaviour):
 
     def __init__(self, name: str, context: TreeContext, seconds: float) -> None:
         super().__init__(name)
-        self._context, self._seconds, self._since = context, seconds, 0.0
+        self._context, self.seconds, self._since = context, seconds, 0.0
 
     def initialise(self) -> None:
         """Note the time."""
@@ -27,6 +27,10 @@ class Pause(Behaviour):
 
     def update(self) -> Status:
         """Watch the time."""
-        waited = self._context.seconds - self._since
-        self.feedback_message = f"{waited:.1f} of {self._seconds:.0f} s"
-        return Status.SUCCESS if waited >= self._seconds else Status.RUNNING
+        self.feedback_message = f"{self.waited:.1f} of {self.seconds:.0f} s"
+        return Status.SUCCESS if self.waited >= self.seconds else Status.RUNNING
+
+    @property
+    def waited(self) -> float:
+        """Robot seconds since it began."""
+        return self._context.seconds - self._since

@@ -33,7 +33,9 @@ def wait_back(where: str, context: TreeContext, times: int = WAITS) -> RecoveryS
     """Return the recovery "wait until all skills are there": for what passes by itself."""
 
     def otherwise() -> Failure:
-        gone = ", ".join(context.clients.gone())
+        gone, taken = ", ".join(context.clients.gone()), context.knowledge.base_taken
+        if not gone and taken:
+            return Failure(kind=FailureKind.OVERRIDDEN, message=f"waits: {taken}")
         return Failure(
             kind=FailureKind.SKILL_LOST,
             message=f"nobody serves {gone}, not even after {BACK_WITHIN:.0f} s",

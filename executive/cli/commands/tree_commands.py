@@ -236,6 +236,7 @@ def _worlds(task: str) -> tuple[Mapping[str, Make], Mapping[str, Make]]:
     """
     from tandem.executive.trials.exploration.hand_worlds import HAND_WORLDS  # noqa: PLC0415
     from tandem.executive.trials.exploration.inspect_worlds import inspect_worlds  # noqa: PLC0415
+    from tandem.executive.trials.exploration.travel_worlds import TRAVEL_WORLDS  # noqa: PLC0415
     from tandem.executive.trials.exploration.worlds import fetch_corners, fetch_worlds  # noqa: PLC0415
 
     if task == "fetch":
@@ -244,7 +245,9 @@ def _worlds(task: str) -> tuple[Mapping[str, Make], Mapping[str, Make]]:
         return inspect_worlds()
     if task in HAND_WORLDS:
         return HAND_WORLDS[task]()
-    known = ", ".join(("fetch", "inspect", *HAND_WORLDS))
+    if task in TRAVEL_WORLDS:
+        return TRAVEL_WORLDS[task]()
+    known = ", ".join(("fetch", "inspect", *HAND_WORLDS, *TRAVEL_WORLDS))
     raise CommandError(f"no worlds to explore {task!r} in; expected one of {known}")
 
 

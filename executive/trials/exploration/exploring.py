@@ -241,6 +241,6 @@ def broken(bench: TreeBench, status: Status) -> list[str]:
         told = {"robot_is", "item_is"} if bench.about_items else {"robot_is"}
         missing = told - set(failure.evidence)
         wrong.extend(f"the failure does not say {each}" for each in sorted(missing))
-    if status is Status.SUCCESS and bench.robot.base != bench.context.site.home:
+    if status is Status.SUCCESS and not bench.ends_anywhere and bench.robot.base != bench.context.site.home:
         wrong.append("succeeded, and is not at home")
     return wrong

@@ -151,6 +151,11 @@ class TreeBench:
         """Whether the request that was started names items."""
         return self.kind is not None and bool({"item", "left", "right"} & set(self.kind.request.model_fields))
 
+    @property
+    def ends_anywhere(self) -> bool:
+        """Whether the task that was started does not end at home: one on wheels ends where it was sent."""
+        return self.kind is not None and self.kind.needs.place
+
     def result(self) -> dict[str, JsonValue] | None:
         """Return what the task tells as its result, checked as the executive checks it."""
         assert self.kind is not None, "start a task first"

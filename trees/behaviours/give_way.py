@@ -1,0 +1,86 @@
+"""Do something again each time that a reflex has taken the base from it, until somebody says enough."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.decorators import Decorator
+
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.trees.context import TreeContext
+from tandem.trees.recovery_kinds import another_way_helps, localising_helps, waiting_helps
+
+REFLEX: Final = "reflex"
+"""Names, in a failure's evidence, the reflex that had the base."""
+WAITED: Final = "waited_s"
+"""Marks, in a failure's evidence, that it is about a wait that became too long."""
+_PASSES: Final = another_way_helps.kinds | {FailureKind.OVERRIDDEN, FailureKind.OTHER}
+
+
+def gave_way(failure: Failure) -> bool:
+    """Say whether a reflex had the base since something was in the way, so that going on helps.
+
+    What else a reflex may have seen, such as a silent sensor, is answered by its kind as always.
+    """
+    if REFLEX not in failure.evidence or WAITED in failure.evidence:
+        return False
+    saw = failure.causes[0] if failure.causes else failure
+    if failure.kind is FailureKind.BUSY:
+        return not failure.causes or saw.kind in _PASSES
+    return failure.kind is FailureKind.OVERRIDDEN and saw.kind in _PASSES
+
+
+class GiveWay(Decorator):
+    """Ticks its child; after a failure by which a reflex took the base, it begins the child anew.
+
+    FAILURE with what ``enough`` returns, or after any other failure; no repair for what was given up here is
+    tried above. Each time is told in the task's attempts.
+
+    Args:
+        name: unique in the tree.
+        context: keeps the failures.
+        child: waits for the base, and moves it.
+        enough: told of each such failure; returns why it shall not be tried again, or None.
+    """
+
+    def __init__(
+        self, name: str, context: TreeContext, child: Behaviour, enough: Callable[[Failure], Failure | None]
+    ) -> None:
+        super().__init__(name, child)
+        self._context, self._enough, self._times = context, enough, 0
+
+    def initialise(self) -> None:
+        """Begin to count."""
+        self._times = 0
+
+    def update(self) -> Status:
+        """Pass the child's status on, unless a reflex was the reason of a failure."""
+        status: Status = self.decorated.status
+        self.feedback_message = self.decorated.feedback_message
+        if status is not Status.FAILURE:
+            return status
+        failures = self._context.failures
+        failure = failures.last()
+        if not gave_way(failure):
+            if WAITED in failure.evidence:
+                self._settle(failure)
+            return status
+        failures.attempted(failure)
+        given_up = self._enough(failure)
+        if given_up is not None:
+            given_up = given_up.model_copy(update={"where": self.name})
+            failures.add(given_up)
+            self._settle(given_up)
+            self.feedback_message = f"{given_up.kind}: {given_up.message}"
+            return status
+        self._times += 1
+        failures.recovering(self.name, self._times)
+        self.feedback_message = f"{self._times} times: {failure.message}"
+        return Status.RUNNING
+
+    def _settle(self, given_up: Failure) -> None:
+        helps = frozenset((waiting_helps, localising_helps, another_way_helps))
+        self._context.failures.exhausted = (given_up, helps)

@@ -1,0 +1,132 @@
+"""Get to a place on wheels, and give way: what tasks share that move the base and nothing else."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from py_trees.behaviour import Behaviour
+from py_trees.composites import Selector, Sequence
+
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.reflex import BASE
+from tandem.trees.behaviours.check import Check
+from tandem.trees.behaviours.give_way import REFLEX, WAITED, GiveWay
+from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
+from tandem.trees.behaviours.wait_for import WaitFor
+from tandem.trees.context import TreeContext
+from tandem.trees.course import Course
+from tandem.trees.leaves.go import go
+from tandem.trees.leaves.localise import localise
+from tandem.trees.recovery_kinds import localising_helps
+from tandem.trees.subtrees.recovery_steps import let_pass, wait_back
+from tandem.trees.subtrees.request import ready
+
+FREE_WITHIN: Final = 60.0
+"""Robot seconds for which a reflex may have the base without a break, before the task fails."""
+POSE_WITHIN: Final = 3.0
+"""Robot seconds in which a pose sensor tells where the robot is."""
+WITHIN: Final = 900.0
+"""Robot seconds on the way to one place after which nothing is tried again."""
+KNOWS: Final = 2
+"""How often it is tried again to find out where the robot is."""
+
+
+def take_up(context: TreeContext) -> Behaviour:
+    """Return the subtree: the robot is ready and knows where it is."""
+    return Sequence(
+        "take up request",
+        memory=True,
+        children=[
+            ready(context),
+            Recovery(
+                "know where I am",
+                context,
+                _know("request", context),
+                (wait_back("request", context),),
+                within=WITHIN,
+            ),
+        ],
+    )
+
+
+def base_is_free(name: str, context: TreeContext, course: Course) -> WaitFor:
+    """Return the leaf that waits until no reflex has the base, and says which has it and why."""
+
+    def free() -> bool:
+        return not context.knowledge.base_taken and context.seconds >= course.not_before
+
+    def otherwise() -> Failure:
+        taken = context.knowledge.base_taken
+        state = context.knowledge.base_reflex
+        why = () if state is None or state.why is None else (state.why,)
+        return Failure(
+            kind=FailureKind.OVERRIDDEN,
+            message=f"waits: {taken}" if taken else f"waits a moment before the {BASE} is asked again",
+            evidence={WAITED: FREE_WITHIN, **({} if state is None else {REFLEX: state.reflex})},
+            causes=why,
+        )
+
+    return WaitFor(name, context, free, otherwise, patience=FREE_WITHIN)
+
+
+def get_there(context: TreeContext, course: Course) -> Behaviour:
+    """Return the subtree: SUCCESS when the robot is at the course's target, whatever took the base meanwhile.
+
+    After each reflex it waits until the base is free, and goes on from where it is.
+    """
+    be_there = Selector(
+        "be there",
+        memory=True,
+        children=[Check("there already?", course.there), go("go", context, course)],
+    )
+    way = Sequence(
+        "when the base is free",
+        memory=True,
+        children=[base_is_free("base is free", context, course), be_there],
+    )
+    return Recovery(
+        "get there",
+        context,
+        GiveWay("give way, and plan again", context, way, course.held_up),
+        (wait_back("go", context), know_again("go", context), let_pass("go", context, seconds=2.0, times=3)),
+        within=WITHIN,
+    )
+
+
+def know_again(where: str, context: TreeContext) -> RecoveryStep:
+    """Return the recovery "find out where the robot is", by whichever sensor tells it."""
+    return RecoveryStep(f"{where}: find out where I am", localising_helps, KNOWS, _know(where, context))
+
+
+def _know(where: str, context: TreeContext) -> Behaviour:
+    def otherwise() -> Failure:
+        robot = context.knowledge.robot
+        why = "" if robot is None or not robot.reason else f": {robot.reason}"
+        return Failure(kind=FailureKind.NOT_LOCALISED, message=f"no sensor tells where the robot is{why}")
+
+    def has_laser() -> bool:
+        robot = context.knowledge.description
+        return robot is not None and bool(robot.lasers)
+
+    by_laser = Sequence(
+        f"{where}: by laser",
+        memory=True,
+        children=[
+            Check(f"{where}: has a laser?", has_laser),
+            localise(context, f"{where}: localise"),
+        ],
+    )
+    return Selector(
+        f"{where}: where am I",
+        memory=True,
+        children=[
+            WaitFor(
+                f"{where}: pose is known",
+                context,
+                lambda: context.knowledge.robot_localised,
+                otherwise,
+                patience=POSE_WITHIN,
+            ),
+            by_laser,
+        ],
+    )
