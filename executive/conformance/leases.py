@@ -8,9 +8,11 @@ from tandem.executive.conformance.bench import ROLE
 from tandem.executive.conformance.clause import Broken, Clause, Skip, Steps
 from tandem.executive.conformance.harmless import expect_refusal
 from tandem.skills.ports import keys
+from tandem.skills.ports.hardware import BaseVelocity
 
 if TYPE_CHECKING:
     from tandem.executive.conformance.bench import Bench
+    from tandem.skills.ports.lease import Lease
 
 TOLD_WITHIN: Final = 2.5
 """Host seconds for the table, which is told once a second."""
@@ -48,22 +50,43 @@ def _table_told(bench: Bench) -> Steps:
     raise Broken(f"epoch {lease.epoch} of {ROLE} on {keys.LEASES.key}", "not told")
 
 
+def _refused(bench: Bench, lease: Lease | None, of: str) -> Steps:
+    """Broken unless a command under this lease is refused; a base answers none, but counts those it drops."""
+    robot = bench.robot
+    if robot.groups or robot.hands or robot.drive is None:
+        yield from expect_refusal(bench, lease, of)
+        return
+
+    def dropped() -> int:
+        table = bench.recording.latest(keys.LEASES)
+        return 0 if table is None else table.refused
+
+    before, began = dropped(), bench.host_seconds
+    keys.BASE_VELOCITY.publish(bench.bus, BaseVelocity(linear=0.0, angular=0.0, lease=lease))
+    while dropped() <= before:
+        if bench.host_seconds - began > TOLD_WITHIN:
+            raise Broken(
+                f"{of} dropped, and counted in `refused` on {keys.LEASES.key}", f"{before}, as before"
+            )
+        yield
+
+
 def _without(bench: Bench) -> Steps:
     yield from bench.leased()
-    yield from expect_refusal(bench, None, "a command without a lease")
+    yield from _refused(bench, None, "a command without a lease")
 
 
 def _old(bench: Bench) -> Steps:
     old = yield from bench.leased()
     yield from bench.leased(anew=True)
-    yield from expect_refusal(bench, old, "a command of a lower epoch")
+    yield from _refused(bench, old, "a command of a lower epoch")
 
 
 def _other_boot(bench: Bench) -> Steps:
     lease = yield from bench.leased()
     if lease.boot == "before":
         raise Skip("the boot is called 'before'")
-    yield from expect_refusal(
+    yield from _refused(
         bench, lease.model_copy(update={"boot": "before"}), "a command with a lease of another boot"
     )
 

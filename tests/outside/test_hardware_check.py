@@ -8,7 +8,11 @@ from pathlib import Path
 
 import pytest
 
+from tandem.skills.ports import keys
+from tandem.skills.ports.lease import Claim, LeaseRequest, claim_name
+from tandem.skills.wire.zenoh_bus import ZenohBus
 from tests.outside._command import free_port, running, tandem
+from tests.outside._up import until
 
 pytestmark = [pytest.mark.processes, pytest.mark.xdist_group("processes")]
 
@@ -46,6 +50,23 @@ def test_nothing_moves_before_somebody_says_so(env: dict[str, str]) -> None:
     done = tandem("hardware", "check", "--moving", env=env)
     assert done.code == 2
     assert "--yes" in done.err
+
+
+def test_it_moves_nothing_that_others_command(env: dict[str, str]) -> None:
+    claim = Claim("somebody", 1, 1, "host")
+    bus = ZenohBus(env["TANDEM_CONNECT"], "check-test/panda")
+    try:
+        bus.announce(claim_name("arm_single", claim))
+        pending = keys.LEASE.query(bus, LeaseRequest(role="arm_single", claim=claim.text))
+        until(lambda: pending.poll() is not None, 10.0)
+        moving = tandem("hardware", "check", "--moving", "--yes", env=env)
+        still = tandem("hardware", "check", env=env)
+    finally:
+        bus.close()
+    assert moving.code == 4, moving.said
+    assert "arm_single command" in moving.err
+    assert still.code == 0, still.said
+    assert "skipped  stop_refuses: arm_single command" in still.out
 
 
 def test_where_nothing_serves_the_hardware_it_says_so(env: dict[str, str], tmp_path: Path) -> None:

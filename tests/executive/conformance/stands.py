@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from tandem.executive.conformance.bench import Bench
@@ -114,11 +115,9 @@ class Stand:
 
     station: Station
     bench: Bench
-    steps: list[int] = field(default_factory=lambda: [0])
 
     def wait(self) -> None:
         self.station.step()
-        self.steps[0] += 1
 
     def check(self, clauses: Sequence[Clause]) -> list[Finding]:
         """Try the clauses."""
@@ -128,13 +127,13 @@ class Stand:
 @contextmanager
 def stand(scenario: str, driver: Driver | None = None) -> Iterator[Stand]:
     """Put a scenario's robot behind a driver; a sound one unless given."""
-    read, hub, steps = load_scenario(scenario), MemoryHub(), [0]
+    read, hub = load_scenario(scenario), MemoryHub()
     bus = DriversBus(MemoryBus(hub), driver or Driver())
     station = Station(bus, load(read.site), read, StationSettings(boot="stand", seed=1))
     claim = Claim("check", 1, 1, "host")
-    bench = Bench(MemoryBus(hub), lambda: steps[0] * station.model.description.period, claim)
+    bench = Bench(MemoryBus(hub), time.monotonic, claim)  # as the hardware's leases
     try:
-        yield Stand(station, bench, steps)
+        yield Stand(station, bench)
     finally:
         bench.close()
         station.close()

@@ -6,8 +6,9 @@ import pytest
 
 from tandem.executive.conformance.clause import State
 from tandem.executive.conformance.suite import SUITE, clause
+from tandem.skills.ports import keys
 from tests.executive.conformance.stands import stand
-from tests.executive.conformance.wrong_drivers import WRONG
+from tests.executive.conformance.wrong_drivers import WRONG, Telling
 
 LISTENING = frozenset(each.name for each in SUITE if not each.moving and not each.interrupts)
 
@@ -19,6 +20,12 @@ LISTENING = frozenset(each.name for each in SUITE if not each.moving and not eac
         ("Demo", set[str]()),
         ("Bench", {"laser_fits", "odometry_continuous", "velocity_obeyed", "velocity_dead_man"}),
         ("NoArms", {"gripper_state_told", "gripper_moves"}),
+        (
+            "RocsP3dx",
+            {"laser_fits", "camera_fits", "group_status_told", "gripper_state_told", "unreadable_answered"}
+            | {"stop_refuses", "trajectory_reaches", "cancel_rests", "bad_start_refused"}
+            | {"beyond_limits_refused", "setpoints_hold", "gripper_moves"},
+        ),
     ],
 )
 def test_a_simulated_robot_keeps_every_clause(scenario: str, lacks: set[str]) -> None:
@@ -36,6 +43,13 @@ def test_a_wrong_driver_fails_its_clause(name: str) -> None:
     assert found.state is State.FAILED, found
     assert found.expected
     assert found.found
+
+
+def test_a_base_that_obeys_without_a_lease_is_found_though_it_answers_nothing() -> None:
+    driver = Telling(keys.LEASES.key, lambda table: table | {"refused": 0})
+    with stand("RocsP3dx", driver) as robot:
+        (found,) = robot.check([clause("no_lease_refused")])
+    assert found.state is State.FAILED, found
 
 
 def test_each_clause_has_a_wrong_driver() -> None:
