@@ -35,6 +35,7 @@ OTHER_CLASSES = {
     "context.seconds": "TreeContext's: a timer's reading",
     "parent.seconds": "a branch's TreeContext",
     "asked.seconds": "how long a part of a course takes",
+    "result.seconds": "for how long a robot was followed (skills/ports/actions/base.py)",
     "goal.seconds": "for how long a robot is followed (skills/ports/actions/base.py)",
     "made.seconds": "how long a trial took (executive/trials/trial.py)",
     "before.seconds": "how long two bodies have touched (sim/disturbances.py)",

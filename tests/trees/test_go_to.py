@@ -208,6 +208,11 @@ def test_a_robot_without_wheels_or_place_is_refused_with_what_is_missing() -> No
 
 SHARED = (
     "trees/tasks/go_to.py",
+    "trees/tasks/patrol.py",
+    "trees/tasks/follow.py",
+    "trees/rounds.py",
+    "trees/pursuit.py",
+    "trees/leaves/follow.py",
     "trees/course.py",
     "trees/leaves/go.py",
     "trees/subtrees/travel.py",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final
 
 from py_trees.behaviour import Behaviour
@@ -49,11 +50,16 @@ def take_up(context: TreeContext) -> Behaviour:
     )
 
 
-def base_is_free(name: str, context: TreeContext, course: Course) -> WaitFor:
-    """Return the leaf that waits until no reflex has the base, and says which has it and why."""
+def base_is_free(
+    name: str, context: TreeContext, course: Course, *, or_else: Callable[[], bool] = lambda: False
+) -> WaitFor:
+    """Return the leaf that waits until no reflex has the base, and says which has it and why.
+
+    It also ends when ``or_else`` holds, after which nobody needs the base.
+    """
 
     def free() -> bool:
-        return not context.knowledge.base_taken and context.seconds >= course.not_before
+        return or_else() or (not context.knowledge.base_taken and context.seconds >= course.not_before)
 
     def otherwise() -> Failure:
         taken = context.knowledge.base_taken

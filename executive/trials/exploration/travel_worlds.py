@@ -16,6 +16,7 @@ from tandem.skills.testing.mock_base import FOR_EVER, MockReflex
 from tandem.skills.testing.mock_description import mock_description
 from tandem.skills.testing.mock_robot import MockRobot
 from tandem.skills.testing.mock_skill import Fault
+from tandem.trees.rounds import NAME, RoundsNotes
 
 _LOST: Final = Fault(failure=Failure(kind=FailureKind.NOT_LOCALISED, message="in this world it is lost"))
 PLACE: Final[Mapping[str, float]] = MappingProxyType({"x": -1.2, "y": 0.5})
@@ -37,8 +38,26 @@ def go_to_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
     )
 
 
-def _corners(world: Callable[..., TreeBench]) -> Mapping[str, Make]:
-    anew = dict.fromkeys(("go", "follow", "go: localise"), _LOST)
+def patrol_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
+    """Return the worlds and corners of ``patrol``."""
+    world = partial(_world, "patrol", {"corners": [{**PLACE}, {"x": 0.0, "y": 0.0}]})
+    return MappingProxyType({"nothing in the way": partial(world)}), MappingProxyType(
+        {
+            **_corners(world),
+            "there already": partial(world, localised=True, begin=_be_there),
+            "all visited before a restart": partial(world, localised=True, visited=2),
+        }
+    )
+
+
+def follow_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
+    """Return the worlds and corners of ``follow``."""
+    world = partial(_world, "follow", {"robot": "other", "seconds": 80.0})
+    return MappingProxyType({"nothing in the way": partial(world)}), _corners(world, "follow")
+
+
+def _corners(world: Callable[..., TreeBench], leaf: str = "go") -> Mapping[str, Make]:
+    anew = dict.fromkeys((leaf, f"{leaf}: localise"), _LOST)
     return {
         "known before": partial(world, localised=True),
         "a reflex now and then": partial(world, localised=True, reflex=MockReflex(times=2)),
@@ -47,11 +66,11 @@ def _corners(world: Callable[..., TreeBench]) -> Mapping[str, Make]:
             world, localised=True, reflex=MockReflex(times=FOR_EVER, holds=_HELD_FOR)
         ),
         "stop is set": partial(world, begin=stop),
-        "lost on the way": partial(world, localised=True, faults=anew, events={"go": _lose}),
-        "lost once": partial(world, localised=True, faults={("go", 1): _LOST}, events={"go": _lose}),
+        "lost on the way": partial(world, localised=True, faults=anew, events={leaf: _lose}),
+        "lost once": partial(world, localised=True, faults={(leaf, 1): _LOST}, events={leaf: _lose}),
         "without a laser": partial(world, begin=_no_laser),
         "lost without a laser": partial(
-            world, localised=True, begin=_no_laser, faults=anew, events={"go": _lose}
+            world, localised=True, begin=_no_laser, faults=anew, events={leaf: _lose}
         ),
     }
 
@@ -62,6 +81,7 @@ def _world(
     *,
     localised: bool = False,
     reflex: MockReflex | None = None,
+    visited: int = 0,
     begin: Happening | None = None,
     events: Mapping[str, Happening] = MappingProxyType({}),
     faults: Mapping[str | tuple[str, int], Fault] = MappingProxyType({}),
@@ -74,6 +94,8 @@ def _world(
     bench.robot.leaf_faults.update(faults)
     bench.events.update(events)
     bench.start(task, request)
+    if visited:
+        bench.context.notes.keep(NAME, RoundsNotes(visited=visited))
     return bench
 
 
@@ -95,6 +117,6 @@ def _no_laser(robot: MockRobot) -> None:
 
 
 TRAVEL_WORLDS: Final[Mapping[str, Callable[[], tuple[Mapping[str, Make], Mapping[str, Make]]]]] = (
-    MappingProxyType({"go_to": go_to_worlds})
+    MappingProxyType({"go_to": go_to_worlds, "patrol": patrol_worlds, "follow": follow_worlds})
 )
 """The worlds and corners of each task on wheels."""

@@ -58,6 +58,7 @@ def sent(monkeypatch: pytest.MonkeyPatch, *words: str, kind: KindOfTask = WATER)
     ("words", "field", "value"),
     [
         (["--amount", "0.5"], "amount", 0.5),
+        (["--amount", "-1.2"], "amount", -1.2),
         (["--gently"], "gently", True),
         (["--no-gently"], "gently", False),
         (["--from-where", "[1, 2]"], "from-where", [1, 2]),
