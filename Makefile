@@ -73,12 +73,19 @@ $(FIGURES)/crossing-sequential.json:
 $(FIGURES)/coordinated.json:
 	-$(EXPERIMENT) coordinated $(SERIES) --report $@
 
+$(FIGURES)/rocs-1.json:
+	-$(EXPERIMENT) rocs --case 1 $(SERIES) --report $@
+$(FIGURES)/rocs-1-deliberative.json:
+	-$(EXPERIMENT) rocs --case 1 --route deliberative $(SERIES) --report $@
+$(FIGURES)/rocs-2.json:
+	-$(EXPERIMENT) rocs --case 2 $(SERIES) --report $@
+
 # A command that misses its aim exits 1 and has written its file all the same: what was missed is published too.
-MADE := $(shell sed -n 's|^$$(FIGURES)/\([a-z-]*\)\.json:$$|$(FIGURES)/\1.json|p' $(firstword $(MAKEFILE_LIST)))
+MADE := $(shell sed -n 's|^$$(FIGURES)/\([a-z0-9-]*\)\.json:$$|$(FIGURES)/\1.json|p' $(firstword $(MAKEFILE_LIST)))
 
 figures: $(STAMP) $(MADE)
 	$(TANDEM) bench --markdown docs/benchmarks.md
-	$(BIN)/python -m benchmarks.figures $(FIGURES) docs/campaigns.md docs/experiments.md
+	$(BIN)/python -m benchmarks.figures $(FIGURES) docs/campaigns.md docs/experiments.md docs/rocs.md
 
 clean-figures:
 	rm -rf $(FIGURES)

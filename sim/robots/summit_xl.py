@@ -14,6 +14,7 @@ from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.robot import Robot
 from tandem.sim.robots.sensors import bumpers, motion_capture
 from tandem.skills.ports.hardware import RobotDescription, SkidSteerDrive
+from tandem.skills.ports.reflex_setting import ReflexSetting
 from tandem.skills.ports.sensors import RangeSensor, RobotSensor
 
 if TYPE_CHECKING:
@@ -50,6 +51,8 @@ RANGE_XYZ: Final = (0.365, 0.15, 0.20)
 CONE: Final = math.radians(30.0)
 RANGE: Final = (0.15, 5.0)
 PERIOD: Final = 0.1
+WAY: Final = 0.8
+"""Metres that it goes on after turning from something: its sides, which see nothing, are past it then."""
 ROBOTS_FRAME: Final = "robots_frame"
 ROBOTS_FIELD: Final = math.radians(120.0)
 ROBOTS_RANGE: Final = 5.0
@@ -132,6 +135,7 @@ def _describe(document: UrdfDocument) -> RobotDescription:
         bumpers=bumpers(),
         drive=DRIVE,
         postures=(),
+        reflexes=(ReflexSetting(reflex="avoid_collision", parameters={"way": WAY}),),
         period=0.01,
     )
 

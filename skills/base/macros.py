@@ -28,6 +28,8 @@ SLOW: Final = 0.08
 """rad/s: a turn ends when as slow."""
 OFF: Final = 0.5
 """Radians off the way to a place at which the base stops and turns to it again."""
+HELD_FOR: Final = 2.0
+"""Robot seconds without turning on after which something holds the base."""
 STEER: Final = 1.5
 """rad/s for each radian off the way."""
 
@@ -69,10 +71,18 @@ class Macros:
                 yield from self._cycle()
 
     def turn_angle(self, angle: float) -> Steps:
-        """Atomic: turn on the spot by so many radians, as odometry tells."""
+        """Atomic: turn on the spot by so many radians, as odometry tells.
+
+        Something that holds the base ends it early: whoever wants to know looks at the heading.
+        """
         with self._named("TurnAngle"):
             remaining, yaw = angle, self.pose.yaw
+            nearest, since = math.inf, robot_seconds(self._clocks)
             while abs(remaining) > AIM or abs(self.wheels.angular) > SLOW:
+                if abs(remaining) < nearest - AIM:
+                    nearest, since = abs(remaining), robot_seconds(self._clocks)
+                elif abs(remaining) > AIM and robot_seconds(self._clocks) - since > HELD_FOR:
+                    return
                 speed = stopping_speed(abs(remaining), self.wheels.drive.turn_acceleration, LATENCY)
                 self.wheels.send(0.0, math.copysign(speed, remaining))
                 yield from self._cycle()

@@ -1,4 +1,7 @@
-"""``tandem experiment``: the experiments of the two-arm thesis, chapter 5; exit 1 when the aim is missed."""
+"""``tandem experiment``: the experiments of the papers; exit 1 when the aim is missed.
+
+Two-arm thesis, chapter 5; RoCS paper, 6.3 and 6.4.
+"""
 
 from __future__ import annotations
 
@@ -19,6 +22,7 @@ if TYPE_CHECKING:
 
     from tandem.executive.trials.experiments.run import ExperimentRun
     from tandem.executive.trials.experiments.settings import Kind, Options
+    from tandem.executive.trials.rocs.run import RocsRun
 
 
 class Method(StrEnum):
@@ -43,6 +47,13 @@ class Series(StrEnum):
     GRASP = "grasp"
 
 
+class Route(StrEnum):
+    """Which routes from sensing to acting there are."""
+
+    BOTH = "both"
+    DELIBERATIVE = "deliberative"
+
+
 Runs = Annotated[int, typer.Option("--runs", min=1, max=10_000, help="Number of runs.")]
 How = Annotated[Method, typer.Option("--method", help="Method: the one of the thesis, or a baseline.")]
 When = Annotated[Mode, typer.Option("--mode", help="When a stopped arm continues.")]
@@ -58,10 +69,8 @@ Figures = Annotated[
 
 def add_to(app: typer.Typer) -> None:
     """Add the command."""
-    group = typer.Typer(
-        help="Run the two-arm experiments of the thesis, chapter 5, in lockstep.", no_args_is_help=True
-    )
-    for command in (uncoordinated, crossing, coordinated):
+    group = typer.Typer(help="Run the experiments of the papers in lockstep.", no_args_is_help=True)
+    for command in (uncoordinated, crossing, coordinated, rocs):
         group.command(command.__name__)(command)
     app.add_typer(group, name="experiment")
 
@@ -114,6 +123,62 @@ def coordinated(
 ) -> None:
     """Lift a carton with both hands while it moves. Tables 5.6 and 5.7."""
     _run("coordinated", method, True, mode, series, runs, seed, report, figures, jobs, first)
+
+
+def rocs(
+    *,
+    case: Annotated[
+        int,
+        typer.Option("--case", min=1, max=2, help="1: a Pioneer goes to the origin. 2: a SUMMIT-XL."),
+    ] = 1,
+    route: Annotated[
+        Route, typer.Option("--route", help="Both routes, or the baseline without the reflex.")
+    ] = Route.BOTH,
+    runs: Runs = 60,
+    seed: Seed = 1,
+    report: ReportFile = None,
+    figures: Annotated[
+        Path | None, typer.Option("--figures", metavar="DIR", help="Draw each run into this folder, as SVG.")
+    ] = None,
+    jobs: Jobs = 2,
+    first: First = 0,
+) -> None:
+    """Go to a place among boxes that no plan knows, while another robot disturbs. RoCS paper, 6.3 and 6.4."""
+    from tandem.executive.trials.campaigns.series import run_number  # noqa: PLC0415
+    from tandem.executive.trials.campaigns.series import series as in_series  # noqa: PLC0415
+    from tandem.executive.trials.rocs.figures import figure  # noqa: PLC0415
+    from tandem.executive.trials.rocs.run import RocsExperiment, run_rocs  # noqa: PLC0415
+    from tandem.executive.trials.rocs.settings import RocsOptions  # noqa: PLC0415
+    from tandem.executive.trials.rocs.summary import summary  # noqa: PLC0415
+
+    options = RocsOptions.model_validate({"case": case, "route": route.value, "seed": seed})
+    console = Console(highlight=False, soft_wrap=True)
+    done: list[RocsRun] = []
+    for run in in_series(partial(run_number, partial(run_rocs, options), first), runs, jobs=jobs):
+        done.append(run)
+        _tell_rocs(run, console)
+        if figures is not None:
+            figures.mkdir(parents=True, exist_ok=True)
+            title = f"EXP{case}, route {route.value}, seed {seed}, run {run.run}: {run.state.lower()}"
+            path = figures / f"rocs-{case}-{route.value}-{run.run}.svg"
+            path.write_text(figure(run, title), encoding="utf-8")
+    done.sort(key=lambda each: each.run)
+    told(console, report, summary(options, done), RocsExperiment(options=options, runs=tuple(done)))
+    raise typer.Exit(ExitCode.OK if all(run.reached for run in done) else ExitCode.TASK_FAILED)
+
+
+def _tell_rocs(run: RocsRun, console: Console) -> None:
+    why = "" if run.failure is None else f"  {run.failure.kind}: {run.failure.message}"
+    touched = "".join(
+        f"  {bump.robot} touches {bump.what} at {bump.at:.1f} s"
+        f"{', standing' if bump.stood else ', unseen' if bump.unseen else ''}"
+        for bump in run.bumps
+    )
+    console.print(
+        f"{'ok  ' if run.reached else 'FAIL'} {run.run:3d}  {run.lasted:6.1f} s  {run.off_goal} m off"
+        f"  reactive {run.reactive:.2f}  plans anew {run.replans}  {run.state.lower()}{why}{touched}",
+        markup=False,
+    )
 
 
 def _run(  # noqa: PLR0917 - the command's options, in their order

@@ -30,6 +30,8 @@ CORRIDOR: Final = math.radians(40.0)
 SIDE_FOR: Final = 8.0
 """Robot seconds for which the side of the last turn is kept."""
 STEP: Final = math.radians(15.0)
+PATIENCE: Final = 3.0
+"""Times as long as the way away takes at its speed, after which something holds the base."""
 MOVES: Final = 0.02
 """m/s from which on the base goes somewhere."""
 
@@ -88,11 +90,15 @@ class AvoidCollisionReflex:
             angle = self._away()
             for _ in macros.turn_angle(angle):
                 yield macros.doing
-            start = macros.pose
+            start, until = macros.pose, self._now() + PATIENCE * self._how.way / self._how.speed
             for _ in macros.set_wheel_speed(
                 self._how.speed,
                 0.0,
-                lambda: macros.distance(start.x, start.y) > self._how.way or self._blocked(macros),
+                lambda: (
+                    macros.distance(start.x, start.y) > self._how.way
+                    or self._blocked(macros)
+                    or self._now() > until
+                ),
             ):
                 yield macros.doing
             for _ in macros.brake():
@@ -111,6 +117,9 @@ class AvoidCollisionReflex:
         stops = linear * linear / (2.0 * self._at.description.driven.acceleration) + abs(linear) * LATENCY
         return how.ahead.below(echo.clear - stops, holds=holds)
 
+    def _now(self) -> float:
+        return robot_seconds(self._at.clocks)
+
     def _blocked(self, macros: Macros) -> bool:
         linear = macros.wheels.linear
         return any(
@@ -120,7 +129,7 @@ class AvoidCollisionReflex:
 
     def _away(self) -> float:
         """Return the turn (rad) to a direction that is free, the nearest one along what was met."""
-        echoes, now = self._surround.echoes, robot_seconds(self._at.clocks)
+        echoes, now = self._surround.echoes, self._now()
         if not echoes:
             return 0.0
         met = echoes[0].bearing

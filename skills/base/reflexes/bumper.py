@@ -19,21 +19,22 @@ class BumperParameters(Message):
 
 
 class BumperReflex:
-    """Fires when a bumper is pressed that was not when the goal began."""
+    """Fires when a bumper is pressed that was not when the goal, or another reflex, got the wheels."""
 
     def __init__(self, at: BaseSurroundings, parameters: BumperParameters) -> None:  # noqa: ARG002
         self._at = at
-        self._claims = -1
+        self._since = (-1, -1)
         self._before: tuple[str, ...] = ()
 
     def look(self, *, holds: bool) -> Failure | None:
-        """Return what was touched, while a goal has the wheels."""
+        """Return what was touched, while a goal or another reflex has the wheels."""
         touching, pipeline = self._at.guard.touching, self._at.board.pipeline
-        if holds or not pipeline.holder:
+        if holds or not (pipeline.holder or pipeline.override):
             return None
-        if pipeline.claims != self._claims:
-            # What pressed already when the goal began must not keep the base from leaving it.
-            self._claims, self._before = pipeline.claims, touching
+        since = (pipeline.claims, pipeline.mark())
+        if since != self._since:
+            # What pressed already when the motion began must not keep the base from leaving it.
+            self._since, self._before = since, touching
         touched = [name for name in touching if name not in self._before]
         if not touched:
             return None
@@ -55,7 +56,7 @@ class BumperReflex:
 
 REFLEX: Final = ReflexType(
     name=NAME,
-    about="brakes the base when it touches something that it did not touch when its goal began",
+    about="brakes the base when it touches something that it did not touch when its motion began",
     resources=(BASE,),
     rank=90,
     parameters=BumperParameters,
