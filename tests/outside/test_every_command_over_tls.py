@@ -77,6 +77,7 @@ CONNECTS_NOWHERE: Final = {
     "experiment uncoordinated",
     "experiment crossing",
     "experiment coordinated",
+    "experiment rocs",
     "keys init",
     "keys new",
     "keys list",

@@ -50,6 +50,7 @@ WITHOUT: Final = {
     "experiment uncoordinated": REPORTS,
     "experiment crossing": REPORTS,
     "experiment coordinated": REPORTS,
+    "experiment rocs": REPORTS,
 }
 
 
