@@ -22,6 +22,7 @@ MODULES: Final = (
     "tandem.api",
     "tandem.api.actions",
     "tandem.api.detectors",
+    "tandem.api.reflexes",
     "tandem.api.robots",
     "tandem.api.roles",
     "tandem.api.skills",

@@ -51,6 +51,12 @@ def _detectors(left_out: Mapping[str, str]) -> Loaded[object]:
     return plugged(left_out)
 
 
+def _reflexes(left_out: Mapping[str, str]) -> Loaded[object]:
+    from tandem.skills.base.reflexes.registry import plugged  # noqa: PLC0415
+
+    return plugged(left_out)
+
+
 GROUPS: Final[Mapping[Group, Callable[[Mapping[str, str]], Loaded[object]]]] = MappingProxyType(
     {
         Group.TASKS: _tasks,
@@ -60,6 +66,7 @@ GROUPS: Final[Mapping[Group, Callable[[Mapping[str, str]], Loaded[object]]]] = M
         Group.SITES: _sites,
         Group.NODES: _nodes,
         Group.DETECTORS: _detectors,
+        Group.REFLEXES: _reflexes,
     }
 )
 """Each returns the plug-ins of its group, without those that are known not to load."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Final
 
 from tandem.skills.base.drive import Drive
 from tandem.skills.base.fixed import FixedBase
@@ -15,7 +15,7 @@ from tandem.skills.base.localise import Localise
 from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.map import build_map
 from tandem.skills.base.obstacles import Obstacles
-from tandem.skills.base.reflexes import avoid_collision, base_guard, bumper
+from tandem.skills.base.reflexes.registry import SHIPPED, BaseReflex, reflexes
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
 from tandem.skills.base.rotate import Rotate
 from tandem.skills.base.status import BaseStatusBoard
@@ -33,9 +33,6 @@ from tandem.skills.ports.site import Site
 from tandem.skills.reflexes import Fitted, Reflexes, fitted
 from tandem.skills.server import ActionServer
 
-REFLEXES: Final = (bumper.REFLEX, base_guard.REFLEX, avoid_collision.REFLEX)
-"""The base's reflexes."""
-
 
 @dataclass(frozen=True)
 class Base:
@@ -50,7 +47,13 @@ class Base:
     localise: Localise
 
 
-def assemble(bus: Bus, clocks: Clocks, description: RobotDescription, site: Site) -> Base:
+def assemble(
+    bus: Bus,
+    clocks: Clocks,
+    description: RobotDescription,
+    site: Site,
+    types: Sequence[BaseReflex] = tuple(SHIPPED.values()),
+) -> Base:
     """Return the parts, wired to each other. Takes some 0.2 s: the map is worked out."""
     site_map = build_map(site, description)
     localiser = Localiser(bus, clocks, description, site_map)
@@ -64,7 +67,7 @@ def assemble(bus: Bus, clocks: Clocks, description: RobotDescription, site: Site
         localiser=localiser,
         obstacles=obstacles,
         board=board,
-        reflexes=Reflexes(bus, clocks, (pipeline,), _fitted(around, site)),
+        reflexes=Reflexes(bus, clocks, (pipeline,), _fitted(types, around, site)),
         drive=Drive(bus, clocks, course, board),
         rotate=Rotate(bus, clocks, description.driven, localiser, guard=guard, board=board),
         localise=Localise(
@@ -80,7 +83,13 @@ def assemble(bus: Bus, clocks: Clocks, description: RobotDescription, site: Site
 
 
 def build(
-    bus: Bus, clocks: Clocks, description: RobotDescription, site: Site, *, charge: bool = False
+    bus: Bus,
+    clocks: Clocks,
+    description: RobotDescription,
+    site: Site,
+    *,
+    charge: bool = False,
+    left_out: Mapping[str, str] | None = None,
 ) -> list[Node]:
     """Return the nodes of the base's process, in the order in which they are to be stepped.
 
@@ -90,12 +99,14 @@ def build(
         description: the robot.
         site: the map.
         charge: make a computation's slices cost their declared robot time (lockstep).
+        left_out: plug-ins that are known not to load; None: all plug-ins are left out.
     """
+    types = reflexes(left_out)
     if description.drive is None:
         return [FixedBase(bus, clocks, site.home)]
     if not description.lasers:
-        return _by_pose_sensor(bus, clocks, description, site, charge=charge)
-    base = assemble(bus, clocks, description, site)
+        return _by_pose_sensor(bus, clocks, description, site, types, charge=charge)
+    base = assemble(bus, clocks, description, site, types)
     return [
         base.localiser,
         base.obstacles,
@@ -109,7 +120,13 @@ def build(
 
 
 def _by_pose_sensor(
-    bus: Bus, clocks: Clocks, description: RobotDescription, site: Site, *, charge: bool
+    bus: Bus,
+    clocks: Clocks,
+    description: RobotDescription,
+    site: Site,
+    types: Sequence[BaseReflex],
+    *,
+    charge: bool,
 ) -> list[Node]:
     """Return the nodes of a base that is told where it is, and knows no obstacles but those that it sees."""
     if not description.pose_sensors:
@@ -134,14 +151,14 @@ def _by_pose_sensor(
     if description.robot_sensors:
         follow = Follow(bus, clocks, drive, tracker, sees, guard=guard, board=board)
         servers.append(ActionServer(bus, clocks, follow, charge=charge, pipelines=(pipeline,)))
-    reflexes = Reflexes(bus, clocks, (pipeline,), _fitted(around, site))
-    return [tracker, sees, board, reflexes, *servers]
+    runner = Reflexes(bus, clocks, (pipeline,), _fitted(types, around, site))
+    return [tracker, sees, board, runner, *servers]
 
 
-def _fitted(around: BaseSurroundings, site: Site) -> list[Fitted]:
+def _fitted(types: Sequence[BaseReflex], around: BaseSurroundings, site: Site) -> list[Fitted]:
     robot = around.description
     declared = [
         *((f"robot {robot.name}: reflexes.{at}", each) for at, each in enumerate(robot.reflexes)),
         *((f"site {site.name}: reflexes.{at}", each) for at, each in enumerate(site.reflexes)),
     ]
-    return fitted(REFLEXES, around, {BASE: around.board.pipeline}, declared)
+    return fitted(types, around, {BASE: around.board.pipeline}, declared)

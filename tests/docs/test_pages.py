@@ -114,7 +114,7 @@ def command() -> TyperGroup:
     run = made.commands["run"]
     assert isinstance(run, TyperGroup)
     run.commands |= {kind.name: run_command_of(kind) for kind in discover().values()}
-    run.commands |= dict.fromkeys(("KIND", "patrol"), run.commands["fetch"])  # `tandem new` makes a patrol
+    run.commands |= dict.fromkeys(("KIND", "tour"), run.commands["fetch"])  # `tandem new` makes a tour
     return made
 
 

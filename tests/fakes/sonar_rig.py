@@ -30,11 +30,13 @@ class SonarRig:
     seen: dict[str, float] = field(default_factory=dict)
     """Metres that sonars tell; the others tell that they see nothing."""
     silent: set[str] = field(default_factory=set)
+    left_out: dict[str, str] | None = None
+    """Plug-ins that are known not to load; None: there are none."""
 
     def __post_init__(self) -> None:
         self.bus, self.clocks = MemoryBus(), SteppedClocks("rig")
         self.description = robot_model(self.robot).description
-        self.nodes = build(self.bus, self.clocks, self.description, load("rocs"))
+        self.nodes = build(self.bus, self.clocks, self.description, load("rocs"), left_out=self.left_out)
         self._commands = Latest(self.bus, BASE_VELOCITY, depth=256)
         self._states = Latest(self.bus, pipeline_state("base"), depth=256)
         self.speed = BaseVelocity(linear=0.0, angular=0.0)

@@ -126,7 +126,7 @@ def test_its_plug_ins_are_found(place: Place) -> None:
     done = place.run("tandem", "plugins", "--json")
     assert done.returncode == 0, done.stdout + done.stderr
     assert [(each["group"], each["name"]) for each in json.loads(done.stdout)] == [
-        ("tasks", "patrol"),
+        ("tasks", "tour"),
         ("sites", "workshop"),
     ]
 
@@ -143,10 +143,10 @@ def test_a_name_that_is_taken_or_none_is_refused(place: Place) -> None:
 
 
 def test_its_task_runs_in_lockstep(place: Place) -> None:
-    done = place.run("tandem", "run", "patrol", "--spots", '["table"]', "--lockstep")
+    done = place.run("tandem", "run", "tour", "--spots", '["table"]', "--lockstep")
     assert done.returncode == 0, done.stdout + done.stderr
     assert "ok   1. table: look" in done.stdout
-    assert "task patrol-0001 succeeded" in done.stdout
+    assert "task tour-0001 succeeded" in done.stdout
 
 
 def test_its_system_starts_where_its_settings_say_and_does_its_task(place: Place) -> None:
@@ -154,6 +154,6 @@ def test_its_system_starts_where_its_settings_say_and_does_its_task(place: Place
     with started(place, "up", "--speed", "max") as said:
         assert f"ready: {place.folder}/src/my_robot_app/first.yaml on workshop/tiago" in said
         assert f":{port}" in said
-        done = place.run("tandem", "request", "patrol", "--spots", '["table"]', "--wait")
+        done = place.run("tandem", "request", "tour", "--spots", '["table"]', "--wait")
         assert done.returncode == 0, done.stdout + done.stderr
     assert (place.folder / "data").is_dir()

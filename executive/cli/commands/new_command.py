@@ -21,12 +21,12 @@ FILES: Final[Mapping[str, str]] = MappingProxyType(
         ".gitignore": "gitignore",
         ".github/workflows/test.yml": "ci.yml",
         "src/{{ package }}/__init__.py": "package.py",
-        "src/{{ package }}/patrol.py": "patrol.py",
+        "src/{{ package }}/tour.py": "tour.py",
         "src/{{ package }}/recoveries.py": "recoveries.py",
         "src/{{ package }}/rooms.py": "rooms.py",
         "src/{{ package }}/workshop.yaml": "workshop.yaml",
         "src/{{ package }}/first.yaml": "first.yaml",
-        "tests/test_{{ task }}.py": "test_patrol.py",
+        "tests/test_{{ task }}.py": "test_tour.py",
     }
 )
 """Files of the project, and the templates that they are made of."""
@@ -64,7 +64,7 @@ def project(name: str) -> dict[str, str]:
     named = {
         "package": name,
         "distribution": name.replace("_", "-"),
-        "task": "patrol",
+        "task": "tour",
         "version": version("tandem-executive"),
     }
     templates = files("tandem.executive.cli") / "template"

@@ -12,7 +12,7 @@ from tandem.skills.ports.node import Node
 def _nodes(at: Surroundings) -> Sequence[Node]:
     from tandem.skills.base.process import build  # noqa: PLC0415
 
-    return build(at.bus, at.clocks, at.description, at.site, charge=at.charge)
+    return build(at.bus, at.clocks, at.description, at.site, charge=at.charge, left_out=at.left_out)
 
 
 ROLES = (

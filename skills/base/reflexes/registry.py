@@ -1,0 +1,48 @@
+"""Finds the base's reflexes: the files beside this one, and the entry points ``tandem.reflexes``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any, Final
+
+from tandem.skills.base.reflexes import avoid_collision, base_guard, bumper
+from tandem.skills.base.reflexes.surroundings import BaseSurroundings
+from tandem.skills.ports.plugins import NONE, Group, Loaded, load
+from tandem.skills.ports.reflex import BASE
+from tandem.skills.reflexes import ReflexType
+
+BaseReflex = ReflexType[BaseSurroundings, Any]
+"""A reflex of the base, whatever its parameters."""
+
+SHIPPED: Final[Mapping[str, BaseReflex]] = MappingProxyType(
+    {each.REFLEX.name: each.REFLEX for each in (bumper, base_guard, avoid_collision)}
+)
+"""Those that come along, by name."""
+
+
+def reflexes(left_out: Mapping[str, str] | None = NONE) -> tuple[BaseReflex, ...]:
+    """Return the base's reflexes, those that come along first.
+
+    Args:
+        left_out: plug-ins that are known not to load; None: all plug-ins are left out.
+    """
+    others = {} if left_out is None else plugged(left_out).found
+    return (*SHIPPED.values(), *others.values())
+
+
+def plugged(left_out: Mapping[str, str] = NONE) -> Loaded[BaseReflex]:
+    """Return the reflexes of other packages."""
+    return load(Group.REFLEXES, _checked, taken=SHIPPED, left_out=left_out)
+
+
+def _checked(name: str, value: object) -> BaseReflex:
+    if not isinstance(value, ReflexType):
+        raise TypeError(f"expected a ReflexType; found {type(value).__name__}")
+    if value.name != name:
+        raise TypeError(
+            f"the entry point is called {name!r} and its reflex {value.name!r}; expected one name"
+        )
+    if value.resources != (BASE,):
+        raise TypeError(f"reflex {name!r}: expected the resource {BASE!r}; found {value.resources}")
+    return value
