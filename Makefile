@@ -79,6 +79,8 @@ $(FIGURES)/rocs-1-deliberative.json:
 	-$(EXPERIMENT) rocs --case 1 --route deliberative $(SERIES) --report $@
 $(FIGURES)/rocs-2.json:
 	-$(EXPERIMENT) rocs --case 2 $(SERIES) --report $@
+$(FIGURES)/rocs-3.json:
+	-$(EXPERIMENT) rocs --case 3 $(SERIES) --report $@
 
 # A command that misses its aim exits 1 and has written its file all the same: what was missed is published too.
 MADE := $(shell sed -n 's|^$$(FIGURES)/\([a-z0-9-]*\)\.json:$$|$(FIGURES)/\1.json|p' $(firstword $(MAKEFILE_LIST)))

@@ -29,8 +29,8 @@ TURN_GAIN: Final = 2.0
 """rad/s for each radian off the other robot."""
 FACE: Final = 0.9
 """Radians off the other robot from which on the base turns before it drives."""
-SEARCH: Final = 0.6
-"""rad/s at which it looks for a robot that it does not see."""
+SEARCH: Final = 1.0
+"""rad/s at which it looks for a robot that it does not see: first where it was, then all around."""
 LOST_AFTER: Final = 0.6
 """Robot seconds without a sight after which the base stands and looks around."""
 
@@ -71,6 +71,8 @@ class Follow:
         self._clocks, self._monitor, self._surround = clocks, monitor, surround
         self._guard, self._board = guard, board
         self._wheels = Wheels(bus, clocks, drive, lambda: board.pipeline.normal(FOLLOW.name))
+        self._last: dict[str, _Sight] = {}
+        """Where each robot was seen last: a goal that follows one that was overridden looks there first."""
 
     @property
     def action(self) -> ActionType[FollowGoal, FollowFeedback, FollowResult]:
@@ -109,14 +111,19 @@ class Follow:
     def _follow(self, goal: FollowGoal, macros: Macros) -> Run[FollowFeedback, FollowResult]:
         begun = before = robot_seconds(self._clocks)
         lasts = goal.seconds
-        seen, stands, sight = 0.0, False, None
+        seen, stands, sight, side = 0.0, False, self._last.get(goal.robot), 0.0
         while (now := robot_seconds(self._clocks)) - begun < lasts:
             found = self._look(goal.robot, macros, now)
-            sight = found or sight
+            if found is not None:
+                sight = self._last[goal.robot] = found
             fresh = sight is not None and now - sight.at < LOST_AFTER
             seen += now - before if fresh else 0.0
             before = now
-            linear, angular, doing = self._speeds(goal, macros, sight, fresh=fresh)
+            if fresh:
+                side = 0.0
+            elif not side:  # to the side where it was last, and on all around
+                side = -1.0 if sight is not None and macros.bearing(sight.x, sight.y) < 0.0 else 1.0
+            linear, angular, doing = self._speeds(goal, macros, sight, side)
             if stands:
                 linear, angular = 0.0, 0.0
             self._wheels.send(linear, angular)
@@ -133,6 +140,10 @@ class Follow:
     def _speed(self) -> float:
         return self._surround.speed(SPEED)
 
+    def _back(self) -> float:
+        """Return how fast (m/s) the base may back up: not at all where no range sensor looks."""
+        return self._wheels.drive.backward / 2.0 if self._surround.looks_back else 0.0
+
     def _look(self, robot: str, macros: Macros, now: float) -> _Sight | None:
         for each in self._surround.robots:
             if each.name == robot:
@@ -142,11 +153,10 @@ class Follow:
         return None
 
     def _speeds(
-        self, goal: FollowGoal, macros: Macros, sight: _Sight | None, *, fresh: bool
+        self, goal: FollowGoal, macros: Macros, sight: _Sight | None, side: float
     ) -> tuple[float, float, tuple[str, ...]]:
-        """Return the speeds (m/s, rad/s) and what they are for."""
-        if sight is None or not fresh:
-            side = 1.0 if sight is None else math.copysign(1.0, macros.bearing(sight.x, sight.y))
+        """Return the speeds (m/s, rad/s) and what they are for; it searches to ``side``, unless that is 0."""
+        if sight is None or side:
             return 0.0, side * SEARCH, ("Follow", "TurnTo", "SetWheelSpeed")
         bearing = wrap(macros.bearing(sight.x, sight.y))
         off = macros.distance(sight.x, sight.y) - goal.distance
@@ -154,7 +164,7 @@ class Follow:
         angular = min(max(TURN_GAIN * bearing, -drive.turn), drive.turn)
         if abs(bearing) > FACE:
             return 0.0, angular, ("Follow", "TurnTo", "SetWheelSpeed")
-        linear = min(max(GAIN * off, -drive.backward / 2.0), self._speed()) * math.cos(bearing)
+        linear = min(max(GAIN * off, -self._back()), self._speed()) * math.cos(bearing)
         return linear, angular, ("Follow", "SetWheelSpeed")
 
     @staticmethod

@@ -9,11 +9,11 @@ from tandem.sim.robots.registry import robot_model
 from tandem.skills.base.process import build
 from tandem.skills.ports.action import GoalStatus, SendGoal, goal_service, status_topic
 from tandem.skills.ports.hardware import BaseVelocity, Odometry
-from tandem.skills.ports.keys import BASE_VELOCITY, ODOMETRY, POSE_READING, RANGES, Latest
+from tandem.skills.ports.keys import BASE_VELOCITY, ODOMETRY, POSE_READING, RANGES, ROBOTS_SEEN, Latest
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.reflex import PipelineState, pipeline_state
-from tandem.skills.ports.sensors import PoseReading, RangeReading, Ranges
+from tandem.skills.ports.sensors import PoseReading, RangeReading, Ranges, RobotsSeen, SeenRobot
 from tandem.skills.site import load
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus
@@ -30,6 +30,8 @@ class SonarRig:
     seen: dict[str, float] = field(default_factory=dict)
     """Metres that sonars tell; the others tell that they see nothing."""
     silent: set[str] = field(default_factory=set)
+    others: dict[str, tuple[float, float]] = field(default_factory=dict)
+    """Where other robots are in the map, for a robot that has a sensor for them."""
     left_out: dict[str, str] | None = None
     """Plug-ins that are known not to load; None: there are none."""
 
@@ -71,6 +73,10 @@ class SonarRig:
                 if each.name not in self.silent
             )
             RANGES.publish(self.bus, Ranges(stamp=now, readings=readings))
+            for each in self.description.robot_sensors:
+                seen = [self._seen(*at, name, each.field) for name, at in self.others.items()]
+                robots = tuple(one for one in seen if one is not None)
+                ROBOTS_SEEN.publish(self.bus, RobotsSeen(stamp=now, sensor=each.name, robots=robots))
         for node in self.nodes:
             node.step()
         sent = self._commands.take()
@@ -78,6 +84,15 @@ class SonarRig:
         if sent:
             self.speed = sent[-1]
         self.told += self._states.take()
+
+    def _seen(self, x: float, y: float, name: str, field_of_view: float) -> SeenRobot | None:
+        dx, dy, yaw = x - self.pose.x, y - self.pose.y, self.pose.yaw
+        at = SeenRobot(
+            name=name,
+            x=math.cos(yaw) * dx + math.sin(yaw) * dy,
+            y=-math.sin(yaw) * dx + math.cos(yaw) * dy,
+        )
+        return at if abs(math.atan2(at.y, at.x)) <= field_of_view / 2.0 else None
 
     def wait(self, seconds: float) -> None:
         """Let so many robot seconds pass."""

@@ -1,6 +1,6 @@
 """``tandem experiment``: the experiments of the papers; exit 1 when the aim is missed.
 
-Two-arm thesis, chapter 5; RoCS paper, 6.3 and 6.4.
+Two-arm thesis, chapter 5; RoCS paper, 6.3 to 6.5.
 """
 
 from __future__ import annotations
@@ -129,7 +129,7 @@ def rocs(
     *,
     case: Annotated[
         int,
-        typer.Option("--case", min=1, max=2, help="1: a Pioneer goes to the origin. 2: a SUMMIT-XL."),
+        typer.Option("--case", min=1, max=3, help="EXP1, EXP2 or EXP3 of the paper."),
     ] = 1,
     route: Annotated[
         Route, typer.Option("--route", help="Both routes, or the baseline without the reflex.")
@@ -143,7 +143,7 @@ def rocs(
     jobs: Jobs = 2,
     first: First = 0,
 ) -> None:
-    """Go to a place among boxes that no plan knows, while another robot disturbs. RoCS paper, 6.3 and 6.4."""
+    """Go to a place that no plan knows the way to, or follow who goes. RoCS paper, 6.3 to 6.5."""
     from tandem.executive.trials.campaigns.series import run_number  # noqa: PLC0415
     from tandem.executive.trials.campaigns.series import series as in_series  # noqa: PLC0415
     from tandem.executive.trials.rocs.figures import figure  # noqa: PLC0415
@@ -175,10 +175,16 @@ def _tell_rocs(run: RocsRun, console: Console) -> None:
         for bump in run.bumps
     )
     console.print(
-        f"{'ok  ' if run.reached else 'FAIL'} {run.run:3d}  {run.lasted:6.1f} s  {run.off_goal} m off"
+        f"{'ok  ' if run.reached else 'FAIL'} {run.run:3d}  {run.lasted:6.1f} s  {_judged(run)}"
         f"  reactive {run.reactive:.2f}  plans anew {run.replans}  {run.state.lower()}{why}{touched}",
         markup=False,
     )
+
+
+def _judged(run: RocsRun) -> str:
+    if run.kept is not None:
+        return f"{run.kept:.2f} of the time at its distance"
+    return f"{run.off_goal} m off"
 
 
 def _run(  # noqa: PLR0917 - the command's options, in their order

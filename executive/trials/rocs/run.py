@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
@@ -10,7 +11,8 @@ import numpy as np
 from pydantic import JsonValue
 
 from tandem.executive.system.systems import LockstepSystem
-from tandem.executive.trials.rocs.draws import draw
+from tandem.executive.trials.demo import Caller
+from tandem.executive.trials.rocs.draws import DISTANCE, draw
 from tandem.executive.trials.rocs.settings import RocsOptions
 from tandem.executive.trials.trial import trial, warm_up
 from tandem.skills.geometry.poses import wrap
@@ -29,6 +31,12 @@ STAY: Final = 20.0
 """Robot seconds for which EXP2's robot holds its place."""
 NEAR: Final = 0.15
 """Metres from the goal that count as there."""
+CORNERS: Final = ((1.2, 1.2), (-1.2, 1.2), (-1.2, -1.2), (1.2, -1.2))
+"""EXP3's, in the map (m): as far from the walls as the follower behind needs to turn."""
+FOLLOWS: Final = (0.9, 1.8)
+"""Metres between the two centres, in EXP3, for"""
+MOST_OF_IT: Final = 0.90
+"""of the time."""
 POINT_EVERY: Final = 10
 """Periods between two points of a path: 0.1 s."""
 STOOD: Final = 1.0
@@ -72,6 +80,8 @@ class RocsRun(Message):
     failure: Failure | None
     lasted: float
     """Robot seconds from the request to the end of the task."""
+    kept: float | None = None
+    """EXP3: share of the time for which the two centres were within ``FOLLOWS``."""
     off_goal: float | None
     """Metres from the goal at the end, in truth; None where there is no one goal."""
     bumps: tuple[Bump, ...]
@@ -91,7 +101,8 @@ class RocsRun(Message):
     def reached(self) -> bool:
         """Whether it got there, and touched nothing on its way."""
         there = self.off_goal is None or self.off_goal <= NEAR
-        return self.state == "SUCCEEDED" and there and not self.caused
+        near = self.kept is None or self.kept >= MOST_OF_IT
+        return self.state == "SUCCEEDED" and there and near and not self.caused
 
 
 class RocsExperiment(Message):
@@ -114,6 +125,14 @@ def run_rocs(options: RocsOptions, run: int) -> RocsRun:
         warm_up(one)
         if options.route == "deliberative":
             reflex_switch("avoid_collision").query(one.bus, ReflexSwitch(on=False, by="the experiment"))
+        if options.case == 3:  # noqa: PLR2004 - EXP3's follower
+            follow: dict[str, JsonValue] = {
+                "task": "follow",
+                "robot": "r2",
+                "distance": DISTANCE,
+                "seconds": WITHIN,
+            }
+            Caller(system.of("r3"), _quiet, also=witness).request(follow)
         made = trial(one, _request(options), within=WITHIN, also=witness)
         x, y, _ = system.lockstep.station.world.robots[asked].base_pose()[0]
         result = {} if made.status is None or made.status.result is None else made.status.result
@@ -124,7 +143,8 @@ def run_rocs(options: RocsOptions, run: int) -> RocsRun:
             state=made.state.partition(":")[0],
             failure=made.failure,
             lasted=made.lasted,
-            off_goal=round(math.hypot(x, y), 3),
+            kept=_kept(witness.paths) if options.case == 3 else None,  # noqa: PLR2004 - EXP3
+            off_goal=None if options.case == 3 else round(math.hypot(x, y), 3),  # noqa: PLR2004
             bumps=tuple(witness.bumps),
             replans=told if isinstance(told, int) else 0,
             reactive=round(sum(each.reactive for each in path) / max(1, len(path)), 3),
@@ -139,8 +159,21 @@ def run_rocs(options: RocsOptions, run: int) -> RocsRun:
 
 
 def _request(options: RocsOptions) -> dict[str, JsonValue]:
+    if options.case == 3:  # noqa: PLR2004 - EXP3 visits the corners
+        corners: list[JsonValue] = [{"x": x, "y": y} for x, y in CORNERS]
+        return {"task": "patrol", "corners": corners, "tolerance": 0.15}
     stay = STAY if options.case == 2 else 0.0  # noqa: PLR2004 - EXP2 holds its place
     return {"task": "go_to", "x": 0.0, "y": 0.0, "tolerance": 0.12, "stay": stay}
+
+
+def _kept(paths: Mapping[str, Sequence[Point]]) -> float:
+    """Return the share of the time for which the two were within their distances of each other."""
+    apart = [math.dist((a.x, a.y), (b.x, b.y)) for a, b in zip(paths["r2"], paths["r3"], strict=True)]
+    return round(sum(FOLLOWS[0] <= each <= FOLLOWS[1] for each in apart) / max(1, len(apart)), 3)
+
+
+def _quiet(_: str) -> None:
+    """Tell nobody."""
 
 
 @dataclass(eq=False)

@@ -6,8 +6,8 @@ from typing import Literal
 
 from tandem.skills.ports.message import Count, Message
 
-Case = Literal[1, 2]
-"""EXP1: the Pioneer goes to the origin. EXP2: the SUMMIT-XL does, and stays."""
+Case = Literal[1, 2, 3]
+"""EXP1: the Pioneer goes to the origin. EXP2: the SUMMIT-XL does, and stays. EXP3: it follows the Pioneer."""
 Route = Literal["both", "deliberative"]
 """Both routes, or the baseline without the reflex."""
 

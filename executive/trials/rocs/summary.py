@@ -22,10 +22,13 @@ def summary(options: RocsOptions, runs: Sequence[RocsRun]) -> list[str]:
     offs = [run.off_goal for run in runs if run.off_goal is not None and run.state == "SUCCEEDED"]
     lines = [
         f"EXP{options.case}, route {options.route}, seed {options.seed}: {len(runs)} runs",
-        f"  at the goal, having caused no contact: {reached} of {len(runs)}",
+        f"  as aimed at, having caused no contact: {reached} of {len(runs)}",
         f"  ended: {_counts(ended)}" + (f"; failures: {_counts(failed)}" if failed else ""),
         f"  contacts: {caused} caused, {stood} while it had stood for 1 s, {unseen} where no sensor looks",
     ]
+    kept = [run.kept for run in runs if run.kept is not None]
+    if kept:
+        lines.append(f"  share of time at 0.9 to 1.8 m: {_spread(kept)}")
     if offs:
         lines.append(f"  off the goal: {_spread(offs)} m")
     return [

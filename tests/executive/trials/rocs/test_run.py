@@ -38,6 +38,16 @@ def test_the_summit_goes_there_with_the_same_tree_and_stays() -> None:
     assert run.off_goal <= 0.15
 
 
+@pytest.mark.lockstep
+def test_the_summit_follows_the_pioneer_along_the_corners() -> None:
+    run = run_rocs(RocsOptions(case=3), 4)
+    assert run.state == "SUCCEEDED"
+    assert run.kept is not None
+    assert run.kept >= 0.9
+    assert run.caused == ()
+    assert set(run.paths) == {"r1", "r2", "r3"}
+
+
 @pytest.mark.parametrize("case", [1, 2])
 def test_draws_differ_keep_their_distance_and_are_the_same_for_the_same_seed(case: Case) -> None:
     draws = [draw(case, np.random.default_rng((1, run))) for run in range(30)]
@@ -68,6 +78,11 @@ def made(*bumps: Bump, off: float = 0.1, state: str = "SUCCEEDED") -> RocsRun:
     )
 
 
+def test_a_follower_keeps_near_for_most_of_the_time() -> None:
+    assert made(off=0.1).model_copy(update={"off_goal": None, "kept": 0.9}).reached
+    assert not made(off=0.1).model_copy(update={"off_goal": None, "kept": 0.89}).reached
+
+
 JUDGED = [
     (made(), True),
     (made(off=0.16), False),
@@ -85,5 +100,5 @@ def test_a_run_is_right_at_the_goal_without_a_contact_that_it_caused(run: RocsRu
 
 def test_the_summary_counts_contacts_by_who_is_to_blame() -> None:
     lines = summary(RocsOptions(case=1), [run for run, _ in JUDGED])
-    assert "  at the goal, having caused no contact: 3 of 6" in lines
+    assert "  as aimed at, having caused no contact: 3 of 6" in lines
     assert "  contacts: 1 caused, 1 while it had stood for 1 s, 1 where no sensor looks" in lines
