@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 
-.PHONY: setup demo test check docs bench figures clean-figures format clean
+.PHONY: setup demo test thorough check docs bench figures clean-figures format clean
 
 setup: $(STAMP)
 
@@ -19,6 +19,10 @@ demo: $(STAMP)
 
 test: $(STAMP)
 	$(BIN)/python -m pytest -n 2 --dist loadgroup
+
+# What `make test` leaves out: whole tasks, minutes each, whose parts other tests cover.
+thorough: $(STAMP)
+	$(BIN)/python -m pytest -n 2 --dist loadgroup -m thorough
 
 check: $(STAMP)
 	$(BIN)/ruff format --check .

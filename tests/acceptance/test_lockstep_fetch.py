@@ -58,6 +58,7 @@ def test_two_items_in_view_one_after_the_other() -> None:
         assert run.open_goals() == ()
 
 
+@pytest.mark.thorough
 def test_item_behind_the_robot() -> None:
     with course(load_scenario("Demo").starting_at(BACK_TO_THE_TABLE)) as run:
         assert run.fetch(29).state is TaskState.SUCCEEDED

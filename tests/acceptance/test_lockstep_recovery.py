@@ -48,7 +48,9 @@ def test_a_dropped_item_is_noticed_within_half_a_second_and_the_robot_stops() ->
 @pytest.mark.parametrize(
     ("what", "arguments"),
     [
-        ("recovered", ["--runs", "1", "--hopeless", "0", "--first", "1"]),
+        pytest.param(
+            "recovered", ["--runs", "1", "--hopeless", "0", "--first", "1"], marks=pytest.mark.thorough
+        ),
         ("right_kind", ["--runs", "0", "--hopeless", "1", "--first", "3"]),
     ],
     ids=["camera silent", "camera dark for good"],

@@ -17,6 +17,7 @@ import pytest
 TANDEM = Path(sys.executable).with_name("tandem")
 
 
+@pytest.mark.thorough
 @pytest.mark.lockstep
 def test_a_drawn_fetch_is_right_and_the_report_says_why(tmp_path: Path) -> None:
     """Run 3: item 17 at the north edge of the table, from the other side of the room."""

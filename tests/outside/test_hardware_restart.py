@@ -119,8 +119,34 @@ def until(holds: Callable[[], bool], within: float, meanwhile: Callable[[], bool
         time.sleep(0.05)
 
 
+def fetches_42(client: Client, start: list[float], folder: Path) -> None:
+    """Have it fetched, and look where it truly is."""
+    after = client.fetch(42)
+    until(lambda: client.ended(after), WITHIN)
+    assert client.states[after] == "SUCCEEDED", (folder / "log").read_text()
+    there = client.true_place(42)
+    assert math.dist(there, start) > 0.5, "it was brought somewhere else"
+    assert math.dist(there, client.items[42]) < 0.1, "and lies where it is believed to lie"
+
+
 @pytest.mark.processes
-def test_the_fetch_after_a_restart_of_the_hardware_succeeds(tmp_path: Path) -> None:
+def test_the_fetch_after_a_restart_of_the_hardware_at_rest_succeeds(tmp_path: Path) -> None:
+    endpoint = free_endpoint()
+    with tandem_up(endpoint, tmp_path) as up:
+        client = Client(endpoint)
+        start = client.true_place(42)
+        dead = hardware_of(up.pid)
+        assert dead is not None
+        until(lambda: len(client.boots) == 1, 30.0, lambda: up.poll() is None)
+        os.kill(dead, signal.SIGKILL)
+        until(lambda: len(client.boots) == 2, 90.0, lambda: up.poll() is None)
+        fetches_42(client, start, tmp_path)
+        client.session.close()
+
+
+@pytest.mark.thorough
+@pytest.mark.processes
+def test_the_fetch_after_a_restart_in_the_middle_of_one_succeeds(tmp_path: Path) -> None:
     endpoint = free_endpoint()
     with tandem_up(endpoint, tmp_path) as up:
         client = Client(endpoint)
@@ -133,11 +159,6 @@ def test_the_fetch_after_a_restart_of_the_hardware_succeeds(tmp_path: Path) -> N
         until(lambda: len(client.boots) == 2, 90.0, lambda: up.poll() is None)
         # It goes on from what is true now, or fails: but it ends.
         until(lambda: client.ended(interrupted), WITHIN)
-        after = client.fetch(42)
-        until(lambda: client.ended(after), WITHIN)
-        assert client.states[after] == "SUCCEEDED", (tmp_path / "log").read_text()
-        there = client.true_place(42)
-        assert math.dist(there, start) > 0.5, "it was brought somewhere else"
-        assert math.dist(there, client.items[42]) < 0.1, "and lies where it is believed to lie"
+        fetches_42(client, start, tmp_path)
         client.session.close()
     assert "the hardware process ended (signal 9); restarted" in (tmp_path / "log").read_text()

@@ -68,7 +68,7 @@ def test_what_was_seen_before_a_reflex_counts() -> None:
     late = Failure(
         kind=FailureKind.OVERRIDDEN, message="reflex x took the base", evidence={"reflex": "avoid_collision"}
     )
-    run.robot.leaf_faults["follow", 1] = Fault(failure=late, late=10.0)
+    run.robot.leaf_faults["follow it", 1] = Fault(failure=late, late=10.0)
     run.robot.wheels.seen = 0.0
     assert run.run("follow", {"robot": "r2", "seconds": 20.0}) is Status.SUCCESS
     assert result(run).seen == pytest.approx(10.0, abs=0.5)

@@ -92,7 +92,7 @@ def build(asked: FollowRequest, context: TreeContext) -> Behaviour:
                 memory=True,
                 children=[
                     Check("time is over?", lambda: pursuit.over),
-                    follow("follow", context, pursuit, asked.robot, asked.distance),
+                    follow("follow it", context, pursuit, asked.robot, asked.distance),
                 ],
             ),
         ],
@@ -114,7 +114,7 @@ def build(asked: FollowRequest, context: TreeContext) -> Behaviour:
         within=asked.seconds,
     )
     return Sequence(
-        "follow a robot",
+        "follow",
         memory=True,
         children=[
             Phase("request", context, take_up(context), begins=0.0, ends=SETS_OUT),

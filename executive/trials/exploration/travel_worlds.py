@@ -53,11 +53,12 @@ def patrol_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
 def follow_worlds() -> tuple[Mapping[str, Make], Mapping[str, Make]]:
     """Return the worlds and corners of ``follow``."""
     world = partial(_world, "follow", {"robot": "other", "seconds": 80.0})
-    return MappingProxyType({"nothing in the way": partial(world)}), _corners(world, "follow")
+    return MappingProxyType({"nothing in the way": partial(world)}), _corners(world, "follow it", "follow")
 
 
-def _corners(world: Callable[..., TreeBench], leaf: str = "go") -> Mapping[str, Make]:
-    anew = dict.fromkeys((leaf, f"{leaf}: localise"), _LOST)
+def _corners(world: Callable[..., TreeBench], leaf: str = "go", steps: str = "go") -> Mapping[str, Make]:
+    """Return what may be in the way; ``steps`` is how the names of its recovery steps begin."""
+    anew = dict.fromkeys((leaf, f"{steps}: localise"), _LOST)
     return {
         "known before": partial(world, localised=True),
         "a reflex now and then": partial(world, localised=True, reflex=MockReflex(times=2)),
