@@ -223,6 +223,8 @@ class Reflexes:
             each.act, holds = each.reflex.act(), True
         if not holds:
             return
+        if each.act is None and why is not None:
+            each.act = each.reflex.act()  # it was not enough
         doing = self._acts(each)
         for pipeline in each.pipelines:
             pipeline.doing = doing or ()

@@ -87,9 +87,11 @@ def test_it_acts_in_the_step_in_which_it_fires_and_holds_until_act_and_cause_are
     assert (script.acted, pipeline.holder, pipeline.doing) == (1, "", ("step 0",))
     for _ in range(5):
         bench.step()
-    assert pipeline.override is not None, "its action is over, and what it saw is still there"
+    assert pipeline.override is not None, "what it saw is still there"
+    assert script.acted > 2, "so it acts once more"
     script.fires = False
-    bench.step()
+    for _ in range(3):
+        bench.step()
     assert pipeline.override is None
     assert bench.fitted[0].fired == 1
 
@@ -119,7 +121,6 @@ def test_one_that_loses_a_part_after_its_action_gives_back_the_rest() -> None:
     both.fires = True
     for _ in range(4):
         bench.step()
-    assert both.closed == ["ended"]
     top.fires = True
     bench.step()
     assert right.has("top")
