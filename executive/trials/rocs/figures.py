@@ -67,17 +67,16 @@ def _box(x: float, y: float, yaw: float, along: float, across: float) -> str:
 
 def _path(name: str, path: Sequence[Point], at: Callable[[Point], Pixel]) -> Iterator[str]:
     scripted = name == "r1"
-    for one, other in pairwise(path):
-        (u, v), (a, b) = at(one), at(other)
-        colour = OTHER if scripted else COLOURS[other.reactive]
+    begins = [k for k in range(1, len(path)) if path[k].reactive != path[k - 1].reactive]
+    for begin, end in pairwise((0, *begins, len(path))):
+        colour = OTHER if scripted else COLOURS[path[begin].reactive]
+        points = " ".join(f"{u:.1f},{v:.1f}" for u, v in map(at, path[max(begin - 1, 0) : end]))
         width = 0.8 if scripted else 1.6
-        yield (
-            f'<line x1="{u:.1f}" y1="{v:.1f}" x2="{a:.1f}" y2="{b:.1f}" stroke="{colour}"'
-            f' stroke-width="{width}"/>'
-        )
-        if one.reactive != other.reactive:
-            colour = COLOURS[other.reactive]
-            yield f'<rect x="{a - 3:.1f}" y="{b - 3:.1f}" width="6" height="6" fill="{colour}"/>'
+        yield f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="{width}"/>'
+    for begin in begins:
+        u, v = at(path[begin])
+        colour = COLOURS[path[begin].reactive]
+        yield f'<rect x="{u - 3:.1f}" y="{v - 3:.1f}" width="6" height="6" fill="{colour}"/>'
     if path:
         u, v = at(path[0])
         yield f'<text x="{u + 6:.1f}" y="{v - 6:.1f}" fill="#444">{name}</text>'
