@@ -1,14 +1,14 @@
 """Reflexes: declared in a file each, run beside the owner of their resources (RoCS paper, 4.3 and 5.1).
 
 A reflex looks in every step of its process, before any skill goes on: so it acts in the same step as the
-message that makes it fire, whatever the tree does. It takes all of its resources or none, runs its action to
-the end, holds on until what it saw has passed, and gives them back.
+message that makes it fire, whatever the tree does. It takes all of its resources or none, acts until what it
+saw has passed, and gives them back.
 """
 
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Collection, Generator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Final, Generic, Protocol, TypeVar
@@ -20,6 +20,7 @@ from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.endpoint import answering
 from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.problems import in_words, problems_of
 from tandem.skills.ports.reflex import (
@@ -75,7 +76,7 @@ class ReflexType(Generic[W, P]):
         resources: what it takes, all of them or none.
         rank: among reflexes; the highest has its way.
         parameters: their model, with what holds where a robot or a site says nothing.
-        needs: says what a robot must have for it; "" when it has that, else the missing part.
+        needs: says what a robot must have for it, and lacks; "" when it has all.
         make: makes it, from its surroundings and its parameters.
         armed: whether it is on where nobody declares it.
     """
@@ -85,7 +86,7 @@ class ReflexType(Generic[W, P]):
     resources: tuple[str, ...]
     rank: int
     parameters: type[P]
-    needs: Callable[[W], str]
+    needs: Callable[[RobotDescription], str]
     make: Callable[[W, P], Reflex]
     armed: bool = True
 
@@ -116,42 +117,73 @@ class Fitted:
         return not self.holds and (some or self.act is not None)
 
 
-def fitted(
-    types: Sequence[ReflexType[W, Any]],
-    at: W,
-    pipelines: Mapping[str, Pipeline],
-    settings: Sequence[tuple[str, ReflexSetting]],
-) -> list[Fitted]:
-    """Make the reflexes of a process.
+@dataclass(frozen=True)
+class Chosen(Generic[W]):
+    """A reflex that a robot has, with its parameters."""
 
-    A reflex that nobody declares is made with its own parameters where the robot has what it needs.
+    type: ReflexType[W, Any]
+    parameters: Message
+    on: bool
+
+
+def chosen(
+    types: Sequence[ReflexType[W, Any]],
+    robot: RobotDescription,
+    resources: Collection[str],
+    settings: Sequence[tuple[str, ReflexSetting]],
+    *,
+    elsewhere: Collection[str] = (),
+) -> list[Chosen[W]]:
+    """Return the reflexes that a robot has.
+
+    A reflex that nobody declares has its own parameters, and is there where the robot has what it needs.
 
     Args:
-        types: the reflexes of this process.
-        at: what they are made with.
-        pipelines: the resources of this process, by name.
-        settings: what the robot's description and the site's file declare of any reflex, with what to call
-            the place; later ones win.
+        types: the reflexes there are.
+        robot: the robot.
+        resources: what may be taken.
+        settings: what the robot's description and the site's file declare, each with what to call the place;
+            later ones win.
+        elsewhere: names that may be declared though no such reflex is among ``types``: plug-ins left out.
 
     Raises:
-        DocumentError: parameters that contradict each other, a resource or a sensor that the robot lacks,
-            naming the place and the reason.
+        DocumentError: an unknown reflex, parameters that contradict each other, a resource or a sensor that
+            the robot lacks; it names the place and the reason.
     """
-    made = []
+    known = [each.name for each in types]
+    for where, told in settings:
+        if told.reflex not in known and told.reflex not in elsewhere:
+            raise DocumentError(f"{where}: no reflex {told.reflex!r}; expected one of {', '.join(known)}")
+    found = []
     for each in types:
         declared = [(where, told) for where, told in settings if told.reflex == each.name]
         where, told = declared[-1] if declared else ("", ReflexSetting(reflex=each.name, armed=each.armed))
-        missing = each.needs(at) or "".join(
-            f"a resource {resource!r}" for resource in each.resources if resource not in pipelines
+        missing = each.needs(robot) or "".join(
+            f"a resource {resource!r}" for resource in each.resources if resource not in resources
         )
         if missing and not declared:
             continue
         if missing:
             raise DocumentError(f"{where}: reflex {each.name!r} needs {missing}, which this robot lacks")
-        reflex = each.make(at, _parameters(each.parameters, where, told.parameters, each.name))
-        taken = tuple(pipelines[resource] for resource in each.resources)
-        made.append(Fitted(each.name, each.about, each.rank, taken, reflex, on=told.armed))
-    return made
+        found.append(
+            Chosen(each, _parameters(each.parameters, where, told.parameters, each.name), told.armed)
+        )
+    return found
+
+
+def fitted(choice: Sequence[Chosen[W]], at: W, pipelines: Mapping[str, Pipeline]) -> list[Fitted]:
+    """Make reflexes for one boot of the hardware: from what is ``at`` hand, on these pipelines by name."""
+    return [
+        Fitted(
+            each.type.name,
+            each.type.about,
+            each.type.rank,
+            tuple(pipelines[resource] for resource in each.type.resources),
+            each.type.make(at, each.parameters),
+            on=each.on,
+        )
+        for each in choice
+    ]
 
 
 def _parameters(model: type[P], where: str, told: Mapping[str, JsonValue], name: str) -> P:
@@ -187,7 +219,7 @@ class Reflexes:
             ),
         )
         self._told_at = -TOLD_EVERY
-        self._told: dict[str, PipelineState | ReflexState] = {}
+        self._told: dict[str, object] = {}
 
     def step(self) -> bool:
         """Look, take what is to be taken, act, give back; highest rank first."""
@@ -274,7 +306,7 @@ class Reflexes:
         stamp, now = self._clocks.robot(), robot_seconds(self._clocks)
         if stamp is None:
             return
-        due = now - self._told_at >= TOLD_EVERY
+        due = now - self._told_at >= TOLD_EVERY - 1e-6
         if due:
             self._told_at = now
         for pipeline in self._pipelines:
@@ -288,14 +320,15 @@ class Reflexes:
                 doing=pipeline.doing,
                 overridden=pipeline.overridden,
             )
-            if due or self._news(pipeline.resource, state.model_copy(update={"stamp": None})):
+            has_it = (state.holder, state.reflex, state.doing)
+            if self._news(pipeline.resource, has_it) or due:
                 pipeline_state(pipeline.resource).publish(self._bus, state)
         for each in self._reflexes:
             told = self._state(each)
-            if due or self._news(f"reflex {each.name}", told):
+            if self._news(f"reflex {each.name}", told) or due:
                 reflex_state(each.name).publish(self._bus, told)
 
-    def _news(self, what: str, state: PipelineState | ReflexState) -> bool:
+    def _news(self, what: str, state: object) -> bool:
         news = self._told.get(what) != state
         self._told[what] = state
         return news

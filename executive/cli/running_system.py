@@ -23,6 +23,7 @@ from tandem.executive.ledger.port import LedgerError, LedgerLockedError
 from tandem.executive.render.failure_words import result_lines
 from tandem.executive.system import startup_notice as taking_up
 from tandem.executive.system.crews import data_of
+from tandem.executive.system.declared_reflexes import check_reflexes
 from tandem.executive.system.first_request import hint
 from tandem.executive.system.free_endpoint import EndpointError
 from tandem.executive.system.systems import (
@@ -174,6 +175,7 @@ def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
         scenario = scenario.model_copy(update={"site": locate(options.site)})
     site = load(scenario.site)
     build_scene(site, scenario, source=source)
+    check_reflexes(scenario, site, options.left_out)
     if options.faults is None:
         return scenario, site, None
     more = check_faults(options.faults, site, scenario.robots_by_name)

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from types import ModuleType
 
 from tandem.sim import controls
-from tandem.skills.ports import action, actions, keys, tasks, world
+from tandem.skills.ports import action, actions, keys, reflex, tasks, world
 from tandem.skills.ports.keys import Service, Topic
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.skill import ActionType
@@ -24,7 +24,7 @@ def entries() -> dict[str, list[Entry]]:
     return {
         "clients": task_entries(),
         "world": entries_of(world),
-        "skills": [*entries_of(action), *status_entries()],
+        "skills": [*entries_of(action), *entries_of(reflex), *status_entries()],
         "hardware": entries_of(keys),
         "stand-in": sim_entries(),
     }
@@ -81,5 +81,4 @@ def sim_entries() -> list[Entry]:
 
 def all_entries() -> list[Entry]:
     """Return every topic and service of the interface."""
-    own = [*task_entries(), *entries_of(keys), *entries_of(world), *entries_of(action)]
-    return [*own, *status_entries(), *sim_entries()]
+    return [entry for group in entries().values() for entry in group]

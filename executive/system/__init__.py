@@ -3,5 +3,5 @@
 One process: worker, playing, leased_loop, skill_process, router, isolation, quiet_screen.
 All of them: processes, crews, hung_processes, systems, lockstep.
 Plug-ins: plugins, plugin_probe.
-The start: free_endpoint, startup_notice, first_request.
+The start: free_endpoint, startup_notice, first_request, declared_reflexes.
 """

@@ -10,7 +10,9 @@ import logging
 import os
 import signal
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from types import FrameType
 from typing import Final
 
@@ -19,6 +21,7 @@ from tandem.executive.ledger.port import LedgerError, LedgerLockedError
 from tandem.executive.system import playing
 from tandem.executive.system.quiet_screen import end_unheard
 from tandem.executive.telemetry.logs import formatter
+from tandem.skills.ports.sources import DocumentError
 
 SWITCH_INTERVAL: Final = 0.0005
 """Seconds after which a thread that computes lets another go on."""
@@ -61,16 +64,22 @@ def main(argv: list[str]) -> int:
     sys.setswitchinterval(SWITCH_INTERVAL)
     ending = Ending() if settings.parent is None else Ending(parent=settings.parent)
     ending.listen()
+    return ended(partial(playing.play, settings, ending), settings.called)
+
+
+def ended(work: Callable[[], None], called: str) -> int:
+    """Do a process's work; return its exit code. Only a mistake of the program leaves a trace in the log."""
+    log = logging.getLogger(__name__)
     try:
-        playing.play(settings, ending)
-    except (RefusalError, LedgerLockedError) as refusal:
-        logging.getLogger(__name__).error("%s", refusal)  # noqa: TRY400 - no fault of the program
+        work()
+    except (RefusalError, LedgerLockedError, DocumentError) as refusal:
+        log.error("%s", refusal)  # noqa: TRY400 - no fault of the program
         return REFUSED
     except LedgerError as error:
-        logging.getLogger(__name__).error("%s", error)  # noqa: TRY400 - the disk's fault
+        log.error("%s", error)  # noqa: TRY400 - the disk's fault
         return UNKEPT
     except Exception:
-        logging.getLogger(__name__).exception("%s failed with an unexpected error", settings.called)
+        log.exception("%s failed with an unexpected error", called)
         return 1
     return 0
 

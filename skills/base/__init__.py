@@ -4,5 +4,5 @@ Skills: drive, rotate, localise, process.
 Where the robot is: whereabouts; localiser, matcher, search, scan, odometry, map, field, floor; fixed.
 The way: planner, path, journey, obstacles.
 Where nothing is mapped: tracker, surround, macros, go, follow_robot.
-Driving it: ride, follow, wheels, guard, watch, status; ``reflexes/`` take the wheels from it.
+Driving it: with_wheels, ride, follow, wheels, guard, watch, status; ``reflexes/`` take the wheels from it.
 """

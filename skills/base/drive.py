@@ -6,11 +6,12 @@ from tandem.skills.base.journey import Course, Journey, Progress
 from tandem.skills.base.ride import Ride
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.wheels import Wheels
-from tandem.skills.ports.actions.base import DRIVE, BaseState, DriveFeedback, DriveGoal, DriveResult
+from tandem.skills.base.with_wheels import with_wheels
+from tandem.skills.ports.actions.base import DRIVE, DriveFeedback, DriveGoal, DriveResult
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.skill import ActionType, Run, failed
+from tandem.skills.ports.skill import ActionType, Run
 
 
 class Drive:
@@ -46,24 +47,11 @@ class Drive:
 
     def run(self, goal: DriveGoal, goal_id: str) -> Run[DriveFeedback, DriveResult]:  # noqa: ARG002
         """Plan, drive, correct."""
-        busy = self._board.pipeline.busy(DRIVE.name)
-        if busy is not None:
-            return failed(busy)
-        self._board.claim(DRIVE.name, goal.serves_item)
-        state = BaseState.BASE_GOAL_FAIL
-        try:
-            progress = Progress()
-            journey = Journey(self.course, self._ride(progress), progress, goal)
-            outcome = yield from journey.run()
-            if outcome.canceled:
-                state = BaseState.BASE_IDLE
-            elif outcome.result is not None:
-                state = BaseState.BASE_GOAL_OK
-            return outcome
-        finally:
-            if not self._wheels.resting:
-                self._wheels.halt()
-            self._board.release(DRIVE.name, state)
+        return with_wheels(self._drive(goal), self._board, self._wheels, DRIVE.name, goal.serves_item)
+
+    def _drive(self, goal: DriveGoal) -> Run[DriveFeedback, DriveResult]:
+        progress = Progress()
+        return (yield from Journey(self.course, self._ride(progress), progress, goal).run())
 
     def _ride(self, progress: Progress) -> Ride[DriveFeedback]:
         def feedback() -> DriveFeedback:

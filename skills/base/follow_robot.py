@@ -7,19 +7,22 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from typing import Final
 
+from tandem.skills.base.floor import compose
 from tandem.skills.base.guard import Guard
 from tandem.skills.base.macros import Macros
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.surround import Surround
 from tandem.skills.base.wheels import Wheels
 from tandem.skills.base.whereabouts import Whereabouts
+from tandem.skills.base.with_wheels import with_wheels
 from tandem.skills.geometry.poses import wrap
-from tandem.skills.ports.actions.base import FOLLOW, BaseState, FollowFeedback, FollowGoal, FollowResult
+from tandem.skills.ports.actions.base import FOLLOW, FollowFeedback, FollowGoal, FollowResult
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.hardware import Drive
-from tandem.skills.ports.skill import ActionType, Command, Run, canceled, failed, succeeded
+from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.skill import ActionType, Command, Run, canceled, succeeded
 
 SPEED: Final = 0.60
 """m/s: faster than what it follows, so that it catches up."""
@@ -90,25 +93,11 @@ class Follow:
 
     def run(self, goal: FollowGoal, goal_id: str) -> Run[FollowFeedback, FollowResult]:  # noqa: ARG002
         """Follow until the time is over."""
-        busy = self._board.pipeline.busy(FOLLOW.name)
-        if busy is not None:
-            return failed(busy)
-        self._board.claim(FOLLOW.name)
-        state = BaseState.BASE_IDLE
-        try:
-            odometry = self._monitor.odometry
-            self._wheels.begin(*((0.0, 0.0) if odometry is None else (odometry.linear, odometry.angular)))
-            macros = Macros(self._clocks, self._monitor, self._wheels, self._speed)
-            outcome = yield from self._follow(goal, macros)
-            if outcome.result is not None:
-                state = BaseState.BASE_GOAL_OK
-            return outcome
-        finally:
-            if not self._wheels.resting:
-                self._wheels.halt()
-            self._board.release(FOLLOW.name, state)
+        return with_wheels(self._follow(goal), self._board, self._wheels, FOLLOW.name)
 
-    def _follow(self, goal: FollowGoal, macros: Macros) -> Run[FollowFeedback, FollowResult]:
+    def _follow(self, goal: FollowGoal) -> Run[FollowFeedback, FollowResult]:
+        self._wheels.begin(self._monitor.odometry)
+        macros = Macros(self._clocks, self._monitor, self._wheels, self._speed)
         begun = before = robot_seconds(self._clocks)
         lasts = goal.seconds
         seen, stands, sight, side = 0.0, False, self._last.get(goal.robot), 0.0
@@ -147,9 +136,8 @@ class Follow:
     def _look(self, robot: str, macros: Macros, now: float) -> _Sight | None:
         for each in self._surround.robots:
             if each.name == robot:
-                here = macros.pose
-                c, s = math.cos(here.yaw), math.sin(here.yaw)
-                return _Sight(here.x + c * each.x - s * each.y, here.y + s * each.x + c * each.y, now)
+                there = compose(macros.pose, FloorPose(x=each.x, y=each.y, yaw=0.0))
+                return _Sight(there.x, there.y, now)
         return None
 
     def _speeds(

@@ -10,8 +10,9 @@ from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.surround import Surround
 from tandem.skills.base.wheels import Wheels
 from tandem.skills.base.whereabouts import Whereabouts
+from tandem.skills.base.with_wheels import with_wheels
 from tandem.skills.geometry.poses import wrap
-from tandem.skills.ports.actions.base import GO, BaseState, GoFeedback, GoGoal, GoResult
+from tandem.skills.ports.actions.base import GO, GoFeedback, GoGoal, GoResult
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
@@ -72,33 +73,14 @@ class Go:
 
     def run(self, goal: GoGoal, goal_id: str) -> Run[GoFeedback, GoResult]:  # noqa: ARG002
         """Turn, go, turn to the heading."""
-        busy = self._board.pipeline.busy(GO.name)
-        if busy is not None:
-            return failed(busy)
-        self._board.claim(GO.name)
-        state = BaseState.BASE_GOAL_FAIL
-        try:
-            self._begin()
-            macros = Macros(self._clocks, self._monitor, self._wheels, self._speed)
-            outcome = yield from self._go(goal, macros)
-            if outcome.result is not None:
-                state = BaseState.BASE_GOAL_OK
-            elif outcome.canceled:
-                state = BaseState.BASE_IDLE
-            return outcome
-        finally:
-            if not self._wheels.resting:
-                self._wheels.halt()
-            self._board.release(GO.name, state)
+        return with_wheels(self._go(goal), self._board, self._wheels, GO.name)
 
     def _speed(self) -> float:
         return self._surround.speed(SPEED)
 
-    def _begin(self) -> None:
-        odometry = self._monitor.odometry
-        self._wheels.begin(*((0.0, 0.0) if odometry is None else (odometry.linear, odometry.angular)))
-
-    def _go(self, goal: GoGoal, macros: Macros) -> Run[GoFeedback, GoResult]:
+    def _go(self, goal: GoGoal) -> Run[GoFeedback, GoResult]:
+        self._wheels.begin(self._monitor.odometry)
+        macros = Macros(self._clocks, self._monitor, self._wheels, self._speed)
         steps = self._steps(goal, macros)
         nearest, since = float("inf"), robot_seconds(self._clocks)
         stopping, paused = False, False

@@ -17,6 +17,7 @@ from tandem.skills.base.map import SiteMap
 from tandem.skills.base.matcher import Match, carried, diagonal, match, share_near
 from tandem.skills.base.odometry import OdometryBuffer, ahead
 from tandem.skills.base.scan import ScanGeometry, ScanPoints
+from tandem.skills.base.whereabouts import wheels_turn
 from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
@@ -46,8 +47,6 @@ LOST_WAY: Final = 2.0
 """Metres and radians on poor scans after which it doesn't either; before, something may just hide the map."""
 SETTLED_AFTER: Final = 8
 """Scans at rest after which the estimate stays as it is."""
-AT_REST: Final = (0.005, 0.01)
-"""m/s and rad/s below which the base counts as at rest."""
 STILL: Final = (0.0015, 0.002)
 """Metres and radians of odometry between two scans that are no motion."""
 TINY: Final = 1e-6
@@ -136,8 +135,7 @@ class Localiser:
     @property
     def moving(self) -> bool:
         """Whether the wheels turn."""
-        last = self._buffer.last
-        return last is not None and (abs(last.linear) > AT_REST[0] or abs(last.angular) > AT_REST[1])
+        return wheels_turn(self._buffer.last)
 
     def initialise(self, base_in_map: FloorPose, at: RobotTime, sigma: tuple[float, float]) -> bool:
         """Start from a pose that held at a moment, known to ``sigma`` (m, rad).

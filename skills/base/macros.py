@@ -12,14 +12,12 @@ from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
 from typing import Final
 
-from tandem.skills.base.wheels import Wheels, stopping_speed
+from tandem.skills.base.wheels import CYCLE, Wheels, stopping_speed
 from tandem.skills.base.whereabouts import Whereabouts, base_in_map
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.pose import FloorPose
 
-CYCLE: Final = 0.02
-"""Robot seconds between two commands to the wheels: as often as odometry comes."""
 LATENCY: Final = 0.08
 """Seconds between a command and what odometry tells of it, with a period of a pose sensor's filter."""
 AIM: Final = 0.03
@@ -28,6 +26,8 @@ SLOW: Final = 0.08
 """rad/s: a turn ends when as slow."""
 OFF: Final = 0.5
 """Radians off the way to a place at which the base stops and turns to it again."""
+BRAKES_FOR: Final = 5.0
+"""Robot seconds of braking after which a base that still moves is nobody's to stop."""
 HELD_FOR: Final = 2.0
 """Robot seconds without turning on after which something holds the base."""
 STEER: Final = 1.5
@@ -42,7 +42,7 @@ class Macros:
     Args:
         clocks: robot time.
         monitor: where the base is.
-        wheels: as whoever acts has them.
+        wheels: under the claim, or the override, of whoever acts.
         speed: tells the m/s at the most, now.
     """
 
@@ -65,7 +65,7 @@ class Macros:
 
     def set_wheel_speed(self, linear: float, angular: float, until: Callable[[], bool]) -> Steps:
         """Atomic: go on at these speeds (m/s, rad/s), as the drive's limits allow, until something holds."""
-        with self._named("SetWheelSpeed"):
+        with self.named("SetWheelSpeed"):
             while not until():
                 self.wheels.send(linear, angular)
                 yield from self._cycle()
@@ -75,7 +75,7 @@ class Macros:
 
         Something that holds the base ends it early: whoever wants to know looks at the heading.
         """
-        with self._named("TurnAngle"):
+        with self.named("TurnAngle"):
             remaining, yaw = angle, self.pose.yaw
             nearest, since = math.inf, robot_seconds(self._clocks)
             while abs(remaining) > AIM or abs(self.wheels.angular) > SLOW:
@@ -90,20 +90,21 @@ class Macros:
                 remaining, yaw = remaining - wrap(now - yaw), now
 
     def brake(self) -> Steps:
-        """Bring the base to rest."""
-        with self._named("SetWheelSpeed"):
-            while not self.resting:
+        """Bring the base to rest; given up after ``BRAKES_FOR``, when something else moves it."""
+        until = robot_seconds(self._clocks) + BRAKES_FOR
+        with self.named("SetWheelSpeed"):
+            while not self.resting and robot_seconds(self._clocks) < until:
                 self.wheels.send(0.0, 0.0)
                 yield from self._cycle()
 
     def turn_to(self, x: float, y: float) -> Steps:
         """Turn towards a place in the map (the paper's TurnToOrigin)."""
-        with self._named("TurnTo"):
+        with self.named("TurnTo"):
             yield from self.turn_angle(self.bearing(x, y))
 
     def go_to(self, x: float, y: float, near: float) -> Steps:
         """Turn to a place in the map and go there, until it is within ``near`` metres (GoToOrigin)."""
-        with self._named("GoTo"):
+        with self.named("GoTo"):
             while self.distance(x, y) > near:
                 if abs(self.bearing(x, y)) > OFF:
                     yield from self.turn_to(x, y)
@@ -121,7 +122,7 @@ class Macros:
         return math.hypot(x - here.x, y - here.y)
 
     def _approach(self, x: float, y: float, near: float) -> Steps:
-        with self._named("SetWheelSpeed"):
+        with self.named("SetWheelSpeed"):
             while self.distance(x, y) > near and abs(self.bearing(x, y)) <= OFF:
                 left = self.distance(x, y)
                 speed = stopping_speed(left, self.wheels.drive.acceleration, LATENCY)
@@ -136,15 +137,10 @@ class Macros:
                 return
 
     @contextmanager
-    def _named(self, name: str) -> Iterator[None]:
+    def named(self, name: str) -> Iterator[None]:
+        """Tell the name of an action while it is at work."""
         self.doing = (*self.doing, name)
         try:
             yield
         finally:
             self.doing = self.doing[:-1]
-
-    @contextmanager
-    def macro(self, name: str) -> Iterator[None]:
-        """Name a macro-action that is made elsewhere."""
-        with self._named(name):
-            yield

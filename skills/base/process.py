@@ -15,7 +15,7 @@ from tandem.skills.base.localise import Localise
 from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.map import build_map
 from tandem.skills.base.obstacles import Obstacles
-from tandem.skills.base.reflexes.registry import SHIPPED, BaseReflex, reflexes
+from tandem.skills.base.reflexes.registry import SHIPPED, BaseReflex, chosen_for, reflexes
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
 from tandem.skills.base.rotate import Rotate
 from tandem.skills.base.status import BaseStatusBoard
@@ -156,9 +156,5 @@ def _by_pose_sensor(
 
 
 def _fitted(types: Sequence[BaseReflex], around: BaseSurroundings, site: Site) -> list[Fitted]:
-    robot = around.description
-    declared = [
-        *((f"robot {robot.name}: reflexes.{at}", each) for at, each in enumerate(robot.reflexes)),
-        *((f"site {site.name}: reflexes.{at}", each) for at, each in enumerate(site.reflexes)),
-    ]
-    return fitted(types, around, {BASE: around.board.pipeline}, declared)
+    choice = chosen_for(types, around.description, site, f"site {site.name}")
+    return fitted(choice, around, {BASE: around.board.pipeline})

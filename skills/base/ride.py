@@ -14,7 +14,7 @@ from typing import Final, Generic, TypeVar
 
 from tandem.skills.base.floor import compose
 from tandem.skills.base.odometry import ahead
-from tandem.skills.base.wheels import Wheels, stopping_speed
+from tandem.skills.base.wheels import CYCLE, Wheels, stopping_speed
 from tandem.skills.base.whereabouts import Whereabouts
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.clocks import Clocks, robot_seconds
@@ -23,8 +23,6 @@ from tandem.skills.ports.message import Message
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import Command, Slice
 
-CYCLE: Final = 0.02
-"""Robot seconds between two commands to the wheels: as often as odometry comes."""
 LATENCY: Final = 0.05
 """Seconds between a command and what odometry tells of it."""
 AIM: Final = 0.008
@@ -73,8 +71,7 @@ class Ride(Generic[F]):
         self.failure: Failure | None = None
         self.turned = 0.0
         """Radians turned in the present (or last) turn."""
-        odometry = localiser.odometry
-        wheels.begin(*((0.0, 0.0) if odometry is None else (odometry.linear, odometry.angular)))
+        wheels.begin(localiser.odometry)
 
     @property
     def now(self) -> float:

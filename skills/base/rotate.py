@@ -9,8 +9,9 @@ from tandem.skills.base.ride import Ride
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.wheels import Wheels
 from tandem.skills.base.whereabouts import Whereabouts
+from tandem.skills.base.with_wheels import with_wheels
 from tandem.skills.geometry.poses import wrap
-from tandem.skills.ports.actions.base import ROTATE, BaseState, RotateFeedback, RotateGoal, RotateResult
+from tandem.skills.ports.actions.base import ROTATE, RotateFeedback, RotateGoal, RotateResult
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure, FailureKind
@@ -66,22 +67,7 @@ class Rotate:
 
     def run(self, goal: RotateGoal, goal_id: str) -> Run[RotateFeedback, RotateResult]:  # noqa: ARG002
         """Turn, and correct what is left."""
-        busy = self._board.pipeline.busy(ROTATE.name)
-        if busy is not None:
-            return failed(busy)
-        self._board.claim(ROTATE.name)
-        state = BaseState.BASE_GOAL_FAIL
-        try:
-            outcome = yield from self._turn(goal)
-            if outcome.canceled:
-                state = BaseState.BASE_IDLE
-            elif outcome.result is not None:
-                state = BaseState.BASE_GOAL_OK
-            return outcome
-        finally:
-            if not self._wheels.resting:
-                self._wheels.halt()
-            self._board.release(ROTATE.name, state)
+        return with_wheels(self._turn(goal), self._board, self._wheels, ROTATE.name)
 
     def _turn(self, goal: RotateGoal) -> Run[RotateFeedback, RotateResult]:
         turned = 0.0

@@ -12,6 +12,7 @@ from typing import Final
 
 from tandem.skills.base.floor import ORIGIN, compose, invert
 from tandem.skills.base.odometry import OdometryBuffer, ahead
+from tandem.skills.base.whereabouts import wheels_turn
 from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
@@ -32,8 +33,6 @@ GAIN: Final = 0.18
 the steady-state gain of a Kalman filter for that ratio r = 0.2 is (sqrt(r^4 + 4 r^2) - r^2) / 2 = 0.18."""
 LEAP: Final = 0.5
 """Metres by which a reading is beyond noise: the robot was carried, and is where the sensor says."""
-AT_REST: Final = (0.005, 0.01)
-"""m/s and rad/s below which the base counts as at rest."""
 
 
 class PoseTracker:
@@ -69,8 +68,7 @@ class PoseTracker:
     @property
     def moving(self) -> bool:
         """Whether the wheels turn."""
-        last = self._buffer.last
-        return last is not None and (abs(last.linear) > AT_REST[0] or abs(last.angular) > AT_REST[1])
+        return wheels_turn(self._buffer.last)
 
     @property
     def localised(self) -> bool:

@@ -8,9 +8,11 @@ from collections.abc import Callable
 from tandem.skills.pipeline import MayCommand
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
-from tandem.skills.ports.hardware import BaseVelocity, Drive
+from tandem.skills.ports.hardware import BaseVelocity, Drive, Odometry
 from tandem.skills.ports.keys import BASE_VELOCITY
 
+CYCLE = 0.02
+"""Robot seconds between two commands to the wheels: as often as odometry comes."""
 LONGEST_STEP = 0.1
 """Seconds: after a longer pause the speeds change as if it had been this long."""
 
@@ -48,10 +50,10 @@ class Wheels:
         """Whether the last command was to stand still."""
         return self.linear == 0.0 and self.angular == 0.0
 
-    def begin(self, linear: float, angular: float) -> None:
-        """Start a motion from the speeds that odometry tells (m/s, rad/s)."""
+    def begin(self, odometry: Odometry | None) -> None:
+        """Start a motion from the speeds that odometry tells; from standstill before it has told any."""
         self._may = self._asked()
-        self.linear, self.angular = linear, angular
+        self.linear, self.angular = (0.0, 0.0) if odometry is None else (odometry.linear, odometry.angular)
         self._at = robot_seconds(self._clocks)
 
     def send(self, linear: float, angular: float) -> None:

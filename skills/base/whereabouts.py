@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Final, Protocol
 
 from tandem.skills.base.floor import compose
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.hardware import Odometry
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
+
+AT_REST: Final = (0.005, 0.01)
+"""m/s and rad/s below which the base counts as at rest."""
 
 
 class Whereabouts(Protocol):
@@ -48,3 +51,8 @@ def base_in_map(monitor: Whereabouts) -> FloorPose:
     """Return where the base is, as of the newest odometry; the map's origin before any."""
     odometry = monitor.odometry
     return monitor.odom_in_map if odometry is None else compose(monitor.odom_in_map, odometry.base_in_odom)
+
+
+def wheels_turn(odometry: Odometry | None) -> bool:
+    """Say whether the base moves, as its wheels tell."""
+    return odometry is not None and (abs(odometry.linear) > AT_REST[0] or abs(odometry.angular) > AT_REST[1])

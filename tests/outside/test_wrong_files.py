@@ -17,6 +17,7 @@ from pathlib import Path
 import pytest
 
 TANDEM = Path(sys.executable).with_name("tandem")
+ROOT = Path(__file__).parents[2]
 WITHIN = 60.0
 """Seconds for a command that starts nothing; it takes about one."""
 
@@ -173,3 +174,22 @@ def test_what_is_clear_is_taken(tmp_path: Path) -> None:
     )
     run = tandem("scenario", "check", written(tmp_path, content))
     assert run.returncode == 0, run.stdout + run.stderr
+
+
+@pytest.mark.parametrize(
+    ("declared", "reason"),
+    [
+        ("avoid_colision", "no reflex 'avoid_colision'; expected one of bumper, base_guard, avoid_collision"),
+        (
+            "avoid_collision, parameters: {ahead: {fires: 0.3, releases: 0.2}}",
+            "contradictory thresholds: expected releases above fires",
+        ),
+    ],
+)
+@pytest.mark.parametrize("command", [("up",), ("run", "go_to", "--x", "1.0", "--y", "0.0", "--lockstep")])
+def test_a_site_with_a_wrong_reflex_is_refused(
+    command: tuple[str, ...], declared: str, reason: str, tmp_path: Path
+) -> None:
+    shipped = (ROOT / "skills" / "sites" / "rocs.yaml").read_text("utf-8")
+    file = written(tmp_path, f"{shipped}\nreflexes:\n  - {{reflex: {declared}}}\n")
+    refused(tandem(*command, "--scenario", "RocsP3dx", "--site", file), file, rf"reflexes\.0: .*{reason}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import pytest
 from hypothesis import given, settings
@@ -16,9 +17,10 @@ from tandem.skills.ports.message import Message
 from tandem.skills.ports.reflex import ReflexSwitch, pipeline_state, reflex_switch
 from tandem.skills.ports.reflex_setting import ReflexSetting, Threshold
 from tandem.skills.ports.sources import DocumentError
-from tandem.skills.reflexes import Act, Fitted, Reflexes, ReflexType, fitted
+from tandem.skills.reflexes import Act, Fitted, Reflexes, ReflexType, chosen, fitted
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus
+from tests.fakes.planar_robot import describe
 
 WHY = Failure(kind=FailureKind.BASE_BLOCKED, message="a wall")
 
@@ -156,6 +158,16 @@ def test_an_operator_switches_it_off_and_on() -> None:
     assert pipeline.override is not None
 
 
+def test_what_has_the_resource_is_told_once_for_each_change_and_once_a_second() -> None:
+    bench, pipeline = one(("avoid", 50))
+    states = Latest(bench.bus, pipeline_state("base"), depth=1024)
+    pipeline.claim("drive")
+    for _ in range(250):
+        bench.step()
+    told = [each.stamp.since(before.stamp) for before, each in pairwise(states.take())]
+    assert [round(passed or 0.0, 2) for passed in told] == [1.0, 1.0]
+
+
 def test_what_has_the_resource_is_told_on_each_change() -> None:
     bench, pipeline = one(("avoid", 50))
     states = Latest(bench.bus, pipeline_state("base"), depth=64)
@@ -176,7 +188,10 @@ class Bounds(Message):
 
 
 def declare(
-    settings_of: Sequence[tuple[str, ReflexSetting]], *, has: str = "", resources: tuple[str, ...] = ("base",)
+    settings_of: Sequence[tuple[str, ReflexSetting]],
+    *,
+    lacks: str = "",
+    resources: tuple[str, ...] = ("base",),
 ) -> list[Fitted]:
     made = ReflexType[str, Bounds](
         name="avoid",
@@ -184,10 +199,11 @@ def declare(
         resources=resources,
         rank=50,
         parameters=Bounds,
-        needs=lambda at: at,
-        make=lambda at, parameters: Scripted(words=round(parameters.speed * 10.0)),  # noqa: ARG005
+        needs=lambda _: lacks,
+        make=lambda _, parameters: Scripted(words=round(parameters.speed * 10.0)),
     )
-    return fitted((made,), has, {"base": Pipeline("base")}, settings_of)
+    choice = chosen((made,), describe(), ("base",), settings_of, elsewhere=("fence",))
+    return fitted(choice, "anything", {"base": Pipeline("base")})
 
 
 def test_what_is_declared_later_wins_and_the_rest_stays_as_the_reflex_says() -> None:
@@ -199,25 +215,39 @@ def test_what_is_declared_later_wins_and_the_rest_stays_as_the_reflex_says() -> 
 
 
 BAD = [
-    ({"range": {"fires": 0.4, "releases": 0.3}}, "", ("base",), "contradictory thresholds"),
-    ({"sped": 0.2}, "", ("base",), "sped"),
-    ({}, "a range sensor 'sonar_99'", ("base",), "needs a range sensor 'sonar_99', which this robot lacks"),
-    ({}, "", ("base", "arm_left"), "needs a resource 'arm_left', which this robot lacks"),
+    ("avoid", {"range": {"fires": 0.4, "releases": 0.3}}, "", ("base",), "contradictory thresholds"),
+    ("avoid", {"sped": 0.2}, "", ("base",), "sped"),
+    ("avoid", {}, "a range sensor", ("base",), "needs a range sensor, which this robot lacks"),
+    ("avoid", {}, "", ("base", "arm_left"), "needs a resource 'arm_left', which this robot lacks"),
+    ("avoyd", {}, "", ("base",), "no reflex 'avoyd'; expected one of avoid"),
 ]
 
 
-@pytest.mark.parametrize(("parameters", "lacks", "resources", "said"), BAD)
+@pytest.mark.parametrize(("name", "parameters", "lacks", "resources", "said"), BAD)
 def test_a_declaration_that_can_not_be_is_refused_with_its_place_and_the_reason(
-    parameters: dict[str, object], lacks: str, resources: tuple[str, ...], said: str
+    name: str, parameters: dict[str, object], lacks: str, resources: tuple[str, ...], said: str
 ) -> None:
-    setting = ReflexSetting.model_validate({"reflex": "avoid", "parameters": parameters})
-    with pytest.raises(DocumentError, match=r"^lab\.yaml: .*avoid") as refused:
-        declare((("lab.yaml", setting),), has=lacks, resources=resources)
+    setting = ReflexSetting.model_validate({"reflex": name, "parameters": parameters})
+    with pytest.raises(DocumentError, match=r"^lab\.yaml: ") as refused:
+        declare((("lab.yaml", setting),), lacks=lacks, resources=resources)
     assert said in str(refused.value)
 
 
 def test_where_nobody_declares_it_a_robot_without_its_sensor_goes_without_it() -> None:
-    assert declare((), has="a range sensor") == []
+    assert declare((), lacks="a range sensor") == []
+
+
+def test_one_of_a_plug_in_that_is_left_out_may_be_declared() -> None:
+    (made,) = declare((("lab.yaml", ReflexSetting(reflex="fence")),))
+    assert made.name == "avoid"
+
+
+@pytest.mark.parametrize(
+    ("value", "holds", "below"),
+    [(0.29, False, True), (0.31, False, False), (0.31, True, True), (0.41, True, False)],
+)
+def test_a_threshold_releases_later_than_it_fires(value: float, *, holds: bool, below: bool) -> None:
+    assert Threshold(fires=0.3, releases=0.4).below(value, holds=holds) == below
 
 
 EVENTS = st.lists(

@@ -176,7 +176,7 @@ def _tell_rocs(run: RocsRun, console: Console) -> None:
     )
     console.print(
         f"{'ok  ' if run.reached else 'FAIL'} {run.run:3d}  {run.lasted:6.1f} s  {_judged(run)}"
-        f"  reactive {run.reactive:.2f}  plans anew {run.replans}  {run.state.lower()}{why}{touched}",
+        f"  reactive {run.reactive:.2f}  new plans {run.replans}  {run.state.lower()}{why}{touched}",
         markup=False,
     )
 

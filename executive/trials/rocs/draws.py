@@ -33,26 +33,38 @@ MOST_DRAWS: Final = 1000
 
 def draw(case: Case, rng: np.random.Generator) -> Scenario:
     """Return what a run begins with. R2 is the Pioneer, R3 the SUMMIT-XL, R1 the Pioneer with a script."""
-    if case == 3:  # noqa: PLR2004 - EXP3
-        return _scenario(case, _pair(rng), ())
+    if case == 1:
+        return _scenario(case, *_beside_a_box(rng, "r2", "p3dx", inwards=1.0, more=0.0))
+    if case == 2:  # noqa: PLR2004 - EXP2: the SUMMIT-XL is nearly twice as wide as the Pioneer
+        return _scenario(case, *_beside_a_box(rng, "r3", "summit_xl", inwards=0.88, more=0.25))
+    return _scenario(case, _pair(rng), ())
+
+
+def _beside_a_box(
+    rng: np.random.Generator, name: str, robot: str, *, inwards: float, more: float
+) -> tuple[tuple[RobotStart, ...], tuple[Obstacle, ...]]:
+    """Return a robot in a corner, R1 elsewhere, a box beside the robot and one near the goal.
+
+    Args:
+        rng: of all that is drawn.
+        name: of the robot.
+        robot: its kind.
+        inwards: share of ``CORNER`` at which it starts.
+        more: metres to be added to ``BESIDE``.
+    """
     sides = [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)]
     sx, sy = sides[int(rng.integers(4))]
-    start = (sx * float(rng.uniform(*CORNER)), sy * float(rng.uniform(*CORNER)))
-    wide = case == 2  # noqa: PLR2004 - the SUMMIT-XL is nearly twice as wide as the Pioneer
-    if wide:
-        start = (0.88 * start[0], 0.88 * start[1])
+    start = (inwards * sx * float(rng.uniform(*CORNER)), inwards * sy * float(rng.uniform(*CORNER)))
     along = bool(rng.integers(2))
-    gap = float(rng.uniform(*BESIDE)) + (0.25 if wide else 0.0)
+    gap = float(rng.uniform(*BESIDE)) + more
     beside = (start[0] - sx * gap, start[1]) if along else (start[0], start[1] - sy * gap)
-    placed = [start, beside, (0.0, 0.0)]
-    other = _drawn(placed[:2], lambda: _around(rng))
-    placed.append(other)
-    first = _drawn(placed, lambda: (float(rng.uniform(-ROOM, ROOM)), float(rng.uniform(-ROOM, ROOM))))
+    other = _drawn([start, beside], lambda: _around(rng))
+    first = _drawn([start, beside, (0.0, 0.0), other], lambda: _anywhere(rng))
     robots = (
-        _robot("r3" if wide else "r2", "summit_xl" if wide else "p3dx", start, _any_yaw(rng)),
+        _robot(name, robot, start, _any_yaw(rng)),
         _robot("r1", "p3dx", first, _any_yaw(rng), drives="wander"),
     )
-    return _scenario(case, robots, (_box("near_box", beside, rng), _box("far_box", other, rng)))
+    return robots, (_box("near_box", beside, rng), _box("far_box", other, rng))
 
 
 def _pair(rng: np.random.Generator) -> tuple[RobotStart, ...]:
@@ -60,7 +72,7 @@ def _pair(rng: np.random.Generator) -> tuple[RobotStart, ...]:
     lead = (float(rng.uniform(-0.4, 0.4)), float(rng.uniform(-0.4, 0.4)))
     angle = float(rng.uniform(-math.pi, math.pi))
     behind = (lead[0] - DISTANCE * math.cos(angle), lead[1] - DISTANCE * math.sin(angle))
-    other = _drawn([lead, behind], lambda: (float(rng.uniform(-ROOM, ROOM)), float(rng.uniform(-ROOM, ROOM))))
+    other = _drawn([lead, behind], lambda: _anywhere(rng))
     return (
         _robot("r2", "p3dx", lead, angle),
         _robot("r3", "summit_xl", behind, angle),
@@ -99,6 +111,10 @@ def _box(name: str, at: tuple[float, float], rng: np.random.Generator) -> Obstac
             "mass": 0.0,
         }
     )
+
+
+def _anywhere(rng: np.random.Generator) -> Place:
+    return float(rng.uniform(-ROOM, ROOM)), float(rng.uniform(-ROOM, ROOM))
 
 
 def _around(rng: np.random.Generator) -> tuple[float, float]:

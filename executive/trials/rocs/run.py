@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from pydantic import JsonValue
 
-from tandem.executive.system.systems import LockstepSystem
+from tandem.executive.system.systems import LockstepSystem, System, SystemFailure
 from tandem.executive.trials.demo import Caller
 from tandem.executive.trials.rocs.draws import DISTANCE, draw
-from tandem.executive.trials.rocs.settings import RocsOptions
+from tandem.executive.trials.rocs.settings import Case, RocsOptions
 from tandem.executive.trials.trial import trial, warm_up
+from tandem.sim.things import BoxShape
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.keys import Latest
@@ -27,16 +29,47 @@ if TYPE_CHECKING:
 
 WITHIN: Final = 240.0
 """Robot seconds for one run."""
-STAY: Final = 20.0
-"""Robot seconds for which EXP2's robot holds its place."""
 NEAR: Final = 0.15
-"""Metres from the goal that count as there."""
-CORNERS: Final = ((1.2, 1.2), (-1.2, 1.2), (-1.2, -1.2), (1.2, -1.2))
-"""EXP3's, in the map (m): as far from the walls as the follower behind needs to turn."""
+"""Metres from a goal, or from a corner, that count as there."""
 FOLLOWS: Final = (0.9, 1.8)
 """Metres between the two centres, in EXP3, for"""
 MOST_OF_IT: Final = 0.90
 """of the time."""
+CORNERS: Final = ((1.2, 1.2), (-1.2, 1.2), (-1.2, -1.2), (1.2, -1.2))
+"""EXP3's, in the map (m): as far from the walls as the follower behind needs to turn."""
+Request = Mapping[str, JsonValue]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What an experiment asks of whom.
+
+    Args:
+        asked: the robot whose task is judged.
+        request: what it is asked.
+        places: where it must have been, in order (m in the map); at the last one it must be in the end.
+        follower: the robot that follows it meanwhile, if any.
+    """
+
+    asked: str
+    request: Request
+    places: tuple[tuple[float, float], ...]
+    follower: str = ""
+
+
+_ORIGIN: Final[Request] = MappingProxyType({"task": "go_to", "x": 0.0, "y": 0.0, "tolerance": 0.12})
+PLANS: Final[Mapping[Case, Plan]] = MappingProxyType(
+    {
+        1: Plan("r2", _ORIGIN, ((0.0, 0.0),)),
+        2: Plan("r3", MappingProxyType({**_ORIGIN, "stay": 20.0}), ((0.0, 0.0),)),
+        3: Plan(
+            "r2",
+            MappingProxyType({"task": "patrol", "corners": [{"x": x, "y": y} for x, y in CORNERS]}),
+            CORNERS,
+            follower="r3",
+        ),
+    }
+)
 POINT_EVERY: Final = 10
 """Periods between two points of a path: 0.1 s."""
 STOOD: Final = 1.0
@@ -82,8 +115,10 @@ class RocsRun(Message):
     """Robot seconds from the request to the end of the task."""
     kept: float | None = None
     """EXP3: share of the time for which the two centres were within ``FOLLOWS``."""
-    off_goal: float | None
-    """Metres from the goal at the end, in truth; None where there is no one goal."""
+    off_goal: float
+    """Metres from the last place at the end, in truth."""
+    missed: Count = 0
+    """Places where it was not when their turn came, in truth."""
     bumps: tuple[Bump, ...]
     replans: Count
     reactive: float
@@ -99,8 +134,8 @@ class RocsRun(Message):
 
     @property
     def reached(self) -> bool:
-        """Whether it got there, and touched nothing on its way."""
-        there = self.off_goal is None or self.off_goal <= NEAR
+        """Whether it was at each place, and in the end at the last, and touched nothing on its way."""
+        there = self.off_goal <= NEAR and not self.missed
         near = self.kept is None or self.kept >= MOST_OF_IT
         return self.state == "SUCCEEDED" and there and near and not self.caused
 
@@ -114,66 +149,77 @@ class RocsExperiment(Message):
 
 def run_rocs(options: RocsOptions, run: int) -> RocsRun:
     """Draw and make run number ``run``; the same options and number give the same run."""
-    scenario = draw(options.case, np.random.default_rng((options.seed, run)))
+    scenario, plan = draw(options.case, np.random.default_rng((options.seed, run))), PLANS[options.case]
     system = LockstepSystem(scenario, options.seed * 1000 + run)
-    asked = "r3" if options.case == 2 else "r2"  # noqa: PLR2004 - EXP2's robot
     try:
-        witness = Witness(
-            system.lockstep.station, {name: system.of(name).bus for name in system.lockstep.robots}
-        )
-        one = system.of(asked)
+        buses = {name: system.of(name).bus for name in system.lockstep.robots}
+        witness, one = Witness(system.lockstep.station, buses), system.of(plan.asked)
         warm_up(one)
         if options.route == "deliberative":
             reflex_switch("avoid_collision").query(one.bus, ReflexSwitch(on=False, by="the experiment"))
-        if options.case == 3:  # noqa: PLR2004 - EXP3's follower
-            follow: dict[str, JsonValue] = {
-                "task": "follow",
-                "robot": "r2",
-                "distance": DISTANCE,
-                "seconds": WITHIN,
-            }
-            Caller(system.of("r3"), _quiet, also=witness).request(follow)
-        made = trial(one, _request(options), within=WITHIN, also=witness)
-        x, y, _ = system.lockstep.station.world.robots[asked].base_pose()[0]
+        if plan.follower:
+            _follow(system.of(plan.follower), plan.asked, witness)
+        made = trial(one, dict(plan.request), within=WITHIN, also=witness)
+        path = witness.paths[plan.asked]
+        (x, y), (x_end, y_end) = (path[-1].x, path[-1].y), plan.places[-1]
         result = {} if made.status is None or made.status.result is None else made.status.result
         told = result.get("replans", 0)
-        path = witness.paths[asked]
         return RocsRun(
             run=run,
             state=made.state.partition(":")[0],
             failure=made.failure,
             lasted=made.lasted,
-            kept=_kept(witness.paths) if options.case == 3 else None,  # noqa: PLR2004 - EXP3
-            off_goal=None if options.case == 3 else round(math.hypot(x, y), 3),  # noqa: PLR2004
+            kept=_kept(path, witness.paths[plan.follower]) if plan.follower else None,
+            off_goal=round(math.hypot(x - x_end, y - y_end), 3),
+            missed=missed(path, plan.places),
             bumps=tuple(witness.bumps),
             replans=told if isinstance(told, int) else 0,
             reactive=round(sum(each.reactive for each in path) / max(1, len(path)), 3),
             paths={name: tuple(points) for name, points in witness.paths.items()},
             boxes=tuple(
-                (each.x, each.y, each.yaw, *each.shape.size[:2])  # type: ignore[union-attr]
+                (each.x, each.y, each.yaw, *each.shape.size[:2])
                 for each in scenario.obstacles
+                if isinstance(each.shape, BoxShape)
             ),
         )
     finally:
         system.close()
 
 
-def _request(options: RocsOptions) -> dict[str, JsonValue]:
-    if options.case == 3:  # noqa: PLR2004 - EXP3 visits the corners
-        corners: list[JsonValue] = [{"x": x, "y": y} for x, y in CORNERS]
-        return {"task": "patrol", "corners": corners, "tolerance": 0.15}
-    stay = STAY if options.case == 2 else 0.0  # noqa: PLR2004 - EXP2 holds its place
-    return {"task": "go_to", "x": 0.0, "y": 0.0, "tolerance": 0.12, "stay": stay}
+def missed(path: Sequence[Point], places: Sequence[tuple[float, float]]) -> int:
+    """Return how many places a path leaves out, each looked for after the one before."""
+    begin, left_out = 0, 0
+    for x, y in places:
+        at = (k for k in range(begin, len(path)) if math.hypot(path[k].x - x, path[k].y - y) <= NEAR)
+        found = next(at, None)
+        if found is None:
+            left_out += 1
+        else:
+            begin = found
+    return left_out
 
 
-def _kept(paths: Mapping[str, Sequence[Point]]) -> float:
+def _follow(system: System, robot: str, witness: Witness) -> None:
+    """Have a robot follow another one until the run is over.
+
+    Raises:
+        SystemFailure: the request is refused.
+    """
+    request: dict[str, JsonValue] = {
+        "task": "follow",
+        "robot": robot,
+        "distance": DISTANCE,
+        "seconds": WITHIN,
+    }
+    answer = Caller(system, lambda _: None, also=witness).request(request)
+    if not answer.accepted:
+        raise SystemFailure(f"{request} was refused: {answer.problems}")
+
+
+def _kept(path: Sequence[Point], other: Sequence[Point]) -> float:
     """Return the share of the time for which the two were within their distances of each other."""
-    apart = [math.dist((a.x, a.y), (b.x, b.y)) for a, b in zip(paths["r2"], paths["r3"], strict=True)]
+    apart = [math.dist((a.x, a.y), (b.x, b.y)) for a, b in zip(path, other, strict=True)]
     return round(sum(FOLLOWS[0] <= each <= FOLLOWS[1] for each in apart) / max(1, len(apart)), 3)
-
-
-def _quiet(_: str) -> None:
-    """Tell nobody."""
 
 
 @dataclass(eq=False)
@@ -250,11 +296,15 @@ class Witness:
         self._under_way = set(now)
 
     def _looks_at(self, name: str, place: tuple[float, float, float]) -> bool:
-        """Say whether a range sensor of the robot looks where it was touched."""
+        """Say whether a range sensor of the robot looks where it was touched, as seen from its axis.
+
+        Twice as wide as a sensor's cone: what touches the robot between two cones was in one of them before.
+        """
         body = self.station.world.robots[name]
+        (x, y, _), _ = body.base_pose()
+        bearing = math.atan2(place[1] - y, place[0] - x)
         for sensor in body.model.description.range_sensors:
             matrix = body.frame_matrix(sensor.frame)
-            bearing = math.atan2(place[1] - matrix[1, 3], place[0] - matrix[0, 3])
-            if abs(wrap(bearing - math.atan2(matrix[1, 0], matrix[0, 0]))) <= sensor.cone / 2.0:
+            if abs(wrap(bearing - math.atan2(matrix[1, 0], matrix[0, 0]))) <= sensor.cone:
                 return True
         return False

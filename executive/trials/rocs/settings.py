@@ -7,7 +7,7 @@ from typing import Literal
 from tandem.skills.ports.message import Count, Message
 
 Case = Literal[1, 2, 3]
-"""EXP1: the Pioneer goes to the origin. EXP2: the SUMMIT-XL does, and stays. EXP3: it follows the Pioneer."""
+"""The number of the experiment: ``executive.trials.rocs.run.PLANS`` says what is asked of whom."""
 Route = Literal["both", "deliberative"]
 """Both routes, or the baseline without the reflex."""
 

@@ -19,23 +19,24 @@ def summary(options: RocsOptions, runs: Sequence[RocsRun]) -> list[str]:
     caused = sum(bump.caused for bump in bumps)
     ended = Counter(run.state for run in runs)
     failed = Counter(str(run.failure.kind) for run in runs if run.failure is not None)
-    offs = [run.off_goal for run in runs if run.off_goal is not None and run.state == "SUCCEEDED"]
+    offs = [run.off_goal for run in runs if run.state == "SUCCEEDED"]
     lines = [
         f"EXP{options.case}, route {options.route}, seed {options.seed}: {len(runs)} runs",
         f"  as aimed at, having caused no contact: {reached} of {len(runs)}",
         f"  ended: {_counts(ended)}" + (f"; failures: {_counts(failed)}" if failed else ""),
+        f"  places not visited: {sum(run.missed for run in runs)}",
         f"  contacts: {caused} caused, {stood} while it had stood for 1 s, {unseen} where no sensor looks",
     ]
     kept = [run.kept for run in runs if run.kept is not None]
     if kept:
         lines.append(f"  share of time at 0.9 to 1.8 m: {_spread(kept)}")
     if offs:
-        lines.append(f"  off the goal: {_spread(offs)} m")
+        lines.append(f"  off the goal, or the last corner: {_spread(offs)} m")
     return [
         *lines,
         f"  robot seconds: {_spread([run.lasted for run in runs])}",
         f"  share of time on the reactive route: {_spread([run.reactive for run in runs])}",
-        f"  plans made anew: {_spread([float(run.replans) for run in runs])}",
+        f"  new plans in a run: {_spread([float(run.replans) for run in runs])}",
     ]
 
 

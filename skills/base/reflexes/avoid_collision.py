@@ -17,6 +17,7 @@ from tandem.skills.base.surround import Echo, Surround
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message, Positive
 from tandem.skills.ports.reflex import BASE
 from tandem.skills.ports.reflex_setting import Threshold
@@ -43,8 +44,8 @@ class AvoidCollisionParameters(Message):
     """Beyond what the base needs to stop, ahead of it."""
     around: Threshold = Threshold(fires=0.05, releases=0.10)
     """Beside and behind it, and wherever it does not go."""
-    standing: Threshold = Threshold(fires=0.20, releases=0.35)
-    """Around a base that stands: from here on it gives way."""
+    standing: Positive = 0.20
+    """Around a base that stands without a goal: from here on it gives way, until the other bounds hold."""
     speed: Positive = 0.25
     """m/s: of the way away from what is near."""
     way: Positive = 0.40
@@ -84,7 +85,7 @@ class AvoidCollisionReflex:
     def act(self) -> Act:
         """Turn away, and go on a little."""
         macros = self._at.macros(NAME, self._how.speed)
-        with macros.macro("AvoidCollision"):
+        with macros.named("AvoidCollision"):
             for _ in macros.brake():
                 yield macros.doing
             angle = self._away()
@@ -110,7 +111,7 @@ class AvoidCollisionReflex:
     def _too_near(self, echo: Echo, linear: float, *, holds: bool) -> bool:
         how = self._how
         if abs(linear) < MOVES and not self._at.board.holder and not holds:
-            return how.standing.below(echo.clear, holds=False)
+            return echo.clear < how.standing
         ahead = abs(wrap(echo.bearing - (0.0 if linear >= 0.0 else math.pi))) < AHEAD
         if not ahead:
             return how.around.below(echo.clear, holds=holds)
@@ -121,9 +122,8 @@ class AvoidCollisionReflex:
         return robot_seconds(self._at.clocks)
 
     def _blocked(self, macros: Macros) -> bool:
-        linear = macros.wheels.linear
         return any(
-            abs(echo.bearing) < AHEAD and self._too_near(echo, linear, holds=False)
+            abs(echo.bearing) < AHEAD and self._too_near(echo, macros.wheels.linear, holds=False)
             for echo in self._surround.echoes
         )
 
@@ -146,12 +146,18 @@ class AvoidCollisionReflex:
         return turn
 
 
+def _needs(robot: RobotDescription) -> str:
+    if not robot.range_sensors:
+        return "a range sensor"
+    return "" if robot.pose_sensors and not robot.lasers else "a pose sensor, and no laser,"
+
+
 REFLEX: Final = ReflexType(
     name=NAME,
     about="turns the base away from what range sensors see too near, and goes on a little",
     resources=(BASE,),
     rank=50,
     parameters=AvoidCollisionParameters,
-    needs=lambda at: "" if at.surround is not None else "a range sensor",
+    needs=_needs,
     make=AvoidCollisionReflex,
 )

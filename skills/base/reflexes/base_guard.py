@@ -44,6 +44,6 @@ REFLEX: Final = ReflexType(
     resources=(BASE,),
     rank=80,
     parameters=BaseGuardParameters,
-    needs=lambda at: "" if at.description.drive is not None else "a drive",
+    needs=lambda robot: "" if robot.drive is not None else "a drive",
     make=BaseGuardReflex,
 )

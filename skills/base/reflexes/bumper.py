@@ -60,6 +60,6 @@ REFLEX: Final = ReflexType(
     resources=(BASE,),
     rank=90,
     parameters=BumperParameters,
-    needs=lambda at: "" if at.description.drive is not None else "a drive",
+    needs=lambda robot: "" if robot.drive is not None else "a drive",
     make=BumperReflex,
 )

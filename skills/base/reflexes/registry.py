@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, Final
 
 from tandem.skills.base.reflexes import avoid_collision, base_guard, bumper
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
-from tandem.skills.ports.plugins import NONE, Group, Loaded, load
+from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.plugins import NONE, Group, Loaded, installed, load
 from tandem.skills.ports.reflex import BASE
-from tandem.skills.reflexes import ReflexType
+from tandem.skills.ports.site import Site
+from tandem.skills.reflexes import Chosen, ReflexType, chosen
 
 BaseReflex = ReflexType[BaseSurroundings, Any]
 """A reflex of the base, whatever its parameters."""
@@ -29,6 +31,28 @@ def reflexes(left_out: Mapping[str, str] | None = NONE) -> tuple[BaseReflex, ...
     """
     others = {} if left_out is None else plugged(left_out).found
     return (*SHIPPED.values(), *others.values())
+
+
+def chosen_for(
+    types: Sequence[BaseReflex], robot: RobotDescription, site: Site, site_called: str
+) -> list[Chosen[BaseSurroundings]]:
+    """Return the reflexes of a robot's base, as its description and then the site declare them.
+
+    Args:
+        types: the reflexes there are.
+        robot: its description.
+        site: where it is.
+        site_called: what to call the site's file in an error.
+
+    Raises:
+        DocumentError: as ``tandem.skills.reflexes.chosen``.
+    """
+    declared = [
+        *((f"robot {robot.name}: reflexes.{at}", each) for at, each in enumerate(robot.reflexes)),
+        *((f"{site_called}: reflexes.{at}", each) for at, each in enumerate(site.reflexes)),
+    ]
+    elsewhere = [each.name for each in installed(Group.REFLEXES)]
+    return chosen(types, robot, (BASE,), declared, elsewhere=elsewhere)
 
 
 def plugged(left_out: Mapping[str, str] = NONE) -> Loaded[BaseReflex]:

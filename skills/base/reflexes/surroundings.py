@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
 
 from tandem.skills.base.guard import Guard
 from tandem.skills.base.macros import Macros
@@ -12,12 +11,9 @@ from tandem.skills.base.surround import Surround
 from tandem.skills.base.wheels import Wheels
 from tandem.skills.base.whereabouts import Whereabouts
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.clocks import Clocks, robot_seconds
+from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.reflexes import Act
-
-GIVE_UP: Final = 5.0
-"""Robot seconds of braking after which a base that still moves is nobody's to stop."""
 
 
 @dataclass(frozen=True)
@@ -37,8 +33,7 @@ class BaseSurroundings:
         """Return the wheels as a reflex commands them, from the speeds that odometry tells."""
         pipeline = self.board.pipeline
         made = Wheels(self.bus, self.clocks, self.description.driven, lambda: pipeline.high(reflex))
-        odometry = self.localiser.odometry
-        made.begin(*((0.0, 0.0) if odometry is None else (odometry.linear, odometry.angular)))
+        made.begin(self.localiser.odometry)
         return made
 
     def macros(self, reflex: str, speed: float) -> Macros:
@@ -47,10 +42,6 @@ class BaseSurroundings:
 
     def brake(self, reflex: str) -> Act:
         """Brake within the drive's limits, until the base stands."""
-        wheels, begun = self.wheels(reflex), robot_seconds(self.clocks)
-        while True:
-            wheels.send(0.0, 0.0)
-            yield ("SetWheelSpeed",)
-            stands = wheels.resting and not self.localiser.moving
-            if stands or robot_seconds(self.clocks) - begun > GIVE_UP:
-                return
+        macros = self.macros(reflex, 0.0)
+        for _ in macros.brake():
+            yield macros.doing

@@ -37,7 +37,7 @@ class Fence:
 def made(name, resources):
     return ReflexType(
         name=name, about="stays west", resources=resources, rank=70, parameters=Nothing,
-        needs=lambda at: "", make=Fence,
+        needs=lambda robot: "", make=Fence,
     )
 
 

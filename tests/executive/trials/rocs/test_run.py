@@ -9,7 +9,7 @@ import pytest
 
 from tandem.executive.trials.rocs.draws import APART, draw
 from tandem.executive.trials.rocs.figures import figure
-from tandem.executive.trials.rocs.run import Bump, Point, RocsRun, run_rocs
+from tandem.executive.trials.rocs.run import Bump, Point, RocsRun, missed, run_rocs
 from tandem.executive.trials.rocs.settings import Case, RocsOptions
 from tandem.executive.trials.rocs.summary import summary
 
@@ -44,6 +44,7 @@ def test_the_summit_follows_the_pioneer_along_the_corners() -> None:
     assert run.state == "SUCCEEDED"
     assert run.kept is not None
     assert run.kept >= 0.9
+    assert run.missed == 0
     assert run.caused == ()
     assert set(run.paths) == {"r1", "r2", "r3"}
 
@@ -78,9 +79,24 @@ def made(*bumps: Bump, off: float = 0.1, state: str = "SUCCEEDED") -> RocsRun:
     )
 
 
-def test_a_follower_keeps_near_for_most_of_the_time() -> None:
-    assert made(off=0.1).model_copy(update={"off_goal": None, "kept": 0.9}).reached
-    assert not made(off=0.1).model_copy(update={"off_goal": None, "kept": 0.89}).reached
+def test_a_follower_keeps_near_for_most_of_the_time_and_who_leads_leaves_no_corner_out() -> None:
+    assert made().model_copy(update={"kept": 0.9}).reached
+    assert not made().model_copy(update={"kept": 0.89}).reached
+    assert not made().model_copy(update={"kept": 0.9, "missed": 1}).reached
+
+
+@pytest.mark.parametrize(
+    ("visited", "count"),
+    [
+        ([(0.0, 0.0), (1.0, 0.1), (1.1, 1.0)], 0),
+        ([(0.0, 0.0), (1.1, 1.0), (1.0, 0.1)], 1),
+        ([(0.0, 0.0), (1.0, 0.2), (1.1, 1.0)], 1),
+        ([(0.5, 0.5)], 2),
+    ],
+)
+def test_a_place_counts_when_its_turn_has_come(visited: list[tuple[float, float]], count: int) -> None:
+    path = [Point(at=0.1 * k, x=x, y=y, reactive=False) for k, (x, y) in enumerate(visited)]
+    assert missed(path, [(1.0, 0.0), (1.0, 1.0)]) == count
 
 
 JUDGED = [
