@@ -11,7 +11,8 @@ from typing import Final
 from benchmarks.processes import free_endpoint
 from benchmarks.rows import Row
 from tandem.executive.config.run_options import BusOptions, RunOptions
-from tandem.executive.system.systems import ProcessSystem, wait_for
+from tandem.executive.system.process_system import ProcessSystem
+from tandem.executive.system.systems import wait_for
 from tandem.skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
 from tandem.skills.ports.actions.arm import MoveGoal, move
 from tandem.skills.ports.hardware import JointStates

@@ -27,7 +27,8 @@ from benchmarks.processes import free_endpoint
 from benchmarks.rows import Row, quantile, spread
 from benchmarks.standing import Motion
 from tandem.executive.config.run_options import BusOptions, RunOptions
-from tandem.executive.system.systems import ProcessSystem, SystemFailure, wait_for
+from tandem.executive.system.process_system import ProcessSystem
+from tandem.executive.system.systems import SystemFailure, wait_for
 from tandem.executive.trials.demo import ANSWER_WITHIN, Caller
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.action import GoalState, GoalStatus

@@ -18,7 +18,7 @@ from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.cli.sending import describe_problems
 from tandem.executive.cli.task_lines import TaskLines
 from tandem.executive.config.fault_file import check_faults
-from tandem.executive.config.run_options import RunOptions
+from tandem.executive.config.run_options import DEFAULT_ROBOT, RunOptions
 from tandem.executive.ledger.port import LedgerError, LedgerLockedError
 from tandem.executive.render.failure_words import result_lines
 from tandem.executive.system import startup_notice as taking_up
@@ -26,11 +26,12 @@ from tandem.executive.system.crews import data_of
 from tandem.executive.system.declared_reflexes import check_reflexes
 from tandem.executive.system.first_request import hint
 from tandem.executive.system.free_endpoint import EndpointError
+from tandem.executive.system.process_system import ProcessSystem
 from tandem.executive.system.systems import (
     LedgerFailure,
     LockstepSystem,
-    ProcessSystem,
     RefusedError,
+    RobotSystem,
     System,
     SystemFailure,
 )
@@ -55,8 +56,9 @@ def run_demo(options: RunOptions) -> ExitCode:
 
     def work(console: Console) -> ExitCode:
         scenario, site, bus_faults = _checked(options)
+        robot = _asked_robot(options, scenario)
         with _system(options, scenario, bus_faults, console) as system:
-            return _fetch(options, system, site, console)
+            return _fetch(options, system.of(robot) if robot else system, site, console)
 
     return _ended(work)
 
@@ -66,8 +68,9 @@ def run_once(options: RunOptions) -> ExitCode:
 
     def work(console: Console) -> ExitCode:
         scenario, _, bus_faults = _checked(options)
+        robot = _asked_robot(options, scenario)
         with _system(options, scenario, bus_faults, console) as system:
-            ran = _carry_out(options, system, options.request, console)
+            ran = _carry_out(options, system.of(robot) if robot else system, options.request, console)
             if ran is None:
                 return ExitCode.BAD_INPUT
             if options.picture is not None:
@@ -182,6 +185,21 @@ def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
     return scenario.with_faults(more.faults), site, more.bus
 
 
+def _asked_robot(options: RunOptions, scenario: Scenario) -> str:
+    """Return which of a scenario's robots is asked: by ``--robot``, else the first; empty for the only one.
+
+    Raises:
+        DocumentError: when it has no executive.
+    """
+    robots = scenario.robots_on_the_bus
+    if not robots or options.bus.robot == DEFAULT_ROBOT:
+        return robots[0] if robots else ""
+    if options.bus.robot not in robots:
+        expected = f"expected --robot to name one of {', '.join(robots)}, found {options.bus.robot}"
+        raise DocumentError(f"{options.scenario}: {expected}")
+    return options.bus.robot
+
+
 @contextmanager
 def _system(
     options: RunOptions,
@@ -190,7 +208,7 @@ def _system(
     console: Console,
     *,
     first: tuple[str, ...] = (),
-) -> Iterator[System]:
+) -> Iterator[LockstepSystem | ProcessSystem]:
     def say(line: str) -> None:
         console.print(line, style="yellow", markup=False)
 
@@ -284,7 +302,8 @@ def _write_report(
 ) -> None:
     if options.report is None:
         return
-    processes = system.pids() if isinstance(system, ProcessSystem) else {}
+    whole = system.whole if isinstance(system, RobotSystem) else system
+    processes = whole.pids() if isinstance(whole, ProcessSystem) else {}
     report = recorder.report(
         scenario=options.scenario,
         seed=options.seed,

@@ -16,8 +16,9 @@ import yaml
 
 from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.config.run_options import BusOptions, RunOptions
+from tandem.executive.system.process_system import ProcessSystem
 from tandem.executive.system.processes import Supervisor
-from tandem.executive.system.systems import ProcessSystem, wait_for
+from tandem.executive.system.systems import wait_for
 from tandem.sim.scenario import Scenario
 from tandem.skills.ports.tasks import REQUEST, TASK_LIST, AskTasks, TaskAnswer, TaskList
 from tests.fakes.ports import free_endpoint

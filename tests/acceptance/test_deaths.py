@@ -14,14 +14,9 @@ from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.ledger.sqlite import FILE, SqliteLedger
 from tandem.executive.system.crews import roles_of
+from tandem.executive.system.process_system import ProcessSystem
 from tandem.executive.system.processes import RESTARTS
-from tandem.executive.system.systems import (
-    LedgerFailure,
-    ProcessSystem,
-    RefusedError,
-    SystemFailure,
-    wait_for,
-)
+from tandem.executive.system.systems import LedgerFailure, RefusedError, SystemFailure, wait_for
 from tandem.executive.trials.demo import Caller
 from tandem.sim.scenario import load_scenario
 from tandem.sim.truth import lies_on

@@ -10,7 +10,7 @@ import pytest
 
 from benchmarks.hanging import Moving, stands
 from tandem.executive.config.run_options import RunOptions
-from tandem.executive.system.systems import ProcessSystem
+from tandem.executive.system.process_system import ProcessSystem
 from tandem.skills.ports.action import GoalState
 from tests.acceptance.live import go_on, own_bus
 

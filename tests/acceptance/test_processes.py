@@ -10,7 +10,7 @@ import pytest
 
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import RunOptions
-from tandem.executive.system.systems import ProcessSystem
+from tandem.executive.system.process_system import ProcessSystem
 from tandem.executive.trials.demo import Caller
 from tandem.sim.scenario import load_scenario
 from tandem.sim.truth import lies_on

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tandem.executive.config.run_options import RunOptions
-from tandem.executive.system.systems import ProcessSystem
+from tandem.executive.system.process_system import ProcessSystem
 from tandem.executive.trials.demo import Caller
 from tandem.sim.scenario import Scenario
 from tandem.sim.starts import RobotStart

@@ -16,7 +16,7 @@ from typing import Final, Literal
 from pydantic import JsonValue
 
 from tandem.executive.config.run_options import BusOptions, RunOptions
-from tandem.executive.system.systems import ProcessSystem
+from tandem.executive.system.process_system import ProcessSystem
 from tandem.executive.trials.campaigns.crash_world import Deed, wrong_deeds
 from tandem.executive.trials.demo import truth_of
 from tandem.executive.trials.experiments.timeline import Timeline

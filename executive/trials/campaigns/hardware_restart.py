@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import Final
 
 from tandem.executive.config.run_options import BusOptions, RunOptions
-from tandem.executive.system.systems import ProcessSystem, SystemFailure, wait_for
+from tandem.executive.system.process_system import ProcessSystem
+from tandem.executive.system.systems import SystemFailure, wait_for
 from tandem.executive.trials.demo import truth_of
 from tandem.executive.trials.experiments.timeline import Timeline
 from tandem.executive.trials.trial import Trial, trial, warm_up

@@ -17,7 +17,8 @@ from typing import Final
 from pydantic import JsonValue
 
 from tandem.executive.config.run_options import BusOptions, RunOptions
-from tandem.executive.system.systems import ProcessSystem, SystemFailure, wait_for
+from tandem.executive.system.process_system import ProcessSystem
+from tandem.executive.system.systems import SystemFailure, wait_for
 from tandem.executive.trials.campaigns.crash_world import ITEM, RESET, AskReset
 from tandem.executive.trials.campaigns.mock_roles import MOCKED
 from tandem.skills.ports.keys import Latest

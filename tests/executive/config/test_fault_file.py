@@ -10,7 +10,7 @@ from tandem.executive.cli.main import main
 from tandem.executive.config.fault_file import check_faults, load_faults
 from tandem.executive.config.run_options import BusOptions, RunOptions
 from tandem.executive.system.lockstep import Digest, Lockstep
-from tandem.executive.system.systems import ProcessSystem
+from tandem.executive.system.process_system import ProcessSystem
 from tandem.sim.faults import CameraDark, HandOpens, HardwareSilent, ItemLifted
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.keys import BUMPERS, Latest

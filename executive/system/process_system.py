@@ -1,0 +1,356 @@
+"""A whole system of processes over zenoh, started here and watched."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import ExitStack, suppress
+from functools import partial
+from pathlib import Path
+from types import MappingProxyType
+from typing import Final, Self
+
+from tandem.executive.config.process_settings import REFUSED, UNKEPT, WorkerSettings
+from tandem.executive.config.run_options import RunOptions
+from tandem.executive.security.identity import Identity
+from tandem.executive.system.crews import Crew, crews_of
+from tandem.executive.system.free_endpoint import TakenError, require_vacant
+from tandem.executive.system.hung_processes import HUNG_AFTER
+from tandem.executive.system.processes import RESTARTED, Death, Supervisor
+from tandem.executive.system.roles.observer import NAME as OBSERVER
+from tandem.executive.system.roles.registry import plugged
+from tandem.executive.system.systems import (
+    LedgerFailure,
+    RefusedError,
+    RobotSystem,
+    SystemFailure,
+    wait_for,
+)
+from tandem.executive.telemetry.log_files import UserLog
+from tandem.executive.telemetry.log_reading import FOLDER as LOGS
+from tandem.executive.telemetry.relay import LogRelay
+from tandem.sim.scenario import load_scenario
+from tandem.skills.ports.hardware import StopState
+from tandem.skills.ports.keys import STOP_STATE, Latest, Nothing
+from tandem.skills.ports.tasks import TASK_INFO
+from tandem.skills.site import locate
+from tandem.skills.wire.clocks import ProcessClocks
+from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
+
+READY_WITHIN: Final = 60.0
+"""Host seconds that processes have for their start."""
+PLUGGED_READY_WITHIN: Final = 20.0
+"""Host seconds that those of plug-ins have more; ours take about 5 on a busy machine."""
+
+
+class ProcessSystem:
+    """Processes over zenoh, started here and watched. Use as a context.
+
+    Args:
+        options: scenario, seed, speed, endpoint.
+        roles: which processes to start; those that the scenario's robot needs unless given.
+        played_by: what plays a role, by the role's name, where a campaign has it played by code of its own.
+        say: takes a line when a skill's process has died and is started again.
+        hung_after: host seconds without a beat after which a process is killed and started again.
+        first: lines to be said before anything starts, once it is clear that this system may.
+
+    Raises:
+        ScenarioError: when the scenario is wrong.
+    """
+
+    def __init__(
+        self,
+        options: RunOptions,
+        *,
+        roles: tuple[str, ...] | None = None,
+        played_by: Mapping[str, str] = MappingProxyType({}),
+        say: Callable[[str], None] = lambda _: None,
+        hung_after: float = HUNG_AFTER,
+        first: Sequence[str] = (),
+    ) -> None:
+        scenario = load_scenario(options.scenario)
+        self._crews = crews_of(scenario, options, roles, hung_after)
+        self._main = self._crews[0]
+        self._options, self._say = options, say
+        self._first, self._played_by = tuple(first), played_by
+        plugged_in = tuple(plugged(options.left_out))
+        self._plugged = frozenset(crew.called(role) for crew in self._crews for role in plugged_in)
+        """Roles of other packages: the rest can do without."""
+        self._ready = False
+        self._site = locate(options.site) if options.site else scenario.site
+        self._folder = tempfile.TemporaryDirectory(prefix="tandem-")
+        # Beside the ledger, where `tandem logs` finds them, during the run and after it.
+        self.supervisor = Supervisor(_log_folder(self._main.logs(options), Path(self._folder.name)))
+        self._logs = ExitStack()
+        self._relay = LogRelay(self.supervisor.logs, self._log_sinks(), options.log_format)
+
+    @property
+    def bus(self) -> ZenohBus:
+        """An end of the (first) robot's bus, once started."""
+        return self._main.connected()
+
+    @property
+    def clocks(self) -> ProcessClocks:
+        """Robot time as heard, once started."""
+        assert self._main.clocks is not None, "start it first"
+        return self._main.clocks
+
+    def of(self, robot: str) -> RobotSystem:
+        """Return the same system as one of several robots has it.
+
+        Raises:
+            KeyError: naming the robots that have an executive.
+        """
+        for crew in self._crews:
+            if crew.robot == robot and crew.clocks is not None:
+                return RobotSystem(self, crew.connected(), crew.clocks)
+        there = ", ".join(crew.robot for crew in self._crews)
+        raise KeyError(f"no robot {robot!r} with an executive; there are {there}")
+
+    def __enter__(self) -> Self:
+        """Start all processes, and wait until the executive answers.
+
+        Raises:
+            SystemFailure: when a process ends or is not ready in time.
+            RefusedError: when there is such a system already, or another program has its endpoint.
+            EndpointError: when nothing can listen at the endpoint.
+        """
+        try:
+            self._start()
+        except BaseException:
+            self.close()
+            raise
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """End all."""
+        self.close()
+
+    def advance(self) -> None:
+        """Wait for a message, at most 50 ms, and look after the processes."""
+        self.bus.waker.wait(0.05)
+        for crew in self._crews:
+            if crew.clocks is not None:
+                crew.clocks.refresh()
+        self._look_after()
+
+    def pids(self) -> dict[str, int]:
+        """Return the processes' ids by role."""
+        return {child.role: child.process.pid for child in self.supervisor.children}
+
+    def close(self) -> None:
+        """End all processes and remove what they left on disk."""
+        for crew in self._crews:
+            if crew.bus is not None:
+                crew.bus.close()
+                crew.bus = None
+        self.supervisor.end()
+        self._relay.step(last=True)
+        self._logs.close()
+        self._folder.cleanup()
+
+    def _log_sinks(self) -> tuple[Callable[[str], None], ...]:
+        sinks: list[Callable[[str], None]] = [_to_stderr] if self._options.verbose else []
+        if self._options.log is not None:
+            file = UserLog(self._options.log)
+            self._logs.callback(file.close)
+            sinks.append(file.write)
+        return tuple(sinks)
+
+    def _start(self) -> None:
+        self._refuse_keys()
+        self.supervisor.folder.mkdir(parents=True, exist_ok=True)
+        if "router" in self._main.roles:
+            self._refuse_second_router()
+        for line in self._first:
+            self._say(line)
+        if "router" in self._main.roles:
+            self.supervisor.start(self._settings(self._main, "router"))
+        for crew in self._crews:
+            self._connect(crew)
+        for crew in self._crews:
+            for role in crew.roles:
+                if role != "router":
+                    self.supervisor.start(self._settings(crew, role))
+        every = " and ".join(crew.prefix for crew in self._crews)
+        self._await(
+            lambda: self._plugged.issuperset(self._not_started()), f"not all processes of {every} started"
+        )
+        self._await_plugged()
+        for crew in self._crews:
+            if "executive" in crew.roles:
+                answers = partial(self._executive_answers, crew)
+                self._await(answers, f"the executive of {crew.prefix} did not answer")
+                self.supervisor.keep_spare(crew.called("executive"))
+        self._ready = True
+
+    def _not_started(self) -> tuple[str, ...]:
+        """Return the processes that are not ready yet, as they are called."""
+        ours = self.supervisor.lineage
+        return tuple(crew.called(role) for crew in self._crews for role in crew.missing(ours))
+
+    def _await_plugged(self) -> None:
+        deadline = time.monotonic() + PLUGGED_READY_WITHIN
+        while late := self._not_started():
+            self.advance()
+            if time.monotonic() > deadline:
+                for role in late:
+                    why = f"the {role} process of a plug-in was not ready within {PLUGGED_READY_WITHIN:.0f} s"
+                    self._do_without(role, why)
+
+    def _refuse_keys(self) -> None:
+        if len(self._crews) > 1 and self._options.bus.keys is not None:
+            expected = "expected no --keys, whose access rules are those of one robot"
+            raise RefusedError(f"{self._options.scenario} has several robots: {expected}")
+
+    def _refuse_second_router(self) -> None:
+        endpoint = self._options.bus.endpoint
+        try:
+            self._open(0.3, self._main).close()
+        except BusError:
+            self._require_vacant()
+            return
+        raise RefusedError(
+            f"a router already answers at {endpoint}: another system is running there; "
+            f"stop it, or choose another endpoint with --connect tcp/127.0.0.1:7448"
+        )
+
+    def _require_vacant(self) -> None:
+        try:
+            for endpoint in (self._options.bus.endpoint, *self._options.listen):
+                require_vacant(endpoint)
+        except TakenError as error:
+            raise RefusedError(str(error)) from error
+
+    def _connect(self, crew: Crew) -> None:
+        deadline = time.monotonic() + READY_WITHIN
+        while crew.bus is None:
+            try:
+                bus = self._open(0.5, crew)
+                crew.listen(bus, Latest(bus, STOP_STATE))
+            except BusError:
+                self._look_after()
+                if time.monotonic() > deadline:
+                    raise SystemFailure(f"no router at {self._options.bus.endpoint}") from None
+
+    def _open(self, patience: float, crew: Crew) -> ZenohBus:
+        bus = self._options.bus
+        shown = None if bus.keys is None else Identity(bus.keys, bus.holder).part("supervisor")
+        waker = None if self._main.bus is None else self._main.bus.waker
+        return ZenohBus(bus.endpoint, crew.prefix, patience=patience, waker=waker, credentials=shown)
+
+    def _executive_answers(self, crew: Crew) -> bool:
+        return wait_for(self, TASK_INFO.query(crew.connected(), Nothing(), timeout=0.3), 0.5) is not None
+
+    def _await(self, holds: Callable[[], bool], otherwise: str) -> None:
+        deadline = time.monotonic() + READY_WITHIN
+        while not holds():
+            self.advance()
+            if time.monotonic() > deadline:
+                raise SystemFailure(f"{otherwise} within {READY_WITHIN:.0f} s")
+
+    def _settings(self, crew: Crew, role: str) -> WorkerSettings:
+        options, called = self._options, crew.called(role)
+        data = crew.data or Path(self._folder.name) / crew.robot
+        return WorkerSettings(
+            role=role,
+            unit="" if called == role else called,
+            played_by=self._played_by.get(role, ""),
+            endpoint=options.bus.endpoint,
+            prefix=crew.prefix,
+            site=self._site,
+            scenario=options.scenario,
+            faults=None if options.faults is None else str(options.faults),
+            seed=options.seed,
+            speed=options.speed,
+            gui=options.gui,
+            journal=str(data / "held.jsonl") if role == "keeper" else None,
+            data=str(data),
+            on_restart=options.on_restart,
+            verbose=options.verbose,
+            log_format=options.log_format,
+            metrics=options.metrics if role == OBSERVER else "",
+            traces=options.traces if role == OBSERVER else "",
+            silent_after=options.silent_after,
+            listen=options.listen if role == "router" else (),
+            left_out=options.left_out,
+            keys=None if options.bus.keys is None else str(options.bus.keys),
+            holder=options.bus.holder,
+        )
+
+    def _look_after(self) -> None:
+        """Start skills again that have died; what died in the start, or too often, ends the system."""
+        deaths, fatal = self.supervisor.deaths(), list[Death]()
+        for death in deaths:
+            if self._ready and self.supervisor.restart(death.role, *self._stops_of(death.role)):
+                self._say(f"{death.head()}; restarted")
+            elif death.role in self._plugged:
+                self._do_without(
+                    death.role, death.describe() if not self._ready else f"{death.head()} too often"
+                )
+            elif self._ready and death.role == OBSERVER:
+                self.supervisor.give_up(death.role)
+                self._say(f"{death.head()} too often; metrics and traces are off from now on")
+            else:
+                fatal.append(death)
+        if fatal:
+            raise _end_of(fatal)
+        if self._ready:
+            self._kill_hung()
+        self._relay.step()
+        self.supervisor.tidy()
+
+    def _do_without(self, role: str, why: str) -> None:
+        """Go on without a process of another package."""
+        self.supervisor.give_up(role)
+        for crew in self._crews:
+            crew.given_up.update(each for each in crew.roles if crew.called(each) == role)
+        self._say(f"{why}\nthe plug-in role {role} is off from now on")
+
+    def _stops_of(self, role: str) -> tuple[StopState | None, dict[str, StopState]]:
+        """Return the stops that restarted hardware begins with: the first robot's, and the others'."""
+        if role != "hardware":
+            return None, {}
+        found = {crew.robot: None if crew.stop is None else crew.stop.refresh() for crew in self._crews}
+        stopped = {robot: stop for robot, stop in found.items() if stop is not None and stop.stopped}
+        return stopped.pop(self._main.robot, None), stopped
+
+    def _kill_hung(self) -> None:
+        """Kill who hangs for too long; the next look finds it dead, and starts it again.
+
+        Not the hardware: what it simulates would begin anew, and a robot's own is not ours to kill.
+        """
+        for crew in self._crews:
+            names = {
+                f"process/{child.settings.role}": child
+                for child in self.supervisor.children
+                if child.kind in RESTARTED - {"hardware"} and child.settings.prefix == crew.prefix
+            }
+            bus = crew.connected()
+            for name in crew.hung.look(names.keys() & bus.alive(), bus.awake()):
+                self._say(f"the {names[name].role} process hangs; killing it")
+                names[name].process.kill()
+
+
+def _log_folder(data: Path | None, otherwise: Path) -> Path:
+    """Return where the processes' logs go; what is wrong with ``data`` its owner says, in its own words."""
+    if data is not None:
+        with suppress(OSError):
+            (data / LOGS).mkdir(parents=True, exist_ok=True)
+            return data / LOGS
+    return otherwise / LOGS
+
+
+def _to_stderr(line: str) -> None:
+    sys.stderr.write(f"{line}\n")
+    sys.stderr.flush()
+
+
+def _end_of(fatal: Sequence[Death]) -> Exception:
+    """Return the error that says which processes ended, and whether one refused or can't keep its ledger."""
+    words, codes = "\n".join(death.describe() for death in fatal), {death.code for death in fatal}
+    if UNKEPT in codes:
+        return LedgerFailure(words)
+    return RefusedError(words) if REFUSED in codes else SystemFailure(words)
