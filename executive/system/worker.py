@@ -72,12 +72,15 @@ def ended(work: Callable[[], None], called: str) -> int:
     log = logging.getLogger(__name__)
     try:
         work()
-    except (RefusalError, LedgerLockedError, DocumentError) as refusal:
+    except (RefusalError, LedgerLockedError) as refusal:
         log.error("%s", refusal)  # noqa: TRY400 - no fault of the program
         return REFUSED
     except LedgerError as error:
         log.error("%s", error)  # noqa: TRY400 - the disk's fault
         return UNKEPT
+    except DocumentError as error:
+        log.error("%s", error)  # noqa: TRY400 - a mistake in somebody's file
+        return 1
     except Exception:
         log.exception("%s failed with an unexpected error", called)
         return 1

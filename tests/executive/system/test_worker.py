@@ -13,7 +13,7 @@ from tandem.skills.ports.sources import DocumentError
     ("error", "code", "trace"),
     [
         (RefusalError("another one has the role"), REFUSED, False),
-        (DocumentError("lab.yaml: reflexes.0: no reflex 'avoyd'"), REFUSED, False),
+        (DocumentError("lab.yaml: reflexes.0: no reflex 'avoyd'"), 1, False),
         (RuntimeError("a mistake of ours"), 1, True),
     ],
     ids=lambda value: type(value).__name__,
