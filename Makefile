@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 
-.PHONY: setup demo test thorough check docs bench figures clean-figures format clean
+.PHONY: setup demo test thorough check docs page bench figures clean-figures format clean
 
 setup: $(STAMP)
 
@@ -35,6 +35,11 @@ docs: $(STAMP)
 	$(BIN)/pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[docs]'
 	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet --builder html docs out/docs
 	@echo "out/docs/index.html"
+
+# The page's bundle, made anew from page/. Needs node and npm; the bundle is committed, so that users need neither.
+page: $(STAMP)
+	$(BIN)/python page/types_of_schemas.py page/src/types.ts
+	cd page && npm ci --ignore-scripts --no-audit --no-fund --silent && npm run --silent check && npm run --silent build
 
 bench: $(STAMP)
 	$(BIN)/tandem bench

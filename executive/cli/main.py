@@ -35,6 +35,7 @@ from tandem.executive.cli.commands import (
     tree_commands,
     verb_commands,
     watch_command,
+    web_command,
     why_command,
     zones_command,
 )
@@ -62,6 +63,7 @@ _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
     stop_commands.add_to,
     logs_command.add_to,
     watch_command.add_to,
+    web_command.add_to,
     why_command.add_to,
     tree_commands.add_to,
     scenario_commands.add_to,

@@ -21,12 +21,15 @@ from tandem.executive.config.run_options import DEFAULT_ENDPOINT, DEFAULT_ROBOT,
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity
 from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.hardware import RobotDescription, StopState
+from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
     AskHistory,
     Breakpoint,
     ExecutiveInfo,
     ForceNode,
     History,
+    TaskKinds,
     TaskState,
     TaskStatus,
     TreeSnapshot,
@@ -212,6 +215,18 @@ class AsyncClient:
         """Return who serves, which kinds of task it takes, and what runs."""
         return await self._drive(self._ask.info())
 
+    async def kinds(self) -> TaskKinds:
+        """Return the kinds of task, with the JSON Schema of each one's request, and the site's items."""
+        return await self._drive(self._ask.kinds())
+
+    async def site(self) -> Site:
+        """Return the place that the robot works in, as its executive knows it."""
+        return await self._drive(self._ask.site())
+
+    async def description(self) -> RobotDescription:
+        """Return who the robot is, as its hardware says."""
+        return await self._drive(self._ask.description())
+
     async def tasks(self) -> tuple[TaskStatus, ...]:
         """Return the tasks that have not ended and the last that have, oldest first."""
         return await self._drive(self._ask.tasks())
@@ -283,6 +298,16 @@ class AsyncClient:
     async def force(self, task: str, node: str, status: Forced) -> str:
         """Have a node end so without its work, for a test run; None takes it back."""
         return await self._drive(self._ask.force(ForceNode(task=task, node=node, status=status)))
+
+    # The hardware's stop, which needs no executive.
+
+    async def stop(self, *, by: str, reason: str) -> StopState:
+        """Stop the robot at once until ``release``; name and reason are shown to who finds it stopped."""
+        return await self._drive(self._ask.stop(by, reason))
+
+    async def release(self, *, by: str, reason: str = "") -> StopState:
+        """Release the stop: the robot may move again, and a waiting task goes on."""
+        return await self._drive(self._ask.release(by, reason))
 
     @property
     def _ask(self) -> Questions:

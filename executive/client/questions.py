@@ -14,8 +14,10 @@ from tandem.executive.client.errors import RefusedError, RejectedError, UnknownT
 from tandem.executive.client.talks import Sent, Talk, Talks
 from tandem.executive.render.failure_words import chosen, explain
 from tandem.executive.security.identity import Identity
-from tandem.skills.ports.keys import Nothing, Service
+from tandem.skills.ports.hardware import RobotDescription, Stop, StopRelease, StopState
+from tandem.skills.ports.keys import DESCRIPTION, STOP, STOP_RELEASE, Nothing, Service
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
     REQUEST,
     TASK_ABANDON,
@@ -25,11 +27,13 @@ from tandem.skills.ports.tasks import (
     TASK_FORCE,
     TASK_HISTORY,
     TASK_INFO,
+    TASK_KINDS,
     TASK_LIST,
     TASK_PAUSE,
     TASK_PICTURE,
     TASK_REPRIORITISE,
     TASK_RESUME,
+    TASK_SITE,
     TASK_STEP,
     TREE_NOW,
     AnswerQuestion,
@@ -46,6 +50,7 @@ from tandem.skills.ports.tasks import (
     Reprioritise,
     StepTask,
     TaskAnswer,
+    TaskKinds,
     TaskList,
     TaskStatus,
     TreeSnapshot,
@@ -91,6 +96,26 @@ class Questions:
     def info(self) -> Talk[ExecutiveInfo]:
         """Return who serves."""
         return self.talks.ask(TASK_INFO, Nothing())
+
+    def kinds(self) -> Talk[TaskKinds]:
+        """Return the kinds of task, with the schema of each one's request."""
+        return self.talks.ask(TASK_KINDS, Nothing())
+
+    def site(self) -> Talk[Site]:
+        """Return the place that the robot works in."""
+        return self.talks.ask(TASK_SITE, Nothing())
+
+    def description(self) -> Talk[RobotDescription]:
+        """Return who the robot is, as its hardware says."""
+        return self.talks.ask(DESCRIPTION, Nothing())
+
+    def stop(self, by: str, reason: str) -> Talk[StopState]:
+        """Set the hardware's stop."""
+        return self.talks.ask(STOP, Stop(by=by, reason=reason))
+
+    def release(self, by: str, reason: str) -> Talk[StopState]:
+        """Release the hardware's stop."""
+        return self.talks.ask(STOP_RELEASE, StopRelease(by=by, reason=reason))
 
     def tasks(self) -> Talk[tuple[TaskStatus, ...]]:
         """Return the tasks that have not ended and the last that have, oldest first."""

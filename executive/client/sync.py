@@ -20,12 +20,15 @@ from tandem.executive.config.run_options import DEFAULT_ENDPOINT, DEFAULT_ROBOT,
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity
 from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.hardware import RobotDescription, StopState
+from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
     AskHistory,
     Breakpoint,
     ExecutiveInfo,
     ForceNode,
     History,
+    TaskKinds,
     TaskState,
     TaskStatus,
     TreeSnapshot,
@@ -193,6 +196,18 @@ class Client:
         """Return who serves, which kinds of task it takes, and what runs."""
         return self._drive(self._ask.info())
 
+    def kinds(self) -> TaskKinds:
+        """Return the kinds of task, with the JSON Schema of each one's request, and the site's items."""
+        return self._drive(self._ask.kinds())
+
+    def site(self) -> Site:
+        """Return the place that the robot works in, as its executive knows it."""
+        return self._drive(self._ask.site())
+
+    def description(self) -> RobotDescription:
+        """Return who the robot is, as its hardware says."""
+        return self._drive(self._ask.description())
+
     def tasks(self) -> tuple[TaskStatus, ...]:
         """Return the tasks that have not ended and the last that have, oldest first."""
         return self._drive(self._ask.tasks())
@@ -265,6 +280,16 @@ class Client:
     def force(self, task: str, node: str, status: Forced) -> str:
         """Have a node end so without its work, for a test run; None takes it back."""
         return self._drive(self._ask.force(ForceNode(task=task, node=node, status=status)))
+
+    # The hardware's stop, which needs no executive.
+
+    def stop(self, *, by: str, reason: str) -> StopState:
+        """Stop the robot at once until ``release``; name and reason are shown to who finds it stopped."""
+        return self._drive(self._ask.stop(by, reason))
+
+    def release(self, *, by: str, reason: str = "") -> StopState:
+        """Release the stop: the robot may move again, and a waiting task goes on."""
+        return self._drive(self._ask.release(by, reason))
 
     def _drive(self, talk: Talk[T]) -> T:
         while True:

@@ -68,7 +68,7 @@ class Talks:
         """
         document = yield from self.raw(key, payload)
         if document is None:
-            raise NotConnectedError(self._nobody())
+            raise NotConnectedError(self._nobody(key))
         try:
             return read_leniently(model, document)
         except ValidationError as error:
@@ -105,10 +105,11 @@ class Talks:
         while (left := until - self.monotonic()) > 0.0:
             yield left
 
-    def _nobody(self) -> str:
+    def _nobody(self, key: str) -> str:
         there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))
         seen = f"connected are only {there}" if there else "nothing else is connected"
-        return f"no executive answers on {self.where}: {seen}; start the system with `tandem up`"
+        who = "hardware" if key.startswith("hw/") else "executive"
+        return f"no {who} answers on {self.where}: {seen}; start the system with `tandem up`"
 
 
 def reason_of(refusal: bytes) -> str:

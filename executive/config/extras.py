@@ -63,12 +63,21 @@ OTEL: Final = Extra(
         ("opentelemetry-exporter-otlp-proto-http", "opentelemetry.exporter", "the way to a collector"),
     ),
 )
+WEB: Final = Extra(
+    "web",
+    "the page",
+    (
+        ("starlette", "starlette", "its addresses"),
+        ("uvicorn", "uvicorn", "its server"),
+        ("websockets", "websockets", "what it tells while things happen"),
+    ),
+)
 DEV: Final = Extra(
     "dev",
     "Tandem's own tests",
     (("hypothesis", "hypothesis", "invented inputs"), ("jsonschema", "jsonschema", "checks of schemas")),
 )
-EXTRAS: Final = (SKILLS, SIM, OTEL, DEV)
+EXTRAS: Final = (SKILLS, SIM, OTEL, WEB, DEV)
 """In this order a missing module is looked for."""
 
 

@@ -27,6 +27,7 @@ from tandem.skills.ports.tasks import (
     TASK_PAUSE,
     TASK_REPRIORITISE,
     TASK_RESUME,
+    TASK_SITE,
     TASK_STATUS,
     TASK_STEP,
     TREE,
@@ -76,6 +77,7 @@ _VERBS: Final = (
     TASK_CANCEL,
     TASK_PAUSE,
     TASK_RESUME,
+    TASK_SITE,
     TASK_STEP,
     TASK_ABANDON,
     TASK_REPRIORITISE,
@@ -130,7 +132,17 @@ def _keys() -> dict[str, JsonValue]:
     }
     for topic in (TASK_ANSWERS, TASK_STATUS, TREE, STOP_STATE):
         puts[topic.key] = {"subscribe": _ref(topic.model)}
-    for service in (*_VERBS, TASK_LIST, TASK_HISTORY, TASK_INFO, TASK_KINDS, TREE_NOW, STOP, STOP_RELEASE):
+    for service in (
+        *_VERBS,
+        TASK_LIST,
+        TASK_HISTORY,
+        TASK_INFO,
+        TASK_KINDS,
+        TASK_SITE,
+        TREE_NOW,
+        STOP,
+        STOP_RELEASE,
+    ):
         puts[service.key] = {"query": _ref(service.asked), "answer": _ref(service.answered)}
     puts[REQUEST] = {
         "put": {"$ref": "#/$defs/Request"},

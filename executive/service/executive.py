@@ -160,6 +160,7 @@ class Executive:
             info=self._info,
             tree=self._tree,
             kinds=lambda: self._offered,
+            site=site,
         )
         self._tries: list[Tries] = []  # of the running task, and of those before whose picture is under way
         self._pulse, self._task_log = Pulse(bus, clocks), TaskLog()

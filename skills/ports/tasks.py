@@ -12,6 +12,7 @@ from tandem.skills.ports.keys import Nothing, Service, Topic
 from tandem.skills.ports.limits import Limits
 from tandem.skills.ports.message import Count, Message, RobotTime
 from tandem.skills.ports.problems import Problem
+from tandem.skills.ports.site import Site
 from tandem.skills.ports.utc import UtcSeconds
 
 
@@ -354,6 +355,7 @@ TASK_PICTURE: Final = "task/picture"
 TASK_LIST: Final = Service("task/list", AskTasks, TaskList, reads=True, limits=Limits(per_step=2))
 TASK_INFO: Final = Service("task/info", Nothing, ExecutiveInfo, reads=True)
 TASK_KINDS: Final = Service("task/kinds", Nothing, TaskKinds, reads=True)
+TASK_SITE: Final = Service("task/site", Nothing, Site, reads=True)
 TASK_PULSE: Final = Topic("task/pulse", ExecutivePulse)
 TREE: Final = Topic("tree/snapshot", TreeSnapshot)
 TREE_NOW: Final = Service("tree/now", Nothing, TreeSnapshot, reads=True)

@@ -7,9 +7,12 @@ Shown a key that does not allow a question, the command said after 2.5 s that th
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
+from urllib.error import HTTPError
+from urllib.request import Request, urlopen
 
 import pytest
 
@@ -54,6 +57,8 @@ EXPECTED: Final[dict[str, tuple[list[str], int, set[str]]]] = {
 }
 STARTS_A_SYSTEM: Final = {"up"}
 """Shows the robot's keys itself: here by the fixture and by a test of its own."""
+SERVES: Final = {"web"}
+"""Runs until it is ended: a test of its own."""
 CONNECTS_NOWHERE: Final = {
     "demo",
     "new",
@@ -133,7 +138,7 @@ def assert_alive(up: Running) -> None:
 def test_no_command_is_forgotten() -> None:
     """A new command stands in one of the tables above, or this fails."""
     known = {ANY_KIND if is_kind(each) else each for each in EXPECTED}
-    assert sorted([*known, *STARTS_A_SYSTEM, *CONNECTS_NOWHERE]) == sorted(commands())
+    assert sorted([*known, *STARTS_A_SYSTEM, *SERVES, *CONNECTS_NOWHERE]) == sorted(commands())
 
 
 def is_kind(command: str) -> bool:
@@ -154,6 +159,20 @@ def test_it_reaches_those_who_may_and_refuses_the_others(secured: Secured, comma
     else:
         assert done.code == 4, done.said
         assert f"({role}) does not allow" in done.err
+
+
+def test_the_page_has_the_rights_of_its_key_and_no_more(secured: Secured) -> None:
+    env = secured.env | {"TANDEM_AS": "the-viewer"}
+    with running("web", "--at", "127.0.0.1:0", env=env) as web:
+        said = web.await_word("press Ctrl-C to stop")
+        address = said.split(" is at ")[1].split()[0].rstrip("/")
+        session = json.loads(urlopen(f"{address}/api/session").read())  # noqa: S310 - our own address
+        assert (session["role"], session["may"]) == ("viewer", [])
+        assert json.loads(urlopen(f"{address}/api/site").read())["name"]  # noqa: S310
+        headers = {"Origin": address, "Content-Type": "application/json"}
+        stop = Request(f"{address}/api/verb/stop", b"{}", headers)  # noqa: S310
+        with pytest.raises(HTTPError, match="403"):
+            urlopen(stop)  # noqa: S310
 
 
 def test_a_stop_tells_who_set_it_until_it_is_released(secured: Secured) -> None:

@@ -69,12 +69,12 @@ def _ask(bus: BusOptions, service: Service[M, StopState], by: str, reason: str) 
     from tandem.executive.cli.connection import Connection  # noqa: PLC0415
 
     with Connection(bus) as connection:
-        words = {"by": by or _self(connection.options), "reason": reason}
+        words = {"by": by or person(connection.options), "reason": reason}
         fields = {name: words[name] for name in service.asked.model_fields if name in words}
         return connection.ask(service, service.asked.model_validate(fields), of="hardware")
 
 
-def _self(bus: BusOptions) -> str:
+def person(bus: BusOptions) -> str:
     """Return who asks, in words for people: the holder of the key, or the user and the host."""
     if bus.holder:
         return bus.holder

@@ -12,12 +12,14 @@ from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.endpoint import answering, endpoint
 from tandem.skills.ports.keys import Nothing, Service
 from tandem.skills.ports.serving import Endpoints
+from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
     PAGE,
     TASK_HISTORY,
     TASK_INFO,
     TASK_KINDS,
     TASK_LIST,
+    TASK_SITE,
     TASK_STATUS,
     TREE,
     TREE_NOW,
@@ -46,6 +48,7 @@ class Questions:
         info: tells who serves.
         tree: returns the tree as it is.
         kinds: tells what may be asked for, as JSON.
+        site: the place that the executive works in.
     """
 
     def __init__(
@@ -58,6 +61,7 @@ class Questions:
         info: Callable[[], ExecutiveInfo],
         tree: Callable[[], TreeSnapshot],
         kinds: Callable[[], bytes],
+        site: Site,
     ) -> None:
         self.last = ""
         """The task that was told of last."""
@@ -70,6 +74,7 @@ class Questions:
                 answering(TASK_LIST, self._list),
                 answering(TASK_INFO, lambda _: info()),
                 answering(TASK_KINDS, lambda _: kinds()),
+                answering(TASK_SITE, lambda _: site),
                 answering(TREE_NOW, lambda _: tree()),
                 answering(LAST_TREE, lambda _: tree()),
                 answering(LAST_STATUS, lambda _: self._find(self.last) if self.last else None),

@@ -113,6 +113,7 @@ def test_a_wildcard_is_answered_by_questions_only_each_under_its_key(here: Surro
         "task/list",
         "task/info",
         "task/kinds",
+        "task/site",
         "task/history",
         "task/status",
         f"task/{first}/status",

@@ -1,0 +1,222 @@
+"""What is heard of the robot, as updates for the page. Each ``poll`` tells what is new since the last."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Final, TypeVar
+
+from pydantic import JsonValue
+
+from tandem.executive.web.viewers import Update, merge
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.hardware import Clock, JointStates, RobotDescription
+from tandem.skills.ports.keys import CLOCK, JOINT_STATES, STOP_STATE, Latest, laser
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.reflex import pipeline_state, reflex_state
+from tandem.skills.ports.sensors import LaserScan
+from tandem.skills.ports.tasks import (
+    TASK_PULSE,
+    TASK_STATUS,
+    TREE,
+    TaskStatus,
+    TreeNode,
+    TreeSnapshot,
+)
+from tandem.skills.ports.world import ROBOT_POSE, SCENE, WORLD
+
+M = TypeVar("M", bound=Message)
+EXECUTIVE: Final = "executive"
+TICK: Final = 0.05
+"""Host seconds between two polls."""
+STILL: Final = 0.0005
+"""Radians or metres by which a joint must have moved to be told."""
+LASER_EVERY: Final = 5
+"""Polls between two scans."""
+SECOND: Final = 20
+"""Polls in a second."""
+UNTOLD: Final = frozenset({"nodes", "tree", "joints", "laser"})
+"""Parts that are not kept as they were told."""
+KEPT: Final = 200
+"""Tasks that are told to who opens the page."""
+
+
+class Feed:
+    """Hears the bus for as long as somebody looks on.
+
+    Args:
+        bus: an end of its own, closed by its owner.
+        monotonic: seconds of the host.
+    """
+
+    def __init__(self, bus: Bus, monotonic: Callable[[], float]) -> None:
+        self._bus, self._monotonic = bus, monotonic
+        self._clock = Latest(bus, CLOCK, depth=1)
+        self._joints = Latest(bus, JOINT_STATES, depth=1)
+        self._pose = Latest(bus, ROBOT_POSE, depth=1)
+        self._stop = Latest(bus, STOP_STATE, depth=4)
+        self._scene = Latest(bus, SCENE, depth=1)
+        self._world = Latest(bus, WORLD, depth=1)
+        self._pulse = Latest(bus, TASK_PULSE, depth=1)
+        self._statuses = Latest(bus, TASK_STATUS, depth=1024)
+        self._trees = Latest(bus, TREE, depth=256)
+        self._reflexes = Latest(bus, reflex_state("*"), depth=4)
+        self._pipelines = Latest(bus, pipeline_state("*"), depth=4)
+        self._laser: Latest[LaserScan] | None = None
+        self._told: Update = {}
+        self._last: TreeSnapshot | None = None
+        self._shape: tuple[str, ...] = ()
+        self._nodes: dict[str, list[JsonValue]] = {}
+        self._sent_joints: dict[str, float] = {}
+        self._versions: dict[str, object] = {}
+        self._polls = 0
+        self._heard_at: float | None = None
+
+    def describe(self, robot: RobotDescription) -> None:
+        """Learn which sensors the robot has."""
+        if robot.lasers and self._laser is None:
+            self._laser = Latest(self._bus, laser(robot.lasers[0].name), depth=1)
+
+    def whole(self) -> Update:
+        """Return all that is known, for who has just come."""
+        tree = {} if self._last is None else {"tree": _plain(self._last)}
+        return {**self._told, **tree, "joints": dict(self._sent_joints), "whole": True}
+
+    @property
+    def executive_there(self) -> bool:
+        """Whether an executive is announced."""
+        return EXECUTIVE in self._bus.alive()
+
+    def know(self, tasks: Iterable[TaskStatus], tree: TreeSnapshot | None) -> Update:
+        """Take in what was there before, as the executive says; return what is new of it."""
+        update: Update = {"tasks": {each.task: _plain(each) for each in tasks}}
+        if tree is not None:
+            self._tree(tree, update)
+        self._note(update)
+        return update
+
+    def poll(self) -> Update:
+        """Return what is new."""
+        update: Update = {}
+        self._polls += 1
+        self._time(update)
+        self._motion(update)
+        self._beliefs(update)
+        for status in self._statuses.take():
+            merge(update, {"tasks": {status.task: _plain(status)}})
+        for tree in self._trees.take():
+            self._tree(tree, update)
+        there = self.executive_there
+        if self._versions.get("executive") is not there:
+            self._versions["executive"] = there
+            update["executive"] = there
+        self._note(update)
+        return update
+
+    def close(self) -> None:
+        """Stop hearing."""
+        for heard in (
+            self._clock, self._joints, self._pose, self._stop, self._scene, self._world, self._pulse,
+            self._statuses, self._trees, self._reflexes, self._pipelines, self._laser,
+        ):  # fmt: skip
+            if heard is not None:
+                heard.close()
+
+    def _time(self, update: Update) -> None:
+        clock: Clock | None = self._fresh(self._clock)
+        if clock is not None:
+            self._heard_at = self._monotonic()
+        if self._polls % SECOND == 1 or (clock is not None and self._polls % (SECOND // 4) == 0):
+            value = self._clock.value
+            silent = None if self._heard_at is None else round(self._monotonic() - self._heard_at, 1)
+            stamp = {"boot": "", "seconds": None} if value is None else _plain(value.stamp)
+            update["now"] = {**stamp, "silent": silent}
+
+    def _motion(self, update: Update) -> None:
+        joints: JointStates | None = self._fresh(self._joints)
+        if joints is not None:
+            moved = {
+                name: round(position, 4)
+                for name, position in zip(joints.names, joints.positions, strict=True)
+                if abs(position - self._sent_joints.get(name, 1e9)) > STILL
+            }
+            if moved:
+                self._sent_joints |= moved
+                update["joints"] = dict(moved)
+        pose = self._fresh(self._pose)
+        if pose is not None:
+            told = pose.model_dump(mode="json", include={"localised", "moving", "reason", "position_sigma"})
+            at = pose.base_in_map
+            told |= {"x": round(at.x, 3), "y": round(at.y, 3), "yaw": round(at.yaw, 4)}
+            told["position_sigma"] = round(pose.position_sigma, 3)
+            self._if_new("pose", told, update)
+        if self._laser is not None and self._polls % LASER_EVERY == 0:
+            scan = self._fresh(self._laser)
+            if scan is not None:
+                update["laser"] = [round(each, 2) for each in scan.ranges]
+
+    def _beliefs(self, update: Update) -> None:
+        news: Mapping[str, Message | None] = {
+            "stop": self._fresh(self._stop),
+            "pulse": self._fresh(self._pulse),
+            "scene": self._fresh(self._scene),
+            "world": self._fresh(self._world),
+        }
+        for part, message in news.items():
+            if message is not None:
+                plain = _plain(message)
+                plain.pop("stamp", None)  # it is new each time
+                plain.pop("version", None)
+                self._if_new(part, plain, update)
+        for reflex in self._reflexes.take():
+            self._if_new_of("reflexes", reflex.reflex, _plain(reflex), update)
+        for pipeline in self._pipelines.take():
+            plain = _plain(pipeline)
+            plain.pop("stamp", None)
+            self._if_new_of("pipelines", pipeline.resource, plain, update)
+
+    def _tree(self, tree: TreeSnapshot, update: Update) -> None:
+        """Tell the nodes that have changed; of a tree with other nodes the whole."""
+        nodes = dict(_states(tree.root))
+        shape = (tree.task, *nodes)
+        if shape != self._shape or "tree" in update:
+            self._shape = shape
+            update.pop("nodes", None)
+            update["tree"] = _plain(tree)
+        else:
+            changed = {path: state for path, state in nodes.items() if self._nodes.get(path) != state}
+            merge(update, {"nodes": dict(changed)})
+        self._nodes = nodes
+        self._last = tree
+
+    def _fresh(self, heard: Latest[M]) -> M | None:
+        """Return the newest message if one has come since the last poll."""
+        before = heard.value
+        now = heard.refresh()
+        return None if now is before else now
+
+    def _if_new(self, part: str, value: JsonValue, update: Update) -> None:
+        if self._versions.get(part) != value:
+            self._versions[part] = value
+            update[part] = value
+
+    def _if_new_of(self, part: str, name: str, value: JsonValue, update: Update) -> None:
+        if self._versions.get(f"{part}/{name}") != value:
+            self._versions[f"{part}/{name}"] = value
+            merge(update, {part: {name: value}})
+
+    def _note(self, update: Update) -> None:
+        merge(self._told, {part: value for part, value in update.items() if part not in UNTOLD})
+        tasks = self._told.get("tasks")
+        if isinstance(tasks, dict) and len(tasks) > 2 * KEPT:
+            self._told["tasks"] = dict(list(tasks.items())[-KEPT:])
+
+
+def _plain(message: Message) -> dict[str, JsonValue]:
+    plain: dict[str, JsonValue] = message.model_dump(mode="json")
+    return plain
+
+
+def _states(node: TreeNode) -> Iterable[tuple[str, list[JsonValue]]]:
+    yield node.path, [str(node.status), str(node.last), node.message]
+    for child in node.children:
+        yield from _states(child)

@@ -1,0 +1,55 @@
+"""What the page's server was asked for, checked."""
+
+from __future__ import annotations
+
+import ipaddress
+from dataclasses import dataclass
+from typing import Final
+
+from tandem.executive.config.run_options import BusOptions
+
+DEFAULT_ADDRESS: Final = "127.0.0.1:8447"
+LAST_PORT: Final = 65535
+
+
+class AddressError(ValueError):
+    """Where the page can't be served; the message says why and what to do."""
+
+
+@dataclass(frozen=True)
+class WebOptions:
+    """Where the robot is, and where its page is served."""
+
+    bus: BusOptions
+    host: str = "127.0.0.1"
+    port: int = 8447
+    """0: any that is free."""
+
+
+def checked_address(text: str) -> tuple[str, int]:
+    """Return host and port out of ``HOST:PORT``, both on this host.
+
+    Raises:
+        AddressError: for what is none, and for one beyond loopback: who reaches the page may move the robot.
+    """
+    host, colon, port = text.rpartition(":")
+    if not colon or not host or not port.isdecimal() or int(port) > LAST_PORT:
+        raise AddressError(f"expected a host and a port such as {DEFAULT_ADDRESS}; found {text!r}")
+    host = host.strip("[]")
+    if not is_loopback(host):
+        raise AddressError(
+            f"{text}: anyone who can reach the page could move the robot, and the page has no log-in yet; "
+            f"serve it at {DEFAULT_ADDRESS} and reach it through a tunnel: "
+            f"ssh -L {port}:127.0.0.1:{port} {host if host not in {'0.0.0.0', '::'} else 'ROBOT'}"  # noqa: S104
+        )
+    return host, int(port)
+
+
+def is_loopback(host: str) -> bool:
+    """Say whether only this host reaches it."""
+    if host == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False

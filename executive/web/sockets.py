@@ -1,0 +1,38 @@
+"""One viewer's socket: updates go out as they come, and at least one a second."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from contextlib import suppress
+from typing import Final
+
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from tandem.executive.web.viewers import Viewer
+
+ALIVE_EVERY: Final = 1.0
+"""Host seconds after which something is said in any case, so that the page can tell silence from rest."""
+
+
+async def serve_viewer(socket: WebSocket, viewer: Viewer) -> None:
+    """Tell it until it leaves."""
+    telling = asyncio.create_task(_tell(socket, viewer))
+    try:
+        while True:
+            await socket.receive_text()
+    except WebSocketDisconnect:
+        pass
+    finally:
+        telling.cancel()
+        await asyncio.gather(telling, return_exceptions=True)
+
+
+async def _tell(socket: WebSocket, viewer: Viewer) -> None:
+    with suppress(WebSocketDisconnect, RuntimeError):  # starlette's words for a socket that is closed
+        while True:
+            try:
+                update = await asyncio.wait_for(viewer.next(), ALIVE_EVERY)
+            except TimeoutError:
+                update = {}
+            await socket.send_text(json.dumps(update, separators=(",", ":")))

@@ -1,0 +1,152 @@
+"""What a viewer may ask for, by name: each verb of the typed client, and what its key on the bus is."""
+
+from __future__ import annotations
+
+import json
+import uuid
+from collections.abc import Awaitable, Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Annotated, Final, TypeVar
+
+from pydantic import Field, JsonValue
+
+from tandem.executive.client.aio import AsyncClient
+from tandem.executive.client.errors import RefusedError
+from tandem.executive.web.robot import Who
+from tandem.skills.ports.keys import STOP, STOP_RELEASE
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import (
+    REQUEST,
+    TASK_ABANDON,
+    TASK_ANSWER,
+    TASK_BREAKPOINT,
+    TASK_CANCEL,
+    TASK_PAUSE,
+    TASK_REPRIORITISE,
+    TASK_RESUME,
+    TASK_STEP,
+    AnswerQuestion,
+    Breakpoint,
+    CancelTask,
+    NameTask,
+    Reprioritise,
+    StepTask,
+    TaskStatus,
+)
+
+A = TypeVar("A", bound=Message)
+OF_THE_FIRST: Final = ("id", "by", "not_before", "expires", "retry_of")
+"""Fields of a request that belong to that one request: who sent it, and the times that it was meant for."""
+
+
+class Why(Message):
+    """Why the stop is set or released."""
+
+    reason: Annotated[str, Field(max_length=200)] = ""
+
+
+@dataclass(frozen=True)
+class Verb:
+    """A verb: where it is asked on the bus, and how it is asked, with its document."""
+
+    key: str
+    ask: Callable[[AsyncClient, Who, Mapping[str, JsonValue]], Awaitable[JsonValue]]
+
+
+def _verb(key: str, model: type[A], ask: Callable[[AsyncClient, Who, A], Awaitable[JsonValue]]) -> Verb:
+    async def asking(client: AsyncClient, who: Who, document: Mapping[str, JsonValue]) -> JsonValue:
+        return await ask(client, who, model.model_validate_json(json.dumps(document)))
+
+    return Verb(key, asking)
+
+
+async def _stop(client: AsyncClient, who: Who, asked: Why) -> JsonValue:
+    state = await client.stop(by=who.name, reason=asked.reason or "the stop on the page")
+    return state.model_dump(mode="json")
+
+
+async def _release(client: AsyncClient, who: Who, asked: Why) -> JsonValue:
+    state = await client.release(by=who.name, reason=asked.reason or "released on the page")
+    return state.model_dump(mode="json")
+
+
+async def _retry(client: AsyncClient, who: Who, asked: NameTask) -> JsonValue:
+    del who
+    return await client.submit(document_of(await client.status(asked.task)))
+
+
+def document_of(status: TaskStatus) -> dict[str, JsonValue]:
+    """Return the request that repeats that of an ended task.
+
+    Raises:
+        RefusedError: when the task has not ended.
+    """
+    if not status.state.terminal:
+        raise RefusedError("retry", status.task, f"it is {status.state}; it has not ended")
+    kept = {name: value for name, value in status.request.items() if name not in OF_THE_FIRST}
+    return {**kept, "id": uuid.uuid4().hex, "retry_of": status.task}
+
+
+async def _pause(client: AsyncClient, who: Who, asked: NameTask) -> JsonValue:
+    del who
+    return await client.pause(asked.task)
+
+
+async def _resume(client: AsyncClient, who: Who, asked: NameTask) -> JsonValue:
+    del who
+    return await client.resume(asked.task)
+
+
+async def _abandon(client: AsyncClient, who: Who, asked: NameTask) -> JsonValue:
+    del who
+    return await client.abandon(asked.task)
+
+
+async def _cancel(client: AsyncClient, who: Who, asked: CancelTask) -> JsonValue:
+    del who
+    return await client.cancel(asked.task)
+
+
+async def _step(client: AsyncClient, who: Who, asked: StepTask) -> JsonValue:
+    del who
+    return await client.step(asked.task, by=asked.by)
+
+
+async def _reprioritise(client: AsyncClient, who: Who, asked: Reprioritise) -> JsonValue:
+    del who
+    return await client.reprioritise(asked.task, asked.priority)
+
+
+async def _answer(client: AsyncClient, who: Who, asked: AnswerQuestion) -> JsonValue:
+    del who
+    return await client.answer(asked.task, asked.answer)
+
+
+async def _breakpoint(client: AsyncClient, who: Who, asked: Breakpoint) -> JsonValue:
+    del who
+    return await client.set_breakpoint(asked.task, asked.node, when=asked.when, on=asked.on)
+
+
+VERBS: Final[Mapping[str, Verb]] = MappingProxyType(
+    {
+        "stop": _verb(STOP.key, Why, _stop),
+        "release": _verb(STOP_RELEASE.key, Why, _release),
+        "cancel": _verb(TASK_CANCEL.key, CancelTask, _cancel),
+        "pause": _verb(TASK_PAUSE.key, NameTask, _pause),
+        "resume": _verb(TASK_RESUME.key, NameTask, _resume),
+        "step": _verb(TASK_STEP.key, StepTask, _step),
+        "abandon": _verb(TASK_ABANDON.key, NameTask, _abandon),
+        "reprioritise": _verb(TASK_REPRIORITISE.key, Reprioritise, _reprioritise),
+        "answer": _verb(TASK_ANSWER.key, AnswerQuestion, _answer),
+        "breakpoint": _verb(TASK_BREAKPOINT.key, Breakpoint, _breakpoint),
+        "retry": _verb(REQUEST, NameTask, _retry),
+    }
+)
+REQUESTING: Final = "request"
+
+
+def allowed(who: Who) -> tuple[str, ...]:
+    """Return the verbs that may be asked in somebody's name; ``request`` among them."""
+    requesting = (REQUESTING,) if who.may_ask(REQUEST) else ()
+    return (*requesting, *(name for name, verb in VERBS.items() if who.may_ask(verb.key)))

@@ -1,0 +1,52 @@
+"""Who looks on: each is told at its own pace, and what it has not read yet is one update, never a queue.
+
+An update is an object of parts. A part named in ``MERGED`` is itself an object, of which the newer values
+count; any other part is replaced. So a viewer that is frozen costs the memory of one whole picture, and goes
+on with how things are now.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Mapping
+from typing import Final
+
+from pydantic import JsonValue
+
+Update = dict[str, JsonValue]
+MERGED: Final = frozenset({"tasks", "nodes", "joints", "reflexes", "pipelines", "robots"})
+MOST: Final = 32
+"""Viewers at once."""
+
+
+def merge(older: Update, newer: Mapping[str, JsonValue]) -> None:
+    """Add the newer update to the older one."""
+    if "tree" in newer:
+        older.pop("nodes", None)  # they were changes of the tree before
+    for part, value in newer.items():
+        known = older.get(part)
+        if part in MERGED and isinstance(known, dict) and isinstance(value, dict):
+            older[part] = {**known, **value}
+        else:
+            older[part] = value
+
+
+class Viewer:
+    """One page that is open, and what it has not been told yet."""
+
+    def __init__(self, first: Update) -> None:
+        self._pending: Update = first
+        self._news = asyncio.Event()
+        self._news.set()
+
+    def tell(self, update: Mapping[str, JsonValue]) -> None:
+        """Have it told when it is ready to hear."""
+        merge(self._pending, update)
+        self._news.set()
+
+    async def next(self) -> Update:
+        """Wait for news, and take all of it."""
+        await self._news.wait()
+        self._news.clear()
+        taken, self._pending = self._pending, {}
+        return taken

@@ -1,0 +1,45 @@
+// What the viewer does, with a line that says how it went; and what the viewer's role allows.
+import { useEffect, useState } from "preact/hooks";
+import { AskError, get } from "./api";
+import type { Session } from "./state";
+
+export type Notice = { words: string; bad: boolean; count: number };
+let session: Session | null = null;
+let notice: Notice = { words: "", bad: false, count: 0 };
+const heard = new Set<() => void>();
+const tell = () => [...heard].forEach((each) => each());
+
+export async function loadSession() {
+  session = await get<Session>("/api/session");
+  document.title = `${session.robot} – Tandem`;
+  tell();
+}
+
+export const who = () => session;
+export const may = (verb: string) => session?.may.includes(verb) ?? false;
+
+export function say(words: string, bad = false) {
+  notice = { words, bad, count: notice.count + 1 };
+  tell();
+}
+
+export async function act(doing: () => Promise<unknown>, words: string): Promise<boolean> {
+  try {
+    await doing();
+    say(words);
+    return true;
+  } catch (error) {
+    say(error instanceof AskError ? error.message : String(error), true);
+    return false;
+  }
+}
+
+export function useActing(): { session: Session | null; notice: Notice } {
+  const [, again] = useState(0);
+  useEffect(() => {
+    const hear = () => again((count) => count + 1);
+    heard.add(hear);
+    return () => void heard.delete(hear);
+  }, []);
+  return { session, notice };
+}

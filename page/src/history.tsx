@@ -1,0 +1,111 @@
+// The ledger's tasks. The filters are the address, so that a view can be sent to a colleague.
+import { useEffect, useState } from "preact/hooks";
+import { get } from "./api";
+import { useKinds } from "./loading";
+import { go } from "./route";
+import { useLive } from "./state";
+import type { TaskStatus } from "./types";
+import { root, seconds, STATE_SIGNS, summary, took, when } from "./words";
+
+type Kind = { kind: string; count: number; succeeded: number; decided: number; median: number | null };
+type Found = { tasks: TaskStatus[]; count: number; pages: number; states: Record<string, number>; failures: Record<string, number>; kinds: Kind[] };
+const STATES = ["QUEUED", "RUNNING", "PAUSED", "SUCCEEDED", "FAILED", "CANCELED", "EXPIRED", "REJECTED", "INTERRUPTED"];
+const DAYS: [string, string][] = [["", "any time"], ["1", "last day"], ["7", "last 7 days"], ["30", "last 30 days"]];
+
+export function History({ url }: { url: URL }) {
+  const [found, set] = useState<Found | null>(null);
+  const [error, fail] = useState("");
+  const kinds = useKinds().value;
+  const executive = useLive((live) => live.executive);
+  const newest = useLive((live) => Object.values(live.tasks).map((each) => each.state).join());
+  const wanted = Object.fromEntries(url.searchParams);
+  useEffect(() => {
+    let over = false;
+    const { days, ...asked } = wanted;
+    const since: Record<string, string> = days ? { since: String(Math.floor(Date.now() / 1000 - Number(days) * 86400)) } : {};
+    get<Found>(`/api/history?${new URLSearchParams({ ...asked, ...since })}`).then(
+      (answer) => over || (set(answer), fail("")),
+      (wrong: Error) => over || fail(wrong.message),
+    );
+    return () => void (over = true);
+  }, [url.search, newest, executive]);
+  const change = (name: string, value: string) => {
+    const next = new URLSearchParams(url.search);
+    if (name !== "page") next.delete("page");
+    if (value) next.set(name, value);
+    else next.delete(name);
+    go(`/history?${next}`, true);
+  };
+  const page = Number(wanted.page ?? 0);
+  const choose = (name: string, options: [string, string][]) => (
+    <label>{name === "days" ? "time" : name}
+      <select value={wanted[name] ?? ""} onChange={(event) => change(name, event.currentTarget.value)}>
+        {options.map(([value, words]) => <option key={value} value={value}>{words}</option>)}
+      </select>
+    </label>
+  );
+  const any = (values: string[]): [string, string][] => [["", "any"], ...values.map((each): [string, string] => [each, each])];
+  const failures = [...new Set([...Object.keys(found?.failures ?? {}), ...(wanted.failure ? [wanted.failure] : [])])];
+  return (
+    <div class="history">
+      <form class="card filters" onSubmit={(event) => event.preventDefault()} aria-label="Filters">
+        {choose("state", any(STATES))}
+        {choose("kind", any(kinds?.kinds.map((each) => each.name) ?? (wanted.kind ? [wanted.kind] : [])))}
+        <label>item <input value={wanted.item ?? ""} list="items" size={6} onChange={(event) => change("item", event.currentTarget.value.trim())} /></label>
+        <datalist id="items">{kinds?.items.map((each) => <option key={each} value={each} />)}</datalist>
+        {choose("failure", any(failures))}
+        {choose("days", DAYS)}
+        <label>text <input type="search" value={wanted.text ?? ""} onChange={(event) => change("text", event.currentTarget.value)} /></label>
+        {url.search && <a href="/history">Clear</a>}
+      </form>
+      {error && <p class="failure" role="alert">{error}</p>}
+      {found && <Summary found={found} />}
+      {found && (
+        <div class="card scroll">
+          <table>
+            <thead><tr><th>State</th><th>Task</th><th>Request</th><th>Accepted</th><th class="number">Took</th><th>Failure</th></tr></thead>
+            <tbody>
+              {found.tasks.map((each) => {
+                const cause = each.failure && root(each.failure);
+                return (
+                  <tr key={each.task}>
+                    <td class={`state ${each.state}`}><span class={`sign ${each.state}`} aria-hidden="true">{STATE_SIGNS[each.state]}</span> {each.state}</td>
+                    <td><a href={`/task/${encodeURIComponent(each.task)}`}>{each.task}</a></td>
+                    <td class="what">{summary(each.request)}</td>
+                    <td>{when(each.accepted_at)}</td>
+                    <td class="number">{seconds(took(each, null))}</td>
+                    <td>{cause && <><strong>{cause.kind}</strong> <span class="quiet">{cause.where}</span></>}</td>
+                  </tr>
+                );
+              })}
+            </tbody>
+          </table>
+          {!found.count && <p class="quiet">No task passes these filters.</p>}
+          {found.pages > 1 && (
+            <p class="verbs">
+              <button disabled={page === 0} onClick={() => change("page", page > 1 ? String(page - 1) : "")}>Newer</button>
+              <span>page {page + 1} of {found.pages}</span>
+              <button disabled={page + 1 >= found.pages} onClick={() => change("page", String(page + 1))}>Older</button>
+            </p>
+          )}
+        </div>
+      )}
+    </div>
+  );
+}
+
+function Summary({ found }: { found: Found }) {
+  return (
+    <section class="card figures-card" aria-label="Counts">
+      <p><strong>{found.count}</strong> {found.count === 1 ? "task" : "tasks"}</p>
+      {found.kinds.map((each) => (
+        <p key={each.kind}>
+          <strong>{each.kind}</strong> {each.count}
+          {each.decided > 0 && <span class="quiet"> · {each.succeeded} of {each.decided} succeeded ({Math.round((100 * each.succeeded) / each.decided)} %)</span>}
+          {each.median !== null && <span class="quiet"> · {seconds(each.median)} median</span>}
+        </p>
+      ))}
+      {Object.entries(found.failures).map(([kind, count]) => <p key={kind}><a href={`/history?failure=${kind}`}>{kind}</a> {count}</p>)}
+    </section>
+  );
+}

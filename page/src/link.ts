@@ -1,0 +1,27 @@
+// The live link: connects, connects again by itself, and gives up a link on which nothing comes.
+import { connected, take } from "./state";
+
+const SILENT = 4000;
+const AGAIN = [300, 600, 1200, 2500];
+
+export function follow() {
+  let tries = 0;
+  const open = () => {
+    const socket = new WebSocket(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`);
+    let timer = setTimeout(() => socket.close(), SILENT);
+    socket.onmessage = (event) => {
+      clearTimeout(timer);
+      timer = setTimeout(() => socket.close(), SILENT);
+      if (tries >= 0) connected(true);
+      tries = -1;
+      take(JSON.parse(String(event.data)));
+    };
+    socket.onclose = () => {
+      clearTimeout(timer);
+      connected(false);
+      tries = Math.min(tries + 1, AGAIN.length - 1);
+      setTimeout(open, AGAIN[tries]);
+    };
+  };
+  open();
+}

@@ -1,0 +1,283 @@
+// The robot and its room in 3D. Drawn only when something has changed: software GL would eat a core otherwise.
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { CSS2DObject, CSS2DRenderer } from "three/examples/jsm/renderers/CSS2DRenderer.js";
+import URDFLoader, { type URDFRobot } from "urdf-loader";
+import type { Live } from "./state";
+import type { Box, RobotDescription, Site } from "./types";
+
+const KINDS = { furniture: 0xb9b2a6, clutter: 0xc98a5a, item: 0x3f7fbf };
+type Picked = (what: { item?: number; x: number; y: number }) => void;
+
+export class RobotScene {
+  private renderer: THREE.WebGLRenderer;
+  private labels = new CSS2DRenderer();
+  private scene = new THREE.Scene();
+  private camera = new THREE.PerspectiveCamera(45, 1, 0.05, 100);
+  private controls: OrbitControls;
+  private robot: URDFRobot | null = null;
+  private base = new THREE.Group();
+  private room = new THREE.Group();
+  private things = new THREE.Group();
+  private held: THREE.Object3D[] = [];
+  private path = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x2f8f6f }));
+  private scan = new THREE.Points(new THREE.BufferGeometry(), new THREE.PointsMaterial({ color: 0xd0402f, size: 0.03 }));
+  private shown: Partial<Live> = {};
+  private dirty = true;
+  private over = false;
+  private description: RobotDescription | null = null;
+  private watch: ResizeObserver;
+  frames = 0;
+
+  constructor(private box: HTMLElement, private picked: Picked) {
+    this.renderer = new THREE.WebGLRenderer({ antialias: devicePixelRatio < 2, powerPreference: "low-power" });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.labels.domElement.className = "labels";
+    box.append(this.renderer.domElement, this.labels.domElement);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, this.renderer.domElement);
+    this.controls.maxPolarAngle = Math.PI / 2;
+    this.controls.addEventListener("change", () => this.touch());
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a80, 2.2), this.base, this.room, this.things, this.path, this.scan);
+    const sun = new THREE.DirectionalLight(0xffffff, 1.6);
+    sun.position.set(2, -3, 6);
+    this.scene.add(sun);
+    this.path.frustumCulled = this.scan.frustumCulled = false;
+    this.renderer.domElement.addEventListener("dblclick", (event) => this.pick(event));
+    this.watch = new ResizeObserver(() => this.resize());
+    this.watch.observe(box);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", this.paint);
+    this.paint();
+    this.look("side");
+    const draw = () => {
+      if (this.over) return;
+      requestAnimationFrame(draw);
+      if (!this.dirty) return;
+      this.dirty = false;
+      this.frames += 1;
+      this.renderer.render(this.scene, this.camera);
+      this.labels.render(this.scene, this.camera);
+      this.box.dataset.frames = String(this.frames);
+    };
+    draw();
+  }
+
+  close() {
+    this.over = true;
+    this.watch.disconnect();
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.box.replaceChildren();
+  }
+
+  touch() {
+    this.dirty = true;
+  }
+
+  private paint = () => {
+    const dark = matchMedia("(prefers-color-scheme: dark)").matches;
+    this.scene.background = new THREE.Color(dark ? 0x1b1f24 : 0xe9ecef);
+    this.touch();
+  };
+
+  look(from: "side" | "above") {
+    const { x, y } = this.base.position;
+    if (from === "above") this.camera.position.set(x, y - 0.01, 8);
+    else this.camera.position.set(x - 3.0, y - 2.6, 2.6);
+    this.controls.target.set(x + (from === "side" ? 0.3 : 0), y, from === "side" ? 0.6 : 0);
+    this.controls.update();
+    this.touch();
+  }
+
+  private resize() {
+    const { clientWidth: width, clientHeight: height } = this.box;
+    if (!width || !height) return;
+    this.renderer.setSize(width, height);
+    this.labels.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.touch();
+  }
+
+  setRobot(description: RobotDescription) {
+    if (this.description?.urdf === description.urdf) return;
+    this.description = description;
+    const manager = new THREE.LoadingManager(() => this.loaded());
+    manager.onError = (url) => console.warn("missing", url);
+    const loader = new URDFLoader(manager);
+    loader.packages = (name) => `/mesh/${name}`;
+    loader.parseCollision = false;
+    const robot = loader.parse(description.urdf);
+    if (this.robot) this.base.remove(this.robot);
+    // The pose is that of the base's frame, wherever the URDF has its root.
+    this.robot = robot;
+    this.base.add(robot);
+    this.shown = {};
+    if (!/<mesh/.test(description.urdf)) this.loaded();
+    this.touch();
+  }
+
+  private loaded() {
+    this.box.dataset.robot = "loaded";
+    this.touch();
+  }
+
+  setSite(site: Site) {
+    unlabel(this.room);
+    this.room.clear();
+    const [x0, y0, x1, y1] = site.bounds;
+    const floor = new THREE.Mesh(
+      new THREE.PlaneGeometry(x1 - x0, y1 - y0),
+      new THREE.MeshLambertMaterial({ color: 0xd9d6cd }),
+    );
+    floor.position.set((x0 + x1) / 2, (y0 + y1) / 2, -0.002);
+    floor.name = "floor";
+    const grid = new THREE.GridHelper(Math.ceil(Math.max(x1 - x0, y1 - y0)), Math.ceil(Math.max(x1 - x0, y1 - y0)), 0xa8a498, 0xc4c0b5);
+    grid.rotation.x = Math.PI / 2;
+    grid.position.set(floor.position.x, floor.position.y, 0);
+    this.room.add(floor, grid);
+    for (const piece of site.furniture) {
+      const wall = /^wall/.test(piece.name);
+      for (const each of piece.boxes) {
+        const colour = new THREE.Color(...(piece.colour as [number, number, number]));
+        const height = wall ? Math.min(each.size[2], 0.25) : each.size[2];
+        const mesh = boxMesh([each.size[0], each.size[1], height], colour, wall ? 0.6 : 1);
+        mesh.position.set(each.centre[0], each.centre[1], each.centre[2] - (each.size[2] - height) / 2);
+        mesh.rotation.z = each.yaw;
+        this.room.add(mesh);
+      }
+    }
+    for (const depot of site.depots) {
+      for (const slot of depot.slots) {
+        const ring = new THREE.Mesh(new THREE.RingGeometry(0.035, 0.045, 24), new THREE.MeshBasicMaterial({ color: 0x2f6f4f, side: THREE.DoubleSide }));
+        ring.position.set(slot.position[0], slot.position[1], slot.position[2] + 0.003);
+        this.room.add(ring);
+      }
+      const first = depot.slots[0];
+      if (first) this.room.add(label(depot.name, "place", first.position[0], first.position[1], first.position[2] + 0.12));
+    }
+    this.touch();
+  }
+
+  show(live: Live) {
+    if (live.joints !== this.shown.joints && this.robot) {
+      for (const [name, position] of Object.entries(live.joints)) this.robot.setJointValue(name, position);
+      this.touch();
+    }
+    if (live.pose !== this.shown.pose && live.pose) {
+      const first = !this.shown.pose && this.base.position.lengthSq() === 0;
+      this.base.position.set(live.pose.x, live.pose.y, 0);
+      this.base.rotation.z = live.pose.yaw;
+      if (first) this.look("side");
+      this.touch();
+    }
+    if (live.scene !== this.shown.scene || live.world !== this.shown.world || live.now?.boot !== this.shown.now?.boot) this.place(live);
+    else if (live.now?.seconds != null && Math.floor(live.now.seconds) !== Math.floor(this.shown.now?.seconds ?? -1)) this.age(live);
+    if (live.path !== this.shown.path) {
+      const flat = live.path.flatMap(([x, y]) => [x, y, 0.012]);
+      this.path.geometry.dispose();
+      this.path.geometry = new THREE.BufferGeometry();
+      this.path.geometry.setAttribute("position", new THREE.Float32BufferAttribute(flat, 3));
+      this.touch();
+    }
+    if (live.laser !== this.shown.laser) this.beams(live.laser);
+    this.shown = live;
+  }
+
+  private beams(ranges: number[]) {
+    const sensor = this.description?.lasers[0];
+    const frame = sensor && this.robot?.frames[sensor.frame];
+    if (!sensor || !frame) return;
+    frame.updateWorldMatrix(true, false);
+    const points: number[] = [];
+    const point = new THREE.Vector3();
+    ranges.forEach((range, i) => {
+      if (range >= sensor.range_max) return;
+      const angle = sensor.angle_min + i * sensor.angle_step;
+      point.set(range * Math.cos(angle), range * Math.sin(angle), 0).applyMatrix4(frame.matrixWorld);
+      points.push(point.x, point.y, point.z);
+    });
+    this.scan.geometry.dispose();
+    this.scan.geometry = new THREE.BufferGeometry();
+    this.scan.geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
+    this.touch();
+  }
+
+  // Items as they are believed, and what else stands in the planning scene; what is held hangs on its hand.
+  private place(live: Live) {
+    for (const each of [this.things, ...this.held]) unlabel(each);
+    this.things.clear();
+    for (const each of this.held) each.removeFromParent();
+    this.held = [];
+    for (const each of live.scene?.objects ?? []) {
+      if (each.kind === "furniture") continue;
+      const mesh = boxMesh(each.box.size, new THREE.Color(KINDS[each.kind]), each.kind === "clutter" ? 0.5 : 1);
+      pose(mesh, each.box);
+      if (each.item !== null) {
+        mesh.userData.item = each.item;
+        const tag = label(`${each.item}`, "item", 0, 0, each.box.size[2] / 2 + 0.06);
+        tag.userData.item = each.item;
+        mesh.add(tag);
+      }
+      const hand = each.attached_to && this.description?.end_effectors.find((one) => one.side === each.attached_to);
+      const frame = hand && this.robot?.frames[hand.frame];
+      if (frame) {
+        frame.add(mesh);
+        this.held.push(mesh);
+      } else this.things.add(mesh);
+    }
+    this.age(live);
+  }
+
+  private age(live: Live) {
+    const facts = new Map((live.world?.items ?? []).map((fact) => [fact.item, fact]));
+    const write = (each: THREE.Object3D) => {
+      if (!(each instanceof CSS2DObject)) return;
+      const fact = facts.get(each.userData.item);
+      if (!fact) return;
+      const same = live.now?.seconds != null && fact.seen.boot === live.now.boot;
+      const old = same ? live.now!.seconds! - fact.seen.seconds : null;
+      each.element.textContent = fact.held ? `${fact.item} · held` : `${fact.item}${old === null ? " · old" : old < 2 ? "" : ` · ${old < 90 ? `${old.toFixed(0)} s` : `${(old / 60).toFixed(0)} min`}`}`;
+      each.element.classList.toggle("old", !fact.held && (old === null || old > 60));
+    };
+    this.things.traverse(write);
+    for (const each of this.held) each.traverse(write);
+    this.touch();
+  }
+
+  private pick(event: MouseEvent) {
+    const { left, top, width, height } = this.renderer.domElement.getBoundingClientRect();
+    const at = new THREE.Vector2(((event.clientX - left) / width) * 2 - 1, 1 - ((event.clientY - top) / height) * 2);
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(at, this.camera);
+    const [hit] = ray.intersectObjects([...this.things.children, ...this.room.children.filter((each) => each.name === "floor")], false);
+    if (hit) this.picked({ item: hit.object.userData.item, x: hit.point.x, y: hit.point.y });
+  }
+}
+
+function boxMesh(size: readonly number[], colour: THREE.Color, opacity: number) {
+  const geometry = new THREE.BoxGeometry(size[0], size[1], size[2]);
+  const material = new THREE.MeshLambertMaterial({ color: colour, opacity, transparent: opacity < 1 });
+  const mesh = new THREE.Mesh(geometry, material);
+  mesh.add(new THREE.LineSegments(new THREE.EdgesGeometry(geometry), new THREE.LineBasicMaterial({ color: 0x555550, transparent: true, opacity: 0.45 })));
+  return mesh;
+}
+
+// A label's element stays in the document unless it is taken out.
+function unlabel(object: THREE.Object3D) {
+  object.traverse((each) => each instanceof CSS2DObject && each.element.remove());
+}
+
+function pose(object: THREE.Object3D, box: Box) {
+  object.position.set(...(box.pose.position as [number, number, number]));
+  object.quaternion.set(...(box.pose.orientation as [number, number, number, number]));
+}
+
+function label(words: string, kind: string, x: number, y: number, z: number) {
+  const element = document.createElement("span");
+  element.className = `label ${kind}`;
+  element.textContent = words;
+  const made = new CSS2DObject(element);
+  made.position.set(x, y, z);
+  return made;
+}

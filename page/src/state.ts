@@ -1,0 +1,138 @@
+// All that is known, as one object that is replaced at each change. The server's updates are merged into it.
+import { useEffect, useState } from "preact/hooks";
+import type {
+  ExecutivePulse, NodeStatus, PipelineState, PlanningScene, ReflexState, StopState, TaskStatus, TreeNode, TreeSnapshot,
+  WorldState,
+} from "./types";
+
+export type Pose = { x: number; y: number; yaw: number; localised: boolean; moving: boolean; reason: string; position_sigma: number };
+export type Now = { boot: string; seconds: number | null; silent: number | null };
+export type Session = { site: string; robot: string; endpoint: string; who: string; role: string; keys: boolean; may: string[] };
+export type NodeState = [NodeStatus, NodeStatus, string];
+export type Live = {
+  connected: boolean;
+  heardAt: number;
+  link: string;
+  executive: boolean | null;
+  tasks: Record<string, TaskStatus>;
+  tree: TreeSnapshot | null;
+  nodes: Record<string, NodeState>;
+  kept: Record<string, NodeStatus>;
+  joints: Record<string, number>;
+  pose: Pose | null;
+  path: [number, number][];
+  laser: number[];
+  scene: Omit<PlanningScene, "stamp" | "version"> | null;
+  world: Omit<WorldState, "stamp" | "version"> | null;
+  stop: StopState | null;
+  pulse: ExecutivePulse | null;
+  now: Now | null;
+  reflexes: Record<string, ReflexState>;
+  pipelines: Record<string, Omit<PipelineState, "stamp">>;
+};
+type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & { whole?: boolean };
+
+const EMPTY: Live = {
+  connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, joints: {},
+  pose: null, path: [], laser: [], scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
+  pipelines: {},
+};
+const PATH = 2000;
+let live = EMPTY;
+const listeners = new Set<() => void>();
+let due = 0;
+
+export const current = () => live;
+
+function changed() {
+  if (due) return;
+  // Once a frame at the most; a tab in the background gets no frames, and still has to be right when it returns.
+  due = document.hidden ? setTimeout(tell, 500) : requestAnimationFrame(tell);
+}
+
+function tell() {
+  due = 0;
+  for (const each of [...listeners]) each();
+}
+
+export function listen(heard: () => void): () => void {
+  listeners.add(heard);
+  return () => void listeners.delete(heard);
+}
+
+// The part of all that is known which a component shows; it is drawn anew when that part is another object.
+export function useLive<T>(pick: (live: Live) => T): T {
+  const [, again] = useState(0);
+  const picked = pick(live);
+  useEffect(() => {
+    let shown = picked;
+    const check = () => {
+      const now = pick(live);
+      if (now !== shown) {
+        shown = now;
+        again((count) => count + 1);
+      }
+    };
+    check();
+    return listen(check);
+  });
+  return picked;
+}
+
+export function connected(yes: boolean) {
+  live = { ...live, connected: yes };
+  changed();
+}
+
+export function take(update: Update) {
+  const before = update.whole ? { ...EMPTY, connected: true, path: live.path, kept: live.kept } : live;
+  const next: Live = { ...before, ...update, heardAt: performance.now() };
+  for (const part of ["tasks", "joints", "nodes", "reflexes", "pipelines"] as const) {
+    if (update[part]) Object.assign(next, { [part]: { ...before[part], ...update[part] } });
+  }
+  if (update.tree) {
+    next.nodes = {};
+    const same = before.tree?.task === update.tree.task;
+    next.kept = keep(same ? before.kept : {}, states(update.tree.root));
+  } else if (update.nodes) {
+    next.kept = keep(before.kept, Object.entries(update.nodes));
+  }
+  if (update.pose) next.path = walked(before.path, update.pose);
+  live = next;
+  changed();
+}
+
+function* states(node: TreeNode): Generator<[string, NodeState]> {
+  yield [node.path, [node.status, node.last, node.message]];
+  for (const child of node.children) yield* states(child);
+}
+
+// How each node ended last, until it runs again.
+function keep(kept: Record<string, NodeStatus>, changes: Iterable<[string, NodeState]>): Record<string, NodeStatus> {
+  const next = { ...kept };
+  for (const [path, [status, last]] of changes) {
+    if (status !== "INVALID") next[path] = status;
+    else if (last !== "INVALID") next[path] = last;
+    else if (next[path] === "RUNNING") delete next[path];
+  }
+  return next;
+}
+
+function walked(path: [number, number][], pose: Pose): [number, number][] {
+  const last = path.at(-1);
+  if (!pose.localised || (last && Math.hypot(last[0] - pose.x, last[1] - pose.y) < 0.03)) return path;
+  return [...path.slice(-PATH + 1), [pose.x, pose.y]];
+}
+
+export const clearPath = () => {
+  live = { ...live, path: [] };
+  changed();
+};
+
+const ENDED = ["SUCCEEDED", "FAILED", "CANCELED", "EXPIRED", "REJECTED", "INTERRUPTED"];
+export const ended = (status: TaskStatus) => ENDED.includes(status.state);
+export const queued = (tasks: Record<string, TaskStatus>) =>
+  Object.values(tasks).filter((each) => each.state === "QUEUED").sort((a, b) => b.priority - a.priority || at(a) - at(b));
+export const atWork = (tasks: Record<string, TaskStatus>) =>
+  Object.values(tasks).find((each) => !ended(each) && each.state !== "QUEUED");
+export const at = (status: TaskStatus) => Number(status.accepted_at);

@@ -1,0 +1,105 @@
+// All of one task, live or stored: what was asked, how it went, why it failed, what was tried, what to do.
+import { useEffect, useState } from "preact/hooks";
+import { get } from "./api";
+import { TaskCard } from "./card";
+import { ended, useLive } from "./state";
+import { Timeline, type Span } from "./timeline";
+import { LiveTree } from "./tree";
+import type { Attempt, Failure, TaskStatus } from "./types";
+import { command, seconds, when } from "./words";
+
+type Told = { status: TaskStatus; words: string; next?: string; meaning?: string; helper?: string; timeline: Span[] };
+
+export function TaskPage({ task }: { task: string }) {
+  const live = useLive((all) => all.tasks[task]);
+  const shownTree = useLive((all) => all.tree?.task === task);
+  const [told, set] = useState<Told | null>(null);
+  const [error, fail] = useState("");
+  const running = live !== undefined && !ended(live);
+  useEffect(() => {
+    let over = false;
+    const load = () =>
+      get<Told>(`/api/task/${encodeURIComponent(task)}`).then(
+        (answer) => over || (set(answer), fail("")),
+        (wrong: Error) => over || fail(wrong.message),
+      );
+    void load();
+    const timer = running ? setInterval(load, 2000) : 0;
+    return () => {
+      over = true;
+      clearInterval(timer);
+    };
+  }, [task, running, live?.state]);
+  const status = live ?? told?.status;
+  if (!status) return <p class="quiet" role="status">{error || "Loading…"} {error && <a href="/history">History</a>}</p>;
+  const { failure } = status;
+  return (
+    <div class="taskpage">
+      <TaskCard status={status} linked={false} />
+      {failure && (
+        <section class="card">
+          <h2>Why</h2>
+          <Chain failure={failure} />
+          {told?.next && <p class="next"><strong>What to do:</strong> {told.next}</p>}
+        </section>
+      )}
+      {told && told.timeline.length > 0 && <Timeline spans={told.timeline} status={status} />}
+      <Tried status={status} />
+      {status.result && <section class="card"><h2>Result</h2><pre>{JSON.stringify(status.result, null, 2)}</pre></section>}
+      <section class="card">
+        <h2>Request</h2>
+        <dl>
+          <dt>id</dt><dd><code>{status.task}</code></dd>
+          <dt>client</dt><dd>{String(status.request.by ?? "") || "without a name"}{status.client_id && <span class="quiet"> ({status.client_id})</span>}</dd>
+          <dt>accepted</dt><dd>{when(status.accepted_at)}</dd>
+          {status.ended_at !== null && <><dt>ended</dt><dd>{when(status.ended_at)}</dd></>}
+          {status.begun > 1 && <><dt>begun</dt><dd>{status.begun} times</dd></>}
+          {typeof status.request.retry_of === "string" && status.request.retry_of && <><dt>retry of</dt><dd><a href={`/task/${encodeURIComponent(status.request.retry_of)}`}>{status.request.retry_of}</a></dd></>}
+        </dl>
+        <pre>{JSON.stringify(status.request, null, 2)}</pre>
+        <p class="quiet">In a terminal: <code>tandem why {status.task}</code>, <code>tandem logs {status.task}</code></p>
+        <details><summary>The request as a command</summary><pre>{command(status.request)}</pre></details>
+      </section>
+      {shownTree && <section class="card"><h2>Tree</h2><LiveTree failed={status.state === "FAILED"} /></section>}
+      {told && <details class="card"><summary>In words, as <code>tandem why</code> says it</summary><pre>{told.words}</pre></details>}
+    </div>
+  );
+}
+
+function Chain({ failure }: { failure: Failure }) {
+  const evidence = Object.entries(failure.evidence ?? {});
+  return (
+    <div class="chain">
+      <p><strong>{failure.kind}</strong>{failure.where && <span class="quiet"> at {failure.where}</span>}: {failure.message}</p>
+      {evidence.length > 0 && <p class="quiet">{evidence.map(([name, value]) => `${name} ${value}`).join(", ")}</p>}
+      {failure.causes.map((cause, i) => <div key={i}><p class="quiet">because of</p><Chain failure={cause} /></div>)}
+    </div>
+  );
+}
+
+function Tried({ status }: { status: TaskStatus }) {
+  if (!status.tried.length) return null;
+  return (
+    <section class="card">
+      <h2>What was tried</h2>
+      <ol class="tried">{status.tried.map((each, i) => <Try key={i} attempt={each} status={status} />)}</ol>
+    </section>
+  );
+}
+
+function Try({ attempt, status }: { attempt: Attempt; status: TaskStatus }) {
+  const { at, failure } = attempt;
+  const since = at && status.started && at.boot === status.started.boot ? seconds(at.seconds - status.started.seconds) : "";
+  return (
+    <li>
+      <span class="number">{since}</span> <strong>{failure.kind}</strong> {failure.where && <span class="quiet">at {failure.where}</span>} {failure.message}
+      <br /><span class="quiet">→ {attempt.recovery ? `${attempt.recovery}, time ${attempt.times}` : "no recovery took it"}</span>
+      {attempt.picture && (
+        <details>
+          <summary>Picture of that moment</summary>
+          <img loading="lazy" src={`/api/task/${encodeURIComponent(status.task)}/picture/${encodeURIComponent(attempt.picture)}`} alt={`What the camera saw when ${failure.kind} was noticed`} />
+        </details>
+      )}
+    </li>
+  );
+}

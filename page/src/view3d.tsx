@@ -1,0 +1,49 @@
+// The 3D view in the page; where there is no WebGL, it says so and the map stays.
+import { useEffect, useRef, useState } from "preact/hooks";
+import { useRobot, useSite } from "./loading";
+import { go } from "./route";
+import { RobotScene } from "./scene";
+import { clearPath, current, listen } from "./state";
+
+export function View3d() {
+  const box = useRef<HTMLDivElement>(null);
+  const scene = useRef<RobotScene | null>(null);
+  const [error, fail] = useState("");
+  const robot = useRobot();
+  const site = useSite();
+  useEffect(() => {
+    try {
+      scene.current = new RobotScene(box.current!, ({ item, x, y }) =>
+        go(item === undefined ? `/map?x=${x.toFixed(2)}&y=${y.toFixed(2)}` : `/map?item=${item}`));
+    } catch {
+      fail("This browser has no WebGL. The map shows the robot from above.");
+      return;
+    }
+    const show = () => scene.current?.show(current());
+    show();
+    const off = listen(show);
+    return () => {
+      off();
+      scene.current?.close();
+      scene.current = null;
+    };
+  }, []);
+  useEffect(() => {
+    if (robot.value) scene.current?.setRobot(robot.value);
+    scene.current?.show(current());
+  }, [robot.value]);
+  useEffect(() => {
+    if (site.value) scene.current?.setSite(site.value);
+  }, [site.value]);
+  return (
+    <section class="view3d" aria-label="The robot in its room">
+      <div class="canvas" ref={box} />
+      {error && <p class="quiet over">{error} <a href="/map">Map</a></p>}
+      <div class="tools">
+        <button onClick={() => scene.current?.look("side")}>Side</button>
+        <button onClick={() => scene.current?.look("above")}>Above</button>
+        <button onClick={clearPath}>Clear path</button>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,53 @@
+// Numbers and states as people read them.
+import type { Failure, TaskStatus } from "./types";
+import type { Now } from "./state";
+
+export const SIGNS: Record<string, string> = { INVALID: "·", RUNNING: "▶", SUCCESS: "✓", FAILURE: "✗" };
+export const STATUS_WORDS: Record<string, string> = {
+  INVALID: "has not run", RUNNING: "runs", SUCCESS: "succeeded", FAILURE: "failed",
+};
+export const KIND_SIGNS: Record<string, string> = {
+  sequence: "→", selector: "?", parallel: "⇉", recovery: "↻", decorator: "δ", condition: "◇", action: "▢",
+};
+export const KIND_WORDS: Record<string, string> = {
+  sequence: "sequence: one after the other", selector: "selector: the first that succeeds", parallel: "parallel",
+  recovery: "recovery: tries, repairs, tries again", decorator: "decorator", condition: "guard: only looks", action: "action",
+};
+export const STATE_SIGNS: Record<string, string> = {
+  QUEUED: "◦", RUNNING: "▶", PAUSING: "‖", PAUSED: "‖", CANCELING: "■", SUCCEEDED: "✓", FAILED: "✗", CANCELED: "■",
+  EXPIRED: "⌛", REJECTED: "✗", INTERRUPTED: "!",
+};
+
+export function seconds(value: number | null | undefined): string {
+  if (value === null || value === undefined || Number.isNaN(value)) return "–";
+  if (value < 60) return `${value.toFixed(value < 9.95 ? 1 : 0)} s`;
+  if (value < 3600) return `${Math.floor(value / 60)} min ${Math.floor(value % 60)} s`;
+  return `${Math.floor(value / 3600)} h ${Math.floor((value % 3600) / 60)} min`;
+}
+
+export function when(utc: number | string | null): string {
+  return utc === null ? "–" : new Date(Number(utc) * 1000).toLocaleString();
+}
+
+export function took(status: TaskStatus, now: Now | null): number | null {
+  const from = status.started;
+  if (!from) return null;
+  const to = status.ended ?? (now?.seconds != null ? { boot: now.boot, seconds: now.seconds } : null);
+  return to && to.boot === from.boot ? Math.max(0, to.seconds - from.seconds) : null;
+}
+
+export function root(failure: Failure): Failure {
+  const first = failure.causes?.[0];
+  return first ? root(first) : failure;
+}
+
+export function summary(request: Record<string, unknown>): string {
+  const left = new Set(["task", "id", "by", "on_cancel", "priority", "not_before", "expires", "on_restart", "test_run", "labels", "retry_of"]);
+  return Object.entries(request)
+    .filter(([name, value]) => !left.has(name) && value !== null && value !== undefined)
+    .map(([name, value]) => `${name} ${typeof value === "string" ? value : JSON.stringify(value)}`)
+    .join(", ");
+}
+
+export const command = (document: Record<string, unknown>) =>
+  `tandem request json '${JSON.stringify(document).replaceAll("'", "'\\''")}'`;

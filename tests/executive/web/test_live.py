@@ -1,0 +1,128 @@
+"""What viewers are told while things happen: each at its own pace, and nothing is done without them."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from starlette.testclient import TestClient, WebSocketTestSession
+from starlette.websockets import WebSocketDisconnect
+from web_rig import AT, Rig
+
+from tandem.executive.web.feed import Feed
+from tandem.executive.web.viewers import Update, merge
+from tandem.skills.ports.hardware import JointStates
+from tandem.skills.ports.keys import JOINT_STATES
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.wire.memory import MemoryHub
+
+LIVE = AT.replace("http", "ws") + "/live"
+WAIT = {"task": "wait", "item": 3}
+
+
+def hear(socket: WebSocketTestSession, until: Callable[[Update], bool]) -> Update:
+    """Take in updates until what is known is so."""
+    known: Update = {}
+    for _ in range(200):
+        merge(known, socket.receive_json())
+        if until(known):
+            return known
+    raise AssertionError(known)
+
+
+def state(known: Any, task: str) -> str:  # JSON
+    return str(known.get("tasks", {}).get(task, {}).get("state"))
+
+
+@pytest.mark.parametrize(
+    ("older", "newer", "merged"),
+    [
+        ({}, {"pose": 1}, {"pose": 1}),
+        ({"pose": 1}, {"pose": 2}, {"pose": 2}),
+        ({"joints": {"a": 1, "b": 1}}, {"joints": {"b": 2}}, {"joints": {"a": 1, "b": 2}}),
+        ({"nodes": {"a": 1}}, {"tree": {"task": "b"}}, {"tree": {"task": "b"}}),
+        ({"tree": {"task": "b"}}, {"nodes": {"a": 2}}, {"tree": {"task": "b"}, "nodes": {"a": 2}}),
+    ],
+)
+def test_what_a_slow_viewer_has_not_read_becomes_one_update(
+    older: Update, newer: Update, merged: Update
+) -> None:
+    merge(older, newer)
+    assert older == merged
+
+
+def test_a_viewer_sees_a_task_from_its_request_to_its_end(page: TestClient, rig: Rig) -> None:
+    with page.websocket_connect(LIVE, headers={"origin": AT}) as socket:
+        hear(socket, lambda known: known.get("executive") is True)
+        task = page.post("/api/request", json=WAIT).json()["task"]
+        rig.here.step(3)
+        known = hear(socket, lambda known: state(known, task) == "RUNNING" and "tree" in known)
+        assert known["tree"]["root"]["path"] == "wait"  # type: ignore[index, call-overload]
+        rig.here.world(1)
+        rig.here.step(5)
+        hear(socket, lambda known: state(known, task) == "SUCCEEDED")
+
+
+def test_who_comes_late_is_told_what_is_known(page: TestClient, rig: Rig) -> None:
+    task = page.post("/api/request", json=WAIT).json()["task"]
+    rig.here.step(3)
+    for _ in range(2):
+        with page.websocket_connect(LIVE, headers={"origin": AT}) as socket:
+            hear(socket, lambda known: state(known, task) == "RUNNING" and "tree" in known)
+
+
+def test_the_stop_is_told(page: TestClient, rig: Rig) -> None:
+    with page.websocket_connect(LIVE, headers={"origin": AT}) as socket:
+        hear(socket, lambda known: "link" in known and bool(rig.ears))
+        page.post("/api/verb/stop", json={"reason": "a test"})
+        known = hear(socket, lambda known: "stop" in known)
+        assert known["stop"] == {"stopped": True, "by": "anna", "reason": "a test"}
+
+
+def test_without_viewers_nothing_is_heard(page: TestClient, rig: Rig) -> None:
+    page.get("/api/session")
+    assert rig.ears == []
+    with page.websocket_connect(LIVE, headers={"origin": AT}) as socket:
+        hear(socket, lambda known: known.get("executive") is True)
+    deadline = time.monotonic() + 20.0
+    while len(rig.closed) < len(rig.ears) and time.monotonic() < deadline:
+        page.get("/api/session")
+    assert rig.closed == rig.ears != []
+
+
+def test_a_page_from_elsewhere_hears_nothing(page: TestClient, rig: Rig) -> None:
+    elsewhere = {"origin": "http://elsewhere.example"}
+    with pytest.raises(WebSocketDisconnect), page.websocket_connect(LIVE, headers=elsewhere) as socket:
+        socket.receive_json()
+    assert rig.ears == []
+
+
+def test_of_a_tree_only_what_changes_is_told(rig: Rig) -> None:
+    feed = Feed(rig.here.hub.endpoint(), time.monotonic)
+    rig.here.ask(WAIT)
+    rig.here.step(2)
+    assert "tree" in feed.poll()
+    rig.here.world(1)
+    rig.here.step(3)
+    update = feed.poll()
+    assert ("tree" in update, set(update["nodes"])) == (False, {"wait", "wait/wait for the world"})  # type: ignore[arg-type]
+
+
+def test_of_joints_only_those_that_move_are_told() -> None:
+    hub = MemoryHub()
+    bus, feed = hub.endpoint(), Feed(hub.endpoint(), time.monotonic)
+
+    def say(seconds: float, *positions: float) -> None:
+        stamp = RobotTime(boot="b", seconds=seconds)
+        zeros = tuple(0.0 for _ in positions)
+        names = ("first", "second")
+        told = JointStates(stamp=stamp, names=names, positions=positions, velocities=zeros, efforts=zeros)
+        JOINT_STATES.publish(bus, told)
+
+    say(1.0, 0.1, 0.2)
+    assert feed.poll()["joints"] == {"first": 0.1, "second": 0.2}
+    say(2.0, 0.1001, 0.3)
+    assert feed.poll()["joints"] == {"second": 0.3}
+    assert feed.whole()["joints"] == {"first": 0.1, "second": 0.3}
