@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
@@ -47,6 +48,26 @@ class Wheels:
 
 
 @dataclass(frozen=True)
+class Sector:
+    """A bumper and the bearings that it feels contacts at: counter-clockwise in the base, in radians."""
+
+    name: str
+    begins: float
+    ends: float
+
+    def feels(self, bearing: float) -> bool:
+        """Return whether a contact at a bearing (rad) presses it."""
+        return (bearing - self.begins) % (2.0 * math.pi) <= self.ends - self.begins
+
+
+QUARTERS: Final = tuple(
+    Sector(name, (2 * number - 1) * math.pi / 4, (2 * number + 1) * math.pi / 4)
+    for number, name in enumerate(("front", "left", "back", "right"))
+)
+"""Bumpers all around: each covers a quarter of the base, centred on its direction."""
+
+
+@dataclass(frozen=True)
 class RobotModel:
     """A robot to load into the physics.
 
@@ -68,6 +89,7 @@ class RobotModel:
     sideways_frictions: Mapping[str, float] = field(default_factory=dict)
     """Of wheels that skid in a turn, by link: the friction along the axle (the link's y) as a share of
     that along the way."""
+    bumpers: tuple[Sector, ...] = QUARTERS
 
     def hand(self, side: str) -> Hand:
         """Return the hand of a side.

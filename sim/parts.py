@@ -9,7 +9,7 @@ from tandem.sim.base import BaseController, Odometer
 from tandem.sim.gripper import SOUND, GripperController
 from tandem.sim.joints import Report
 from tandem.sim.motors import GroupServos
-from tandem.sim.wrench import BUMPERS, WristSensor, pressed_bumpers
+from tandem.sim.wrench import WristSensor, pressed_bumpers
 from tandem.skills.ports import keys
 from tandem.skills.ports.endpoint import Endpoint, answering
 from tandem.skills.ports.hardware import (
@@ -328,7 +328,9 @@ class BasePart:
             )
             keys.ODOMETRY.publish(self._bus, odometry)
         touched = pressed_bumpers(self._body, self._body.model.bumper_links)
-        pressed = tuple(name for name in BUMPERS if name in touched or name in self.jammed)
+        pressed = tuple(
+            each.name for each in self._body.model.bumpers if each.name in touched or each.name in self.jammed
+        )
         if pressed != self._pressed or tick % BUMPERS_EVERY == 0:
             keys.BUMPERS.publish(self._bus, Bumpers(stamp=now, pressed=pressed))
             self._pressed = pressed

@@ -11,8 +11,6 @@ if TYPE_CHECKING:
     from tandem.sim.body import RobotBody
     from tandem.skills.ports.message import Vector3
 
-BUMPERS: Final = ("front", "left", "back", "right")
-"""Each covers a quarter of the base, centred on its direction."""
 BUMPER_FORCE: Final = 1.0
 """N from which a bumper closes."""
 GROUND: Final = 0.01
@@ -66,5 +64,4 @@ def pressed_bumpers(body: RobotBody, links: Sequence[str]) -> tuple[str, ...]:
     position, orientation = body.base_pose()
     yaw = 2.0 * math.atan2(orientation[2], orientation[3])
     bearings = [math.atan2(c.position[1] - position[1], c.position[0] - position[0]) - yaw for c in hits]
-    sides = {round(bearing / (math.pi / 2)) % 4 for bearing in bearings}
-    return tuple(BUMPERS[side] for side in sorted(sides))
+    return tuple(each.name for each in body.model.bumpers if any(each.feels(at) for at in bearings))

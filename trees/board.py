@@ -120,6 +120,11 @@ class FetchBoard(HandTask):
         """Return the metres to which the hand opens for the item: room for the fingers and no more."""
         return self.site_item(context).size[1] + 2 * FINGER_ROOM
 
+    def palm(self, context: TreeContext) -> float | None:
+        """Return how deep an item the chosen hand takes (``Gripper.palm``)."""
+        robot = context.knowledge.description
+        return None if robot is None else robot.end_effector(self.chosen_side()).gripper.palm
+
     def fact(self, context: TreeContext) -> ItemFact | None:
         """Return what is believed of the item, or None; with ``near``, of the one that is meant."""
         world = context.knowledge.world

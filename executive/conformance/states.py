@@ -37,10 +37,9 @@ def _grippers(bench: Bench) -> Steps:
         if not states:
             raise Broken(f"states on {topic.key}", "none")
         for state in states:
-            if not -BEYOND <= state.width <= hand.gripper.max_width + BEYOND:
-                raise Broken(
-                    f"widths of {hand.side} from 0 to {hand.gripper.max_width:g} m", f"{state.width:.4f} m"
-                )
+            least, most = hand.gripper.min_width, hand.gripper.max_width
+            if not least - BEYOND <= state.width <= most + BEYOND:
+                raise Broken(f"widths of {hand.side} from {least:g} to {most:g} m", f"{state.width:.4f} m")
     yield
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from tandem.sim.wrench import BUMPERS
+from tandem.sim.model import QUARTERS
 from tandem.skills.ports.sensors import Bumper, CameraSensor, LaserSensor, PoseSensor
 
 CAMERA_WIDTH: Final = 1280
@@ -47,7 +47,7 @@ def laser_sensor(frame: str) -> LaserSensor:
 
 def bumpers() -> tuple[Bumper, ...]:
     """Return the bumpers all around a base: each tells of contacts in its quarter."""
-    return tuple(Bumper(name=name) for name in BUMPERS)
+    return tuple(Bumper(name=each.name) for each in QUARTERS)
 
 
 def motion_capture() -> PoseSensor:

@@ -22,6 +22,7 @@ from tandem.skills.geometry.poses import (
     compose,
     from_axes,
     invert,
+    rotate,
     scale,
 )
 from tandem.skills.grasping.item_frames import item_in_map, outward
@@ -44,6 +45,9 @@ STAND_DISTANCES: Final = (0.0, 0.06, -0.06, 0.12)
 
 FINGER_ROOM: Final = 0.008
 """Metres on each side between an item and a finger before it closes."""
+
+PALM_ROOM: Final = 0.002
+"""Metres that stay free between an item and the palm."""
 
 _Z: Final[Vector3] = (0.0, 0.0, 1.0)
 
@@ -79,22 +83,39 @@ def tool_orientation(out: Vector3, pitch: float) -> Quaternion:
     return from_axes(x, y, z)
 
 
-def grasp(tag_in_map: Pose, depth: float, pitch: float) -> Grasp:
+def held_back(size: Vector3, pitch: float, palm: float | None) -> float:
+    """Return the metres before an item's middle at which a hand takes it, so that its palm stays clear of it.
+
+    Args:
+        size: the item's edges (m): along the hand in plan, across it, and up.
+        pitch: radians by which the hand looks down.
+        palm: metres from the palm to the middle of the pads; None when every item fits.
+    """
+    if palm is None:
+        return 0.0
+    reaches = (size[0] * math.cos(pitch) + size[2] * math.sin(pitch)) / 2.0
+    return max(0.0, reaches + PALM_ROOM - palm)
+
+
+def grasp(tag_in_map: Pose, depth: float, pitch: float, *, back: float = 0.0) -> Grasp:
     """Return the poses of a pick (eq. 1 and 2).
 
     Args:
         tag_in_map: the tag on one upright face of the item.
         depth: metres of the item along the tag's z; the grasp goes to its centre.
         pitch: radians by which the hand looks down.
+        back: metres before the centre at which the hand stays (``held_back``).
     """
     out = outward(tag_in_map)
     item = item_in_map(tag_in_map, depth)
-    at_item = Pose(position=item.position, orientation=tool_orientation(out, pitch))
-    back = scale(out, APPROACH + depth / 2.0)
+    turned = tool_orientation(out, pitch)
+    short = scale(rotate(turned, (1.0, 0.0, 0.0)), -back)
+    at_item = Pose(position=add(item.position, short), orientation=turned)
+    approach = scale(out, APPROACH + depth / 2.0)
     away = add(scale(out, AWAY), scale(_Z, UP))
     return Grasp(
         pitch=pitch,
-        pre_grasp=_moved(at_item, back),
+        pre_grasp=_moved(at_item, approach),
         grasp=at_item,
         retraction=_moved(at_item, away),
         item_in_tool=compose(invert(at_item), item),

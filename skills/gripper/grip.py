@@ -24,7 +24,7 @@ WIDTH_TOLERANCE: Final = 0.012
 REACHED: Final = 0.006
 """Metres from the commanded width that count as there."""
 EMPTY_BELOW: Final = 0.006
-"""Metres: pads closer than this have met."""
+"""Metres: pads that are closed but for this have met."""
 HOLDING_FORCE: Final = 0.5
 """Newtons at the least between pads that hold something."""
 SETTLE: Final = 0.2
@@ -74,7 +74,7 @@ class Gripping:
             return self._failure(
                 FailureKind.INVALID_GOAL, f"at most {gripper.max_width} m wide, not {goal.width}"
             )
-        if goal.grip is Grip.GRASP and goal.width <= EMPTY_BELOW:
+        if goal.grip is Grip.GRASP and goal.width <= gripper.min_width + EMPTY_BELOW:
             return self._failure(FailureKind.INVALID_GOAL, "a grasp needs the width of what is grasped")
         if goal.force is not None and goal.force > gripper.force:
             return self._failure(FailureKind.INVALID_GOAL, f"at most {gripper.force} N, not {goal.force}")
@@ -101,7 +101,7 @@ class Gripping:
     def _target(self, goal: GripGoal) -> float:
         if goal.grip is Grip.OPEN:
             return min(goal.width or self._hand.gripper.max_width, self._hand.gripper.max_width)
-        return 0.0
+        return self._hand.gripper.min_width
 
     def _heard(self) -> Waiting:
         until = robot_seconds(self._clocks) + ANSWER_WITHIN
@@ -201,21 +201,22 @@ class Gripping:
         state = self._now()
         at_width = abs(state.width - goal.width) <= WIDTH_TOLERANCE
         pressed = state.force >= HOLDING_FORCE
-        full = state.width > EMPTY_BELOW and pressed and (at_width or goal.width == 0.0)
+        full = not self._met(state) and pressed and (at_width or goal.width == 0.0)
         result = GripResult(width=state.width, force=state.force, full=full)
         evidence = {"width_m": state.width, "force_n": state.force, "expected_m": goal.width}
         if goal.grip is Grip.GRASP and not full:
-            text = (
-                "the pads met" if state.width <= EMPTY_BELOW else "what is between the pads is no such item"
-            )
+            text = "the pads met" if self._met(state) else "what is between the pads is no such item"
             return failed(self._failure(FailureKind.GRASP_EMPTY, text, **evidence))
         if goal.grip is Grip.OPEN and state.width < self._target(goal) - REACHED:
             return failed(self._failure(FailureKind.GRIPPER_STUCK, "did not open all the way", **evidence))
-        if goal.grip is Grip.CLOSE and state.width > EMPTY_BELOW:
+        if goal.grip is Grip.CLOSE and not self._met(state):
             return failed(self._failure(FailureKind.GRIPPER_STUCK, "did not close all the way", **evidence))
         if goal.grip in {Grip.OPEN, Grip.CLOSE}:
             result = result.model_copy(update={"full": False})
         return succeeded(result)
+
+    def _met(self, state: GripperState) -> bool:
+        return state.width <= self._hand.gripper.min_width + EMPTY_BELOW
 
     def _send(self, command_id: str, width: float, force: float | None = None) -> Pending:
         gripper, self._sent = self._hand.gripper, command_id

@@ -34,6 +34,7 @@ class HandWatch:
 
     def __init__(self, bus: Bus, hand: EndEffector) -> None:
         self._bus, self._side = bus, hand.side
+        self._met = hand.gripper.min_width + EMPTY_BELOW
         self._states, self._topic = Latest(bus, gripper_state(hand.side)), hand_status(hand.side)
         self._timer, self._command = RobotTimer(), ""
         self._stalled_at: float | None = None
@@ -64,7 +65,7 @@ class HandWatch:
         order = order_of(state.command_id)
         stalled = state.motion is GripperMotion.STALLED
         presses = stalled and state.force >= HOLDING_FORCE
-        met = state.width <= EMPTY_BELOW
+        met = state.width <= self._met
         if order in {Order.OPEN, Order.HOLD}:
             return HandState.OPEN
         if presses and self._stalled_at is None:

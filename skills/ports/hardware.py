@@ -77,6 +77,19 @@ class Gripper(Message):
     """Speed of the width, in metres a second."""
     force: Positive
     """Maximum force between the pads, in newtons."""
+    min_width: Annotated[float, Field(ge=0.0)] = 0.0
+    """Metres between the pads when they are closed all the way."""
+    palm: Positive | None = None
+    """Metres from the palm to the tool frame's origin: nothing deeper fits between the fingers. None: no
+    item is so deep."""
+
+    @model_validator(mode="after")
+    def _opens(self) -> Gripper:
+        if self.min_width >= self.max_width:
+            raise ValueError(
+                f"expected a min_width below max_width, found {self.min_width:g} and {self.max_width:g} m"
+            )
+        return self
 
 
 class EndEffector(Message):

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from tandem.skills.grasping.tag_grasps import PITCHES, Grasp, grasp
+from tandem.skills.grasping.tag_grasps import PITCHES, Grasp, grasp, held_back
 from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.pose import Pose
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard
@@ -13,14 +14,25 @@ from tandem.trees.item_failures import fallen_over
 from tandem.trees.leaves.move_hand import move_hand
 
 
-def grasp_candidates(board: FetchBoard, tag_in_map: Pose, depth: float) -> tuple[Candidate, ...]:
-    """Return the ways to grasp an item ``depth`` metres thick: one for each pitch that has not failed."""
-    return tuple(_candidate(each) for each in _grasps(board, tag_in_map, depth))
+def grasp_candidates(
+    board: FetchBoard, tag_in_map: Pose, size: Vector3, palm: float | None
+) -> tuple[Candidate, ...]:
+    """Return the ways to grasp an item: one for each pitch that has not failed.
+
+    Args:
+        board: what has failed.
+        tag_in_map: the tag on the face that the hand goes for.
+        size: the item's edges (m), the first along the tag's z.
+        palm: of the gripper (``Gripper.palm``).
+    """
+    return tuple(_candidate(each) for each in _grasps(board, tag_in_map, size, palm))
 
 
-def _grasps(board: FetchBoard, tag_in_map: Pose, depth: float) -> tuple[Grasp, ...]:
+def _grasps(board: FetchBoard, tag_in_map: Pose, size: Vector3, palm: float | None) -> tuple[Grasp, ...]:
     untried = [pitch for pitch in PITCHES if pitch not in board.pitches_tried]
-    return tuple(grasp(tag_in_map, depth, pitch) for pitch in untried or PITCHES)
+    return tuple(
+        grasp(tag_in_map, size[0], pitch, back=held_back(size, pitch, palm)) for pitch in untried or PITCHES
+    )
 
 
 def _candidate(way: Grasp) -> Candidate:
@@ -37,7 +49,8 @@ def pre_grasp(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeed
         lies = fallen_over(fact)
         if lies is not None:
             return lies
-        board.grasps = _grasps(board, board.face_in_map(fact), fact.size[0])
+        palm = board.palm(context)
+        board.grasps = _grasps(board, board.face_in_map(fact), fact.size, palm)
         return MoveGoal(
             candidates=tuple(_candidate(each) for each in board.grasps),
             touch_item=board.item,

@@ -68,7 +68,7 @@ def approach_item(context: TreeContext, board: FetchBoard) -> Behaviour:
         facing = math.atan2(out[1], out[0])
         return Reach(
             bases=proximity_poses(tag.position, facing, hand.work_point, hand.work_heading),
-            candidates=grasp_candidates(board, tag, fact.size[0]),
+            candidates=grasp_candidates(board, tag, fact.size, hand.gripper.palm),
             facing=facing,
             hand_width=board.open_width(context),
         )

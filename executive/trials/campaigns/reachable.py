@@ -20,7 +20,7 @@ from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm, Moment
 from tandem.skills.geometry.floor_plan import FloorPlan
 from tandem.skills.grasping.item_frames import face, outward, tag_of_item
-from tandem.skills.grasping.tag_grasps import FINGER_ROOM, PITCHES, grasp, proximity_poses
+from tandem.skills.grasping.tag_grasps import FINGER_ROOM, PITCHES, grasp, held_back, proximity_poses
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.actions.base import ARM_MARGIN
@@ -82,7 +82,8 @@ class Reachable:
         scene: PlanningScene,
     ) -> bool:
         hand, out = self._description.end_effector(side), outward(tag_in_map)
-        ways = [grasp(tag_in_map, size[0], pitch) for pitch in PITCHES]
+        palm = hand.gripper.palm
+        ways = [grasp(tag_in_map, size[0], pitch, back=held_back(size, pitch, palm)) for pitch in PITCHES]
         goal = MoveGoal(
             candidates=tuple(
                 Candidate(pose=way.pre_grasp, followed_by=(way.grasp, way.retraction)) for way in ways
