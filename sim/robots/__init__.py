@@ -1,6 +1,6 @@
 """The robots that the sim can stand in for: one file each, found by being here.
 
-Robots: tiago_dual, tiago, tiago_base, panda, p3dx, summit_xl.
+Robots: tiago_dual, tiago, tiago_base, panda, p3dx, summit_xl, locobot.
 What such a file declares is in robot; registry finds them.
 Parts that several share: pmb2, tiago_upper, parallel_gripper, sensors, primitives, joint_limits, finishing.
 """
