@@ -88,7 +88,7 @@ def refuse_without_extras(roles: Sequence[str]) -> None:
     """Say which extras the roles need that are not installed, before anything is started.
 
     Args:
-        roles: their names; none: all that ship.
+        roles: their names; none: all that ship and are started without being asked for.
 
     Raises:
         CommandError: naming role, packages and the command that installs them.
@@ -96,7 +96,8 @@ def refuse_without_extras(roles: Sequence[str]) -> None:
     from tandem.executive.system.roles.registry import role_named, shipped  # noqa: PLC0415 - as `--help` is quick
 
     wanted: dict[Extra, list[str]] = {}
-    for name in roles or shipped():
+    every = [name for name, role in shipped().items() if not role.on_request]
+    for name in roles or every:
         role = role_named(name)
         if role is not None and role.extra is not None:
             wanted.setdefault(role.extra, []).append(name)

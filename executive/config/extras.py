@@ -72,12 +72,17 @@ WEB: Final = Extra(
         ("websockets", "websockets", "what it tells while things happen"),
     ),
 )
+ROS: Final = Extra(
+    "ros",
+    "robots that speak ROS 2",
+    (("rosbags", "rosbags", "messages of ROS 2"), ("numpy", "numpy", "arrays")),
+)
 DEV: Final = Extra(
     "dev",
     "Tandem's own tests",
     (("hypothesis", "hypothesis", "invented inputs"), ("jsonschema", "jsonschema", "checks of schemas")),
 )
-EXTRAS: Final = (SKILLS, SIM, OTEL, WEB, DEV)
+EXTRAS: Final = (SKILLS, SIM, OTEL, ROS, WEB, DEV)
 """In this order a missing module is looked for."""
 
 

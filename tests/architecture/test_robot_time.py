@@ -27,6 +27,8 @@ EXCEPTIONS = {
     "executive/telemetry/traces.py": "an attribute of a span, for people",
     "skills/ports/checks.py": "whether a stamp is a plausible number at all",
     "skills/perception/eye.py": "a failure's evidence, for people",
+    "skills/ros/inputs.py": "as the camera, of a robot that speaks ROS",
+    "skills/ros/poses.py": "as the camera, of a robot that speaks ROS",
     "skills/world/keeper.py": "a line of the log, for people",
 }
 """Files that may read ``.seconds``, and why."""

@@ -55,8 +55,8 @@ EXPECTED: Final[dict[str, tuple[list[str], int, set[str]]]] = {
     "request pick_both_hands": (["--item", NOT_IN_SITE], 2, {"requester", "operator"}),
     "request pick_two": (["--left", NOT_IN_SITE, "--right", NOT_IN_SITE], 2, {"requester", "operator"}),
 }
-STARTS_A_SYSTEM: Final = {"up"}
-"""Shows the robot's keys itself: here by the fixture and by a test of its own."""
+STARTS_A_SYSTEM: Final = {"ros", "up"}
+"""They show the robot's keys themselves: ``up`` here by the fixture and by a test of its own."""
 SERVES: Final = {"web"}
 """Runs until it is ended: a test of its own."""
 CONNECTS_NOWHERE: Final = {

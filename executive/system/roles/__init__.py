@@ -1,1 +1,7 @@
-"""What a process of the system can play: one file for each role, found by being here."""
+"""What a process of the system can play: one file for each role, found by being here.
+
+What a role is, and how it is found: role, skill_type, registry.
+The robot: hardware, or ros instead of it.
+Skills: arm, base, bimanual, keeper, perception.
+The rest: executive, observer, router.
+"""

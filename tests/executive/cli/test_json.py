@@ -39,6 +39,7 @@ WITHOUT: Final = {
     "export": "prints JSON lines",
     "schema": "prints JSON",
     "tree render": "--format json",
+    "ros": "drives a robot until it is ended",
     "web": "serves a page until it is ended",
     "zones": "draws a picture",
     "bench": REPORTS,

@@ -66,7 +66,10 @@ def test_what_is_missing_is_named_with_the_command() -> None:
     [
         (
             "numpy",
-            "it: numpy missing, of the extra skills or sim; install with pip install 'tandem-executive[all]'",
+            (
+                "it: numpy missing, of the extra skills or sim or ros; "
+                "install with pip install 'tandem-executive[all]'"
+            ),
         ),
         ("somebody_elses", ""),
     ],

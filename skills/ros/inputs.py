@@ -1,0 +1,327 @@
+"""Each mapped topic to the key of the hardware that it tells."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Final, Protocol, cast
+
+from tandem.skills.ports import keys
+from tandem.skills.ports.hardware import JointStates, Odometry
+from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.sensors import Bumpers, LaserScan, PoseReading, RangeReading, Ranges
+from tandem.skills.ros import types
+from tandem.skills.ros.frames import Frames
+from tandem.skills.ros.poses import (
+    OdometrySource,
+    PoseSource,
+    StampedSource,
+    TfSource,
+    stamped,
+    velocity_between,
+)
+from tandem.skills.ros.readings import UnfitError, distance_of, ranges_of
+from tandem.skills.ros.stamps import Stamps, periods_in
+
+if TYPE_CHECKING:
+    from tandem.skills.ports.bus import Bus
+    from tandem.skills.ports.hardware import RobotDescription
+    from tandem.skills.ports.message import RobotTime
+    from tandem.skills.ports.sensors import LaserSensor, RangeSensor
+    from tandem.skills.ros.mapping import Input as MappedInput
+    from tandem.skills.ros.mapping import RosMap
+    from tandem.skills.ros.messages import JointState, RosBool, RosRange, RosScan
+    from tandem.skills.ros.node import RosNode, RosSubscription
+
+SILENT: Final = 3.0
+"""Periods after which the last reading of a range sensor is told no more ..."""
+SILENT_AT_LEAST: Final = 0.3
+"""... and seconds, at the least: networks hold messages up."""
+JOINTS_KEPT: Final = 0.5
+"""Seconds for which a joint's state counts while others' come: several nodes tell of their own joints."""
+BUMPERS_EVERY: Final = 0.2
+"""Robot seconds between two messages of the bumpers when nothing changes."""
+
+
+class Input(Protocol):
+    """One part of the robot: hears its topics, and tells its key."""
+
+    def step(self, now: RobotTime) -> None:
+        """Take in what has come, and publish what is due."""
+        ...
+
+
+@dataclass(frozen=True)
+class Hearing:
+    """What the inputs are made with."""
+
+    bus: Bus
+    node: RosNode
+    robot: RobotDescription
+
+    def of(self, mapped: MappedInput) -> RosSubscription:
+        """Subscribe to a mapped topic."""
+        return self.node.subscription(mapped.topic, mapped.type)
+
+
+@dataclass(eq=False)
+class LaserInput:
+    """A laser's scans."""
+
+    bus: Bus
+    topic: RosSubscription
+    sensor: LaserSensor
+    stamps: Stamps = field(default_factory=Stamps)
+
+    def step(self, now: RobotTime) -> None:
+        """Publish each scan."""
+        for message in self.topic.take():
+            scan = cast("RosScan", message)
+            stamp = stamped(self.stamps, scan.header, now)
+            try:
+                told = LaserScan(stamp=stamp, ranges=ranges_of(scan, self.sensor))
+            except UnfitError as error:
+                self.topic.refuse(str(error))
+                continue
+            keys.laser(self.sensor.name).publish(self.bus, told)
+
+
+@dataclass
+class _Ranger:
+    sensor: RangeSensor
+    distance: float | None = None
+    at: RobotTime | None = None
+
+
+@dataclass(eq=False)
+class RangesInput:
+    """All range sensors: each has a topic, or its frame on a shared one."""
+
+    bus: Bus
+    topics: Sequence[tuple[RosSubscription, str | None]]
+    sensors: Sequence[RangeSensor]
+
+    def __post_init__(self) -> None:
+        """Know the sensors by name and by frame."""
+        self._rangers = {each.name: _Ranger(each) for each in self.sensors}
+        self._of_frame = {each.frame: each.name for each in self.sensors}
+        self._stamps = {each.name: Stamps() for each in self.sensors}
+
+    def step(self, now: RobotTime) -> None:
+        """Publish the newest reading of each sensor when one has come."""
+        came = 0
+        for topic, name in self.topics:
+            came += self._hear(topic, name, now)
+        if not came:
+            return
+        told = tuple(
+            RangeReading(sensor=name, distance=each.distance)
+            for name, each in self._rangers.items()
+            if each.distance is not None and each.at is not None and self._is_fresh(each, now)
+        )
+        keys.RANGES.publish(self.bus, Ranges(stamp=now, readings=told))
+
+    def _is_fresh(self, ranger: _Ranger, now: RobotTime) -> bool:
+        within = max(SILENT * ranger.sensor.period, SILENT_AT_LEAST)
+        return ranger.at is not None and ranger.at.is_fresh(now, within)
+
+    def _hear(self, topic: RosSubscription, name: str | None, now: RobotTime) -> int:
+        came = topic.take()
+        for message in came:
+            told = cast("RosRange", message)
+            frame = told.header.frame_id.lstrip("/")
+            of = self._of_frame.get(frame) if name is None else name
+            if of is None:
+                topic.refuse(f"expected a range sensor's frame: {', '.join(self._of_frame)}; found {frame!r}")
+                continue
+            ranger = self._rangers[of]
+            ranger.distance = distance_of(told, ranger.sensor)
+            ranger.at = stamped(self._stamps[of], told.header, now)
+        return len(came)
+
+
+@dataclass(eq=False)
+class BumpersInput:
+    """All bumpers: each has a topic."""
+
+    bus: Bus
+    topics: Sequence[tuple[RosSubscription, str]]
+    pressed: dict[str, bool] = field(default_factory=dict)
+    told: RobotTime | None = None
+
+    def step(self, now: RobotTime) -> None:
+        """Publish which are pressed on each change, and now and then."""
+        before = dict(self.pressed)
+        for topic, name in self.topics:
+            for message in topic.take():
+                self.pressed[name] = bool(cast("RosBool", message).data)
+        due = self.told is None or not self.told.is_fresh(now, BUMPERS_EVERY)
+        if self.pressed and (self.pressed != before or due):
+            names = tuple(name for _, name in self.topics if self.pressed.get(name))
+            keys.BUMPERS.publish(self.bus, Bumpers(stamp=now, pressed=names))
+            self.told = now
+
+
+@dataclass
+class _Joint:
+    position: float
+    velocity: float
+    effort: float
+    at: RobotTime
+
+
+@dataclass(eq=False)
+class JointsInput:
+    """The joints of groups and grippers; each message may tell of some."""
+
+    bus: Bus
+    topic: RosSubscription
+    names: tuple[str, ...]
+    stamps: Stamps = field(default_factory=Stamps)
+    known: dict[str, _Joint] = field(default_factory=dict)
+
+    def step(self, now: RobotTime) -> None:
+        """Publish all joints when some have come, and none is missing."""
+        newest: RobotTime | None = None
+        for message in self.topic.take():
+            told = cast("JointState", message)
+            newest = stamped(self.stamps, told.header, now)
+            self._learn(told, newest)
+        if newest is None:
+            return
+        fresh = [self.known[name] for name in self.names if name in self.known]
+        fresh = [each for each in fresh if each.at.is_fresh(newest, JOINTS_KEPT)]
+        if len(fresh) == len(self.names):
+            states = JointStates(
+                stamp=newest,
+                names=self.names,
+                positions=tuple(each.position for each in fresh),
+                velocities=tuple(each.velocity for each in fresh),
+                efforts=tuple(each.effort for each in fresh),
+            )
+            keys.JOINT_STATES.publish(self.bus, states)
+
+    def _learn(self, told: JointState, at: RobotTime) -> None:
+        for index, name in enumerate(told.name):
+            if name in self.names and index < len(told.position):
+                velocity = float(told.velocity[index]) if index < len(told.velocity) else 0.0
+                effort = float(told.effort[index]) if index < len(told.effort) else 0.0
+                self.known[name] = _Joint(float(told.position[index]), velocity, effort, at)
+
+
+@dataclass(eq=False)
+class NoJoints:
+    """Tells of a robot without joints that it has none: once a period, as of any robot."""
+
+    bus: Bus
+    period: float
+    told: int = 0
+
+    def step(self, now: RobotTime) -> None:
+        """Publish once in each of the clock's periods."""
+        passed = periods_in(now.seconds, self.period)
+        if passed > self.told:
+            self.told = passed
+            states = JointStates(stamp=now, names=(), positions=(), velocities=(), efforts=())
+            keys.JOINT_STATES.publish(self.bus, states)
+
+
+@dataclass(eq=False)
+class OdometryInput:
+    """The base's odometry."""
+
+    bus: Bus
+    source: PoseSource
+    last: Odometry | None = None
+
+    def step(self, now: RobotTime) -> None:
+        """Publish each pose with its velocities."""
+        for placed in self.source.take(now):
+            linear, angular = placed.velocity or _velocity(self.last, placed.stamp, placed.pose)
+            told = Odometry(stamp=placed.stamp, base_in_odom=placed.pose, linear=linear, angular=angular)
+            keys.ODOMETRY.publish(self.bus, told)
+            self.last = told
+
+
+@dataclass(eq=False)
+class PoseInput:
+    """What a pose sensor tells."""
+
+    bus: Bus
+    source: PoseSource
+    sensor: str
+
+    def step(self, now: RobotTime) -> None:
+        """Publish each pose."""
+        for placed in self.source.take(now):
+            told = PoseReading(stamp=placed.stamp, sensor=self.sensor, base_in_map=placed.pose)
+            keys.POSE_READING.publish(self.bus, told)
+
+
+def inputs_of(made: RosMap, at: Hearing) -> tuple[Input, ...]:
+    """Return the inputs of a map that has been checked."""
+    found: list[Input] = [] if at.robot.joints else [NoJoints(at.bus, at.robot.period)]
+    for each in made.inputs:
+        maker = _MAKERS.get(each.to)
+        if maker is not None:
+            found.append(maker(at, each))
+    ranges = [(at.of(each), each.sensor) for each in made.inputs if each.to == "range"]
+    if ranges:
+        found.append(RangesInput(at.bus, ranges, at.robot.range_sensors))
+    bumpers = [(at.of(each), each.sensor or "") for each in made.inputs if each.to == "bumper"]
+    if bumpers:
+        found.append(BumpersInput(at.bus, bumpers))
+    return (*found, *_cameras(made, at))
+
+
+def _cameras(made: RosMap, at: Hearing) -> Iterator[Input]:
+    from tandem.skills.ros.pictures import CameraInput  # noqa: PLC0415 - robots without a camera do without
+
+    for camera in at.robot.cameras:
+        topics = {each.to: at.of(each) for each in made.inputs if each.sensor == camera.name}
+        if "colour" in topics:
+            yield CameraInput(
+                at.bus, camera, topics["colour"], topics.get("camera_info"), topics.get("depth")
+            )
+
+
+def _laser(at: Hearing, mapped: MappedInput) -> Input:
+    (sensor,) = (each for each in at.robot.lasers if each.name == mapped.sensor)
+    return LaserInput(at.bus, at.of(mapped), sensor)
+
+
+def _joints(at: Hearing, mapped: MappedInput) -> Input:
+    groups = [joint for group in at.robot.groups for joint in group.joints]
+    fingers = [joint for hand in at.robot.end_effectors for joint in hand.gripper.joints]
+    return JointsInput(at.bus, at.of(mapped), (*groups, *fingers))
+
+
+def _odometry(at: Hearing, mapped: MappedInput) -> Input:
+    return OdometryInput(at.bus, _source(at, mapped))
+
+
+def _pose(at: Hearing, mapped: MappedInput) -> Input:
+    return PoseInput(at.bus, _source(at, mapped), mapped.sensor or "")
+
+
+def _source(at: Hearing, mapped: MappedInput) -> PoseSource:
+    topic = at.of(mapped)
+    if mapped.type == types.TF:
+        return TfSource(topic, mapped.child, mapped.parent, Frames())
+    return OdometrySource(topic) if mapped.type == types.ODOMETRY else StampedSource(topic)
+
+
+_MAKERS: Final[dict[str, Callable[[Hearing, MappedInput], Input]]] = {
+    "laser": _laser,
+    "joints": _joints,
+    "odometry": _odometry,
+    "pose": _pose,
+}
+
+
+def _velocity(before: Odometry | None, stamp: RobotTime, pose: FloorPose) -> tuple[float, float]:
+    """Return m/s ahead and rad/s between two poses; nothing where there is no earlier one."""
+    passed = None if before is None else stamp.since(before.stamp)
+    if before is None or passed is None or passed <= 0.0:
+        return 0.0, 0.0
+    return velocity_between(before.base_in_odom, pose, passed)
