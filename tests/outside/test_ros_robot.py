@@ -110,7 +110,7 @@ def test_the_pioneer_goes_to_the_origin_over_ros_with_its_reflex(robot: Speaking
     asked = ("request", "go_to", "--x", "0", "--y", "0", "--tolerance", "0.12", "--wait", "--json")
     done = tandem(*asked, env=robot.env, within=150.0)
     assert done.code == 0, done.said + robot.ros.said
-    result = json.loads(done.out[done.out.index("{") :])["result"]
+    result = json.loads(done.out)["status"]["result"]
     assert result["reflexes"]["avoid_collision"] >= 1
     assert robot.off_goal() <= 0.15
 
