@@ -36,18 +36,21 @@ def running(roles: Sequence[str], data: Path | None = None) -> Iterator[tuple[st
     started: dict[str, subprocess.Popen[bytes]] = {}
     try:
         for role in ("router", *roles):
-            settings = WorkerSettings(
-                role=role,
-                endpoint=endpoint,
-                prefix=PREFIX,
-                site="lab",
-                data=None if data is None else str(data),
-            )
-            started[role] = _start("tandem.executive.system.worker", settings.model_dump_json())
+            started[role] = _play(role, endpoint, "lab", data)
             await_there(endpoint, "" if role == "router" else f"process/{role}")
         yield endpoint, {role: process.pid for role, process in started.items()}
     finally:
         _end(reversed(started.values()))
+
+
+@contextmanager
+def playing(role: str, endpoint: str, site: str) -> Iterator[None]:
+    """Start a role at a router that is there, without waiting for it: its hardware is yet to come."""
+    process = _play(role, endpoint, site, None)
+    try:
+        yield
+    finally:
+        _end([process])
 
 
 @contextmanager
@@ -99,6 +102,13 @@ def _hears_of(bus: ZenohBus, name: str) -> bool:
     while name not in bus.alive() and time.monotonic() < deadline:
         bus.waker.wait(0.02)
     return name in bus.alive()
+
+
+def _play(role: str, endpoint: str, site: str, data: Path | None) -> subprocess.Popen[bytes]:
+    settings = WorkerSettings(
+        role=role, endpoint=endpoint, prefix=PREFIX, site=site, data=None if data is None else str(data)
+    )
+    return _start("tandem.executive.system.worker", settings.model_dump_json())
 
 
 def _start(module: str, argument: str) -> subprocess.Popen[bytes]:

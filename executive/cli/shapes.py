@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 import typer
 
 from tandem.skills.ports.message import Count, Message
+from tandem.skills.ports.reflex import PipelineState, ReflexState
 from tandem.skills.ports.tasks import TaskStatus, TreeSnapshot
 from tandem.skills.ports.utc import ISO, UtcSeconds
 
@@ -62,6 +63,8 @@ class Watched(Message):
     tree: TreeSnapshot | None
     gone: bool = False
     """Whether the executive has not been seen for a while."""
+    reflexes: tuple[PipelineState, ...] = ()
+    """The resources that a reflex has now, not with ``--once``."""
 
 
 class TaskKind(Message):
@@ -188,6 +191,13 @@ class HardwareChecked(Message):
     clauses: tuple[ClauseFound, ...]
 
 
+class Reflexes(Message):
+    """A robot's reflexes, highest rank first, and what has its resources."""
+
+    pipelines: tuple[PipelineState, ...]
+    reflexes: tuple[ReflexState, ...]
+
+
 def shapes() -> Mapping[str, type[Message]]:
     """Return the shape of each command that has ``--json``, by the command's words."""
     from tandem.executive.system.plugin_probe import Fared  # noqa: PLC0415
@@ -202,6 +212,9 @@ def shapes() -> Mapping[str, type[Message]]:
         "cancel": Cancelled,
         "stop": StopState,
         "release": StopState,
+        "reflex list": Reflexes,
+        "reflex on": ReflexState,
+        "reflex off": ReflexState,
         "watch": Watched,
         "logs": LogLine,
         "why": Explained,

@@ -13,6 +13,7 @@ from prometheus_client.registry import Collector
 
 from tandem.skills.ports.action import GoalState, GoalStatus
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.reflex import ReflexState
 from tandem.skills.ports.refusals import Refusals
 from tandem.skills.ports.tasks import ExecutivePulse, TaskState, TaskStatus, Times, TreeSnapshot
 
@@ -79,6 +80,19 @@ class Metrics:
             registry=registry,
             buckets=SKILL_BOUNDS,
         )
+        self._reflex_fired = Counter(
+            "tandem_reflex_fired",
+            "Times that a reflex has taken its resources.",
+            ["reflex"],
+            registry=registry,
+        )
+        self._reflex_on = Gauge(
+            "tandem_reflex_on", "0 while a reflex is switched off.", ["reflex"], registry=registry
+        )
+        self._reflex_holds = Gauge(
+            "tandem_reflex_holds", "1 while a reflex has its resources.", ["reflex"], registry=registry
+        )
+        self._fired_before: dict[str, int] = {}
         self._refused = Counter(
             "tandem_messages_refused",
             "Messages that a process heard and did not take in, by key and reason.",
@@ -127,6 +141,15 @@ class Metrics:
             self._skills.labels(action, status.state).observe(seconds)
         if status.failure is not None:
             self._skill_failures.labels(action, status.failure.kind).inc()
+
+    def on_reflex(self, reflex: ReflexState) -> None:
+        """Count how often it has fired since it was heard first; a process that began anew counts anew."""
+        known = self._fired_before.get(reflex.reflex, reflex.fired)
+        more = reflex.fired if reflex.fired < known else reflex.fired - known
+        self._fired_before[reflex.reflex] = reflex.fired
+        self._reflex_fired.labels(reflex.reflex).inc(more)
+        self._reflex_on.labels(reflex.reflex).set(reflex.on)
+        self._reflex_holds.labels(reflex.reflex).set(reflex.holds)
 
     def on_pulse(self, pulse: ExecutivePulse) -> None:
         """Take over the queue and the ticks."""

@@ -15,6 +15,7 @@ from tandem.skills.ports.bus import Bus, Pending
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.hearing import Heard
 from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.reflex import ReflexState, reflex_state
 from tandem.skills.ports.refusals import REFUSALS, Refusals
 from tandem.skills.ports.tasks import (
     TASK_LIST,
@@ -55,6 +56,10 @@ class Record(Protocol):
         """Take in the status of a skill's goal; ``action`` such as ``base/drive``."""
         ...
 
+    def on_reflex(self, reflex: ReflexState) -> None:
+        """Take in how a reflex is."""
+        ...
+
     def on_pulse(self, pulse: ExecutivePulse) -> None:
         """Take in the executive's pulse."""
         ...
@@ -88,6 +93,7 @@ class Observer:
         self._trees = Latest(bus, TREE, depth=DEPTH)
         self._refusals = Latest(bus, REFUSALS, depth=DEPTH)
         self._goals = Heard(bus, GOALS, GoalStatus.model_validate_json, depth=DEPTH)
+        self._reflexes = Heard(bus, reflex_state("*").key, ReflexState.model_validate_json, depth=DEPTH)
         self._ended: list[TaskStatus] = []  # told last: what belongs to a task comes before its end
         self._known: Pending | None = None
         self._asked_at: float | None = None
@@ -109,6 +115,8 @@ class Observer:
         for key, goal, _ in self._goals.take():
             action = key.removeprefix("skill/").removesuffix("/status")
             self._each(partial(_tell_goal, action, goal))
+        for _, reflex, _ in self._reflexes.take():
+            self._each(partial(_tell_reflex, reflex))
         for refusals in self._refusals.take():
             self._each(partial(_tell_refusals, refusals))
         for record in self._records:
@@ -122,7 +130,7 @@ class Observer:
 
     def close(self) -> None:
         """Stop hearing, and have the records closed."""
-        for heard in (self._pulses, self._tasks, self._trees, self._refusals, self._goals):
+        for heard in (self._pulses, self._tasks, self._trees, self._refusals, self._goals, self._reflexes):
             heard.close()
         self._each(lambda record: record.close())
 
@@ -155,6 +163,10 @@ def _tell_pulse(pulse: ExecutivePulse, record: Record) -> None:
 
 def _tell_tree(tree: TreeSnapshot, record: Record) -> None:
     record.on_tree(tree)
+
+
+def _tell_reflex(reflex: ReflexState, record: Record) -> None:
+    record.on_reflex(reflex)
 
 
 def _tell_refusals(refusals: Refusals, record: Record) -> None:

@@ -21,6 +21,7 @@ from tandem.skills.ports.action import GoalState, GoalStatus, node_of, task_of
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.reflex import ReflexState
 from tandem.skills.ports.refusals import Refusals
 from tandem.skills.ports.tasks import (
     ExecutivePulse,
@@ -148,6 +149,9 @@ class Traces:
             if early is not None:
                 self._open_goal(trace, status.goal_id, early)
             self._close_span(trace.goals.pop(status.goal_id), str(status.state), status.failure, self._now())
+
+    def on_reflex(self, reflex: ReflexState) -> None:
+        """Reflexes have no spans: what they end is told by the goal."""
 
     def on_pulse(self, pulse: ExecutivePulse) -> None:
         """A pulse is no span."""

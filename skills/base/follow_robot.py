@@ -1,18 +1,18 @@
-"""FOLLOW: keep a distance to another robot, as the robot sensor sees it."""
+"""FOLLOW: keep a distance to another robot, as a sensor sees it, or as it tells of itself."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Generator
-from dataclasses import dataclass
 from typing import Final
 
-from tandem.skills.base.floor import compose
 from tandem.skills.base.guard import Guard
-from tandem.skills.base.macros import Macros
+from tandem.skills.base.macros import LATENCY, Macros
+from tandem.skills.base.sights import Sight, Sights
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.surround import Surround
-from tandem.skills.base.wheels import Wheels
+from tandem.skills.base.way_back import WayBack
+from tandem.skills.base.wheels import Wheels, stopping_speed
 from tandem.skills.base.whereabouts import Whereabouts
 from tandem.skills.base.with_wheels import with_wheels
 from tandem.skills.geometry.poses import wrap
@@ -21,7 +21,6 @@ from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.hardware import Drive
-from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import ActionType, Command, Run, canceled, succeeded
 
 SPEED: Final = 0.60
@@ -34,17 +33,10 @@ FACE: Final = 0.9
 """Radians off the other robot from which on the base turns before it drives."""
 SEARCH: Final = 1.0
 """rad/s at which it looks for a robot that it does not see: first where it was, then all around."""
+BEHIND: Final = math.radians(40.0)
+"""To either side of straight back: what range sensors see there is in the way of a base that backs up."""
 LOST_AFTER: Final = 0.6
 """Robot seconds without a sight after which the base stands and looks around."""
-
-
-@dataclass
-class _Sight:
-    """What was last seen of the other robot, in the map."""
-
-    x: float
-    y: float
-    at: float
 
 
 class Follow:
@@ -55,7 +47,9 @@ class Follow:
         clocks: robot time.
         drive: what the wheels can do.
         monitor: where the base is.
-        surround: sees other robots.
+        surround: sees what is near.
+        sights: know where other robots are; a goal that follows one that was overridden looks there first.
+        way_back: knows what is behind the base, as far as the site's map tells.
         guard: whether it may move.
         board: who has the wheels.
     """
@@ -68,14 +62,15 @@ class Follow:
         monitor: Whereabouts,
         surround: Surround,
         *,
+        sights: Sights,
+        way_back: WayBack,
         guard: Guard,
         board: BaseStatusBoard,
     ) -> None:
         self._clocks, self._monitor, self._surround = clocks, monitor, surround
+        self._sights, self._way_back = sights, way_back
         self._guard, self._board = guard, board
         self._wheels = Wheels(bus, clocks, drive, lambda: board.pipeline.normal(FOLLOW.name))
-        self._last: dict[str, _Sight] = {}
-        """Where each robot was seen last: a goal that follows one that was overridden looks there first."""
 
     @property
     def action(self) -> ActionType[FollowGoal, FollowFeedback, FollowResult]:
@@ -100,11 +95,10 @@ class Follow:
         macros = Macros(self._clocks, self._monitor, self._wheels, self._speed)
         begun = before = robot_seconds(self._clocks)
         lasts = goal.seconds
-        seen, stands, sight, side = 0.0, False, self._last.get(goal.robot), 0.0
+        seen, stands, side = 0.0, False, 0.0
         while (now := robot_seconds(self._clocks)) - begun < lasts:
-            found = self._look(goal.robot, macros, now)
-            if found is not None:
-                sight = self._last[goal.robot] = found
+            self._sights.refresh(goal.by)
+            sight = self._sights.last.get(goal.robot)
             fresh = sight is not None and now - sight.at < LOST_AFTER
             seen += now - before if fresh else 0.0
             before = now
@@ -129,19 +123,16 @@ class Follow:
     def _speed(self) -> float:
         return self._surround.speed(SPEED)
 
-    def _back(self) -> float:
-        """Return how fast (m/s) the base may back up: not at all where no range sensor looks."""
-        return self._wheels.drive.backward / 2.0 if self._surround.looks_back else 0.0
-
-    def _look(self, robot: str, macros: Macros, now: float) -> _Sight | None:
-        for each in self._surround.robots:
-            if each.name == robot:
-                there = compose(macros.pose, FloorPose(x=each.x, y=each.y, yaw=0.0))
-                return _Sight(there.x, there.y, now)
-        return None
+    def _back(self, macros: Macros) -> float:
+        """Return how fast (m/s) the base may back up: so that it stops in what is free behind it."""
+        known = self._way_back.free(macros.pose, self._sights.last, robot_seconds(self._clocks))
+        free = min(known, self._surround.room(math.pi, BEHIND))
+        return min(
+            self._wheels.drive.backward, stopping_speed(free, self._wheels.drive.acceleration, LATENCY)
+        )
 
     def _speeds(
-        self, goal: FollowGoal, macros: Macros, sight: _Sight | None, side: float
+        self, goal: FollowGoal, macros: Macros, sight: Sight | None, side: float
     ) -> tuple[float, float, tuple[str, ...]]:
         """Return the speeds (m/s, rad/s) and what they are for; it searches to ``side``, unless that is 0."""
         if sight is None or side:
@@ -152,7 +143,7 @@ class Follow:
         angular = min(max(TURN_GAIN * bearing, -drive.turn), drive.turn)
         if abs(bearing) > FACE:
             return 0.0, angular, ("Follow", "TurnTo", "SetWheelSpeed")
-        linear = min(max(GAIN * off, -self._back()), self._speed()) * math.cos(bearing)
+        linear = min(max(GAIN * off, -self._back(macros)), self._speed()) * math.cos(bearing)
         return linear, angular, ("Follow", "SetWheelSpeed")
 
     @staticmethod

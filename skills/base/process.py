@@ -18,9 +18,11 @@ from tandem.skills.base.obstacles import Obstacles
 from tandem.skills.base.reflexes.registry import SHIPPED, BaseReflex, chosen_for, reflexes
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
 from tandem.skills.base.rotate import Rotate
+from tandem.skills.base.sights import Sights
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.surround import Surround
 from tandem.skills.base.tracker import PoseTracker
+from tandem.skills.base.way_back import WayBack
 from tandem.skills.base.wheels import Wheels
 from tandem.skills.pipeline import Pipeline
 from tandem.skills.ports.actions.base import LOCALISE
@@ -30,6 +32,7 @@ from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
 from tandem.skills.ports.reflex import BASE
 from tandem.skills.ports.site import Site
+from tandem.skills.ports.whereabouts import Neighbours
 from tandem.skills.reflexes import Fitted, Reflexes, fitted
 from tandem.skills.server import ActionServer
 
@@ -90,6 +93,7 @@ def build(
     *,
     charge: bool = False,
     left_out: Mapping[str, str] | None = None,
+    neighbours: Neighbours | None = None,
 ) -> list[Node]:
     """Return the nodes of the base's process, in the order in which they are to be stepped.
 
@@ -100,12 +104,14 @@ def build(
         site: the map.
         charge: make a computation's slices cost their declared robot time (lockstep).
         left_out: plug-ins that are known not to load; None: all plug-ins are left out.
+        neighbours: what the other robots of the site tell of themselves; None: there are none.
     """
     types = reflexes(left_out)
     if description.drive is None:
         return [FixedBase(bus, clocks, site.home)]
     if not description.lasers:
-        return _by_pose_sensor(bus, clocks, description, site, types, charge=charge)
+        others = neighbours or Neighbours(None, clocks, description.name)
+        return _by_pose_sensor(bus, clocks, description, site, types, neighbours=others, charge=charge)
     base = assemble(bus, clocks, description, site, types)
     return [
         base.localiser,
@@ -126,6 +132,7 @@ def _by_pose_sensor(
     site: Site,
     types: Sequence[BaseReflex],
     *,
+    neighbours: Neighbours,
     charge: bool,
 ) -> list[Node]:
     """Return the nodes of a base that is told where it is, and knows no obstacles but those that it sees."""
@@ -148,9 +155,18 @@ def _by_pose_sensor(
             pipelines=(pipeline,),
         )
     ]
-    if description.robot_sensors:
-        follow = Follow(bus, clocks, drive, tracker, sees, guard=guard, board=board)
-        servers.append(ActionServer(bus, clocks, follow, charge=charge, pipelines=(pipeline,)))
+    follow = Follow(
+        bus,
+        clocks,
+        drive,
+        tracker,
+        sees,
+        sights=Sights(clocks, tracker, sees, neighbours),
+        way_back=WayBack(site, description.footprint_radius, description.height),
+        guard=guard,
+        board=board,
+    )
+    servers.append(ActionServer(bus, clocks, follow, charge=charge, pipelines=(pipeline,)))
     runner = Reflexes(bus, clocks, (pipeline,), _fitted(types, around, site))
     return [tracker, sees, board, runner, *servers]
 

@@ -106,12 +106,6 @@ class Surround:
         """The range sensors that are silent, or stuck at one distance."""
         return self._deaf
 
-    @property
-    def looks_back(self) -> bool:
-        """Whether a range sensor that tells something looks behind the base."""
-        behind = {each.sensor.name for each in self._rangers if abs(each.in_base.yaw) > math.pi - AHEAD}
-        return bool(behind - {*self._deaf})
-
     def speed(self, wished: float) -> float:
         """Return how fast (m/s) the base may go ahead: slowly where a sensor that looks there is deaf."""
         ahead = {each.sensor.name for each in self._rangers if abs(each.in_base.yaw) < AHEAD}

@@ -14,6 +14,7 @@ from tandem.skills.ports.message import Message
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.reflex import PipelineState, pipeline_state
 from tandem.skills.ports.sensors import PoseReading, RangeReading, Ranges, RobotsSeen, SeenRobot
+from tandem.skills.ports.whereabouts import Neighbours
 from tandem.skills.site import load
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus
@@ -38,7 +39,15 @@ class SonarRig:
     def __post_init__(self) -> None:
         self.bus, self.clocks = MemoryBus(), SteppedClocks("rig")
         self.description = robot_model(self.robot).description
-        self.nodes = build(self.bus, self.clocks, self.description, load("rocs"), left_out=self.left_out)
+        self.commons = MemoryBus()
+        self.nodes = build(
+            self.bus,
+            self.clocks,
+            self.description,
+            load("rocs"),
+            left_out=self.left_out,
+            neighbours=Neighbours(self.commons, self.clocks, "rig"),
+        )
         self._commands = Latest(self.bus, BASE_VELOCITY, depth=256)
         self._states = Latest(self.bus, pipeline_state("base"), depth=256)
         self.speed = BaseVelocity(linear=0.0, angular=0.0)

@@ -6,7 +6,7 @@ import pytest
 from py_trees.common import Status
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
-from tandem.skills.ports.actions.base import FollowGoal
+from tandem.skills.ports.actions.base import FollowBy, FollowGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.site import load
 from tandem.skills.testing.mock_base import FOR_EVER, MockReflex
@@ -74,7 +74,15 @@ def test_what_was_seen_before_a_reflex_counts() -> None:
     assert result(run).seen == pytest.approx(10.0, abs=0.5)
 
 
-def test_a_robot_that_sees_no_others_is_refused() -> None:
+def test_a_robot_that_sees_no_others_can_only_go_by_what_they_tell() -> None:
     blind = mock_description().model_copy(update={"robot_sensors": ()})
     (problem,) = TASK.against(FollowRequest(robot="r2"), blind)
-    assert problem.found == "follow needs a sensor for other robots"
+    assert (problem.path, problem.found) == ("by", "sensor")
+    assert "no sensor for other robots" in problem.expected
+    assert TASK.against(FollowRequest(robot="r2", by=FollowBy.BELIEF), blind) == ()
+
+
+def test_the_goal_says_how_the_other_is_found() -> None:
+    run = bench()
+    assert run.run("follow", {"robot": "r2", "seconds": 5.0, "by": "belief"}) is Status.SUCCESS
+    assert {each.by for each in goals(run)} == {FollowBy.BELIEF}

@@ -8,6 +8,8 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from pydantic import Field
 
+from tandem.skills.ports.actions.base import FollowBy
+from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Count, Message
 from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.site import Site
@@ -42,6 +44,10 @@ class FollowRequest(Message):
     ]
     distance: Annotated[float, Field(ge=0.3, le=10.0, description="m between the centres")] = 1.3
     seconds: Annotated[float, Field(ge=1.0, le=86400.0, description="robot seconds")] = 60.0
+    by: Annotated[
+        FollowBy,
+        Field(description="how the other is found: a sensor sees it, or it tells where it believes to be"),
+    ] = FollowBy.SENSOR
 
 
 class FollowedResult(Message):
@@ -64,6 +70,14 @@ class FollowedResult(Message):
 def problems(_: FollowRequest, __: Site) -> tuple[Problem, ...]:
     """Return nothing: whether there is such a robot, only a sensor tells."""
     return ()
+
+
+def misfits(asked: FollowRequest, robot: RobotDescription) -> tuple[Problem, ...]:
+    """Return that a robot without a sensor for others can only go by what they tell."""
+    if asked.by is FollowBy.BELIEF or robot.robot_sensors:
+        return ()
+    expected = f"{FollowBy.BELIEF}: {robot.name} has no sensor for other robots"
+    return (Problem(path="by", expected=expected, found=asked.by),)
 
 
 def build(asked: FollowRequest, context: TreeContext) -> Behaviour:
@@ -92,7 +106,7 @@ def build(asked: FollowRequest, context: TreeContext) -> Behaviour:
                 memory=True,
                 children=[
                     Check("time is over?", lambda: pursuit.over),
-                    follow("follow it", context, pursuit, asked.robot, asked.distance),
+                    follow("follow it", context, pursuit, asked.robot, asked.distance, by=asked.by),
                 ],
             ),
         ],
@@ -133,5 +147,6 @@ TASK = TaskType(
     build=build,
     waits=unheard,
     result=FollowedResult,
-    needs=Needs(drive=True, place=True, robots=True),
+    needs=Needs(drive=True, place=True),
+    misfits=misfits,
 )

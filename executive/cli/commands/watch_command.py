@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
 from tandem.executive.cli.arguments import Json, connects
+from tandem.executive.cli.commands.reflex_commands import has
 from tandem.executive.config.run_options import BusOptions
 
 if TYPE_CHECKING:
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 
     from tandem.executive.cli.connection import Connection
     from tandem.skills.ports.message import RobotTime
+    from tandem.skills.ports.reflex import PipelineState
     from tandem.skills.ports.tasks import TaskStatus, TreeSnapshot
 
 REFRESH: Final = 0.1
@@ -33,6 +35,8 @@ class View:
     gone: bool = False
     told: RobotTime | None = None
     """When the status was told."""
+    held: dict[str, PipelineState] = field(default_factory=dict)
+    """The resources that a reflex has now."""
 
 
 def add_to(app: typer.Typer) -> None:
@@ -77,6 +81,7 @@ def picture(view: View, *, height: int) -> Group:
     parts = [Text(head(view), style="bold")]
     if view.status is not None and view.status.failure is not None:
         parts.append(Text(f"{view.status.failure.kind}: {view.status.failure.message}", style="red"))
+    parts.extend(Text(has(view.held[name]), style="magenta") for name in sorted(view.held))
     if view.tree is not None and view.tree.task:
         for line in lines_within(view.tree.root, max(4, height - len(parts) - 1)):
             text = Text(line.lead, style="dim", no_wrap=True, overflow="ellipsis")
@@ -134,33 +139,46 @@ class News:
     """What comes of the running task, and puts it into a view."""
 
     def __init__(self, connection: Connection) -> None:
+        from tandem.skills.ports.hearing import Heard  # noqa: PLC0415
         from tandem.skills.ports.keys import CLOCK, Latest  # noqa: PLC0415
+        from tandem.skills.ports.reflex import PipelineState, pipeline_state  # noqa: PLC0415
         from tandem.skills.ports.tasks import TASK_STATUS, TREE  # noqa: PLC0415
 
         bus = self._bus = connection.bus
         self._statuses, self._trees = Latest(bus, TASK_STATUS), Latest(bus, TREE)
         self._clock = Latest(bus, CLOCK)
+        self._pipelines = Heard(bus, pipeline_state("*").key, PipelineState.model_validate_json)
 
     def take(self, view: View) -> bool:
         """Bring the view up to date; return whether more than the time has changed."""
         from tandem.skills.ports.tasks import TaskState  # noqa: PLC0415
 
-        before = (view.status, view.tree, view.gone)
+        before = (view.status, view.tree, view.gone, _acts(view))
         tick = self._clock.refresh()
         view.now = view.now if tick is None else tick.stamp
         for status in self._statuses.take():
             if status.state is not TaskState.QUEUED or view.status is None:
                 view.status, view.told = status, view.now
+        for _, pipeline, _ in self._pipelines.take():
+            view.held.pop(pipeline.resource, None)
+            if pipeline.reflex:
+                view.held[pipeline.resource] = pipeline
         view.tree = self._trees.refresh() or view.tree
         view.gone = "executive" not in self._bus.alive()
-        return (view.status, view.tree, view.gone) != before
+        return (view.status, view.tree, view.gone, _acts(view)) != before
+
+
+def _acts(view: View) -> dict[str, tuple[str, tuple[str, ...]]]:
+    """Return which reflex does what, by resource."""
+    return {name: (state.reflex, state.doing) for name, state in view.held.items()}
 
 
 def _print(view: View) -> None:
     from tandem.executive.cli.shapes import Watched, print_json  # noqa: PLC0415
 
     tree = view.tree if view.tree is not None and view.tree.task else None
-    print_json(Watched(status=view.status, tree=tree, gone=view.gone), line=True)
+    held = tuple(view.held[name] for name in sorted(view.held))
+    print_json(Watched(status=view.status, tree=tree, gone=view.gone, reflexes=held), line=True)
 
 
 def _stream(connection: Connection, view: View) -> None:

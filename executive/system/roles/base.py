@@ -7,12 +7,21 @@ from collections.abc import Sequence
 from tandem.executive.config.extras import SKILLS
 from tandem.executive.system.roles.role import Role, Surroundings, skill_rights
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.whereabouts import Neighbours
 
 
 def _nodes(at: Surroundings) -> Sequence[Node]:
     from tandem.skills.base.process import build  # noqa: PLC0415
 
-    return build(at.bus, at.clocks, at.description, at.site, charge=at.charge, left_out=at.left_out)
+    return build(
+        at.bus,
+        at.clocks,
+        at.description,
+        at.site,
+        charge=at.charge,
+        left_out=at.left_out,
+        neighbours=Neighbours(at.commons, at.clocks, at.robot),
+    )
 
 
 ROLES = (

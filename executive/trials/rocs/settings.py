@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from tandem.skills.ports.actions.base import FollowBy
 from tandem.skills.ports.message import Count, Message
 
 Case = Literal[1, 2, 3]
@@ -17,4 +18,6 @@ class RocsOptions(Message):
 
     case: Case
     route: Route = "both"
+    by: FollowBy = FollowBy.SENSOR
+    """EXP3: how the follower knows where the other is."""
     seed: Count = 1

@@ -134,12 +134,22 @@ class GoResult(Message):
     position_error: float
 
 
+class FollowBy(StrEnum):
+    """How a robot that follows another one knows where that is."""
+
+    SENSOR = "sensor"
+    """It sees it."""
+    BELIEF = "belief"
+    """The other tells it, under ``world/robots``."""
+
+
 class FollowGoal(Message):
     """Follow another robot at a distance between the two centres (m), for so many robot seconds."""
 
     robot: Annotated[str, Field(min_length=1, max_length=64)]
     distance: Annotated[float, Field(gt=0.0)] = 1.3
     seconds: Annotated[float, Field(gt=0.0)] = 60.0
+    by: FollowBy = FollowBy.SENSOR
 
 
 class FollowFeedback(Message):

@@ -17,6 +17,7 @@ from tandem.executive.telemetry.observer import Observer
 from tandem.executive.telemetry.traces import Traces, resource
 from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.reflex import ReflexState, reflex_state
 
 NUDGING = {"task": "wait", "item": 1, "weight": 2.0}
 
@@ -191,3 +192,21 @@ def test_what_is_open_at_the_end_is_sent_as_it_stands(recorded: Recorded) -> Non
     recorded.step(3)
     recorded.observer.close()
     assert "nudge" in {span.name for span in recorded.spans.get_finished_spans()}
+
+
+@pytest.mark.parametrize(
+    ("told", "counted"), [((3, 3), 0.0), ((3, 5), 2.0), ((3, 5, 1), 3.0)], ids=["same", "more", "began anew"]
+)
+def test_a_reflex_is_counted_from_when_it_was_heard_first(
+    recorded: Recorded, told: tuple[int, ...], counted: float
+) -> None:
+    bus = recorded.here.hub.endpoint()
+    for fired in told:
+        state = ReflexState(
+            reflex="bumper", on=False, resources=("base",), rank=90, holds=True, fired=fired, about="brakes"
+        )
+        reflex_state("bumper").publish(bus, state)
+        recorded.step()
+    assert recorded.value("tandem_reflex_fired_total", reflex="bumper") == counted
+    assert recorded.value("tandem_reflex_on", reflex="bumper") == 0.0
+    assert recorded.value("tandem_reflex_holds", reflex="bumper") == 1.0

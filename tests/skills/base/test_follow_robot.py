@@ -6,8 +6,13 @@ import math
 
 import pytest
 
+from tandem.skills.base.sights import Sight
+from tandem.skills.base.way_back import WayBack
 from tandem.skills.ports.action import GoalState
-from tandem.skills.ports.actions.base import FOLLOW, FollowGoal
+from tandem.skills.ports.actions.base import FOLLOW, FollowBy, FollowGoal
+from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.whereabouts import RobotWhereabouts, whereabouts
+from tandem.skills.site import load
 from tests.fakes.sonar_rig import PERIOD, SonarRig
 
 
@@ -46,11 +51,42 @@ def test_it_keeps_near_one_that_drives_away_and_turns() -> None:
     assert far < 1.8
 
 
-def test_it_does_not_back_up_where_it_sees_nothing() -> None:
+def test_it_backs_up_from_one_that_comes_near() -> None:
     robot = rig(r2=(0.95, 0.0))
     robot.send(FOLLOW.name, FollowGoal(robot="r2", distance=1.3, seconds=60.0))
-    robot.wait(3.0)
-    assert min(each.linear for each in robot.commands) >= 0.0
+    robot.wait(5.0)
+    assert apart(robot) == pytest.approx(1.3, abs=0.1)
+
+
+@pytest.mark.parametrize(
+    ("x", "yaw", "others", "goes"),
+    [
+        (-1.80, 0.0, {}, 0.19),
+        (-1.98, 0.0, {}, 0.0),
+        (0.0, 0.0, {"r1": (-0.85, 0.0)}, 0.05),
+        (0.0, 0.0, {"r1": (-0.85, 0.9)}, 0.35),
+    ],
+    ids=["to the wall behind", "at the wall", "to a robot behind", "past a robot beside"],
+)
+def test_it_backs_up_only_where_map_and_sights_leave_room(
+    x: float, yaw: float, others: dict[str, tuple[float, float]], goes: float
+) -> None:
+    back = WayBack(load("rocs"), radius=0.46, height=0.4)
+    seen = {name: Sight(*at, at=9.9) for name, at in others.items()}
+    free = back.free(FloorPose(x=x, y=0.0, yaw=yaw), seen, now=10.0)
+    assert free == pytest.approx(goes, abs=0.051) if goes < 0.3 else free > goes
+
+
+def test_it_follows_one_that_it_does_not_see_by_what_that_tells() -> None:
+    robot = rig()
+    told = whereabouts("r2")
+    robot.send(FOLLOW.name, FollowGoal(robot="r2", distance=1.3, seconds=60.0, by=FollowBy.BELIEF))
+    for sequence in range(150):
+        there = FloorPose(x=0.0, y=-2.0, yaw=0.0)
+        message = RobotWhereabouts(name="r2", start="s", sequence=sequence, base_in_map=there)
+        told.publish(robot.commons, message)
+        robot.wait(0.1)
+    assert math.hypot(robot.pose.x, robot.pose.y + 2.0) == pytest.approx(1.3, abs=0.1)
 
 
 def test_one_that_is_lost_is_looked_for_where_it_was_and_then_all_around() -> None:

@@ -1,0 +1,68 @@
+"""How far a base may back up that has no sensor behind it: by the site's map, and by the robots seen of late.
+
+The map holds walls and furniture. What else stands behind the base, nobody knows: a bumper, or the hand that
+the base pushes against, ends it. So such a base backs up only to keep its distance.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Final
+
+import numpy as np
+
+from tandem.skills.base.map import clearance_field
+from tandem.skills.base.sights import Sight
+from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.site import Site
+
+STEP: Final = 0.05
+"""Metres between two places that are asked about."""
+FARTHEST: Final = 1.0
+"""Metres of the way back that are looked at."""
+SPARE: Final = 0.05
+"""Metres left to what the map has: its error, and that of the pose."""
+OTHERS_SPEED: Final = 0.3
+"""m/s at which a robot may have come nearer since it was seen."""
+OTHERS_RADIUS: Final = 0.30
+"""Metres: of a robot of which only the middle is told."""
+REMEMBERED: Final = 10.0
+"""Robot seconds for which a robot that is not seen counts: after 3 m on its way it may be anywhere."""
+
+
+class WayBack:
+    """Says how far is free behind a base.
+
+    Args:
+        site: what is known of the room.
+        radius: of the base's footprint (m).
+        height: of the robot (m): what hangs above it is not in its way.
+    """
+
+    def __init__(self, site: Site, radius: float, height: float) -> None:
+        boxes = [box for furniture in site.furniture for box in furniture.boxes]
+        low = [box for box in boxes if box.centre[2] - box.size[2] / 2 < height]
+        self._clear, self._radius = clearance_field(low, site.bounds), radius
+
+    def free(self, pose: FloorPose, robots: Mapping[str, Sight], now: float) -> float:
+        """Return how many metres straight back are free.
+
+        Args:
+            pose: of the base in the map.
+            robots: where others were seen last, by name.
+            now: robot seconds.
+        """
+        backs = np.arange(1, round(FARTHEST / STEP) + 1) * STEP
+        places = np.stack((pose.x - backs * math.cos(pose.yaw), pose.y - backs * math.sin(pose.yaw)), axis=-1)
+        clear = self._clear.at(places) - SPARE
+        for sight in robots.values():
+            age = now - sight.at
+            # One that stands beside the base does not keep it from going away from there.
+            ahead = math.cos(pose.yaw) * (sight.x - pose.x) + math.sin(pose.yaw) * (sight.y - pose.y) > 0.0
+            if age > REMEMBERED or (ahead and age < 1.0):
+                continue
+            away = np.hypot(places[:, 0] - sight.x, places[:, 1] - sight.y)
+            clear = np.minimum(clear, away - OTHERS_RADIUS - OTHERS_SPEED * age)
+        blocked = np.flatnonzero(clear < self._radius)
+        return float(backs[blocked[0]] - STEP if len(blocked) else backs[-1])
