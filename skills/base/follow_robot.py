@@ -97,7 +97,7 @@ class Follow:
         lasts = goal.seconds
         seen, stands, side = 0.0, False, 0.0
         while (now := robot_seconds(self._clocks)) - begun < lasts:
-            self._sights.refresh(goal.by)
+            self._sights.refresh(goal.source)
             sight = self._sights.last.get(goal.robot)
             fresh = sight is not None and now - sight.at < LOST_AFTER
             seen += now - before if fresh else 0.0

@@ -9,7 +9,7 @@ from typing import Final
 from tandem.skills.base.floor import compose
 from tandem.skills.base.surround import Surround
 from tandem.skills.base.whereabouts import Whereabouts, base_in_map
-from tandem.skills.ports.actions.base import FollowBy
+from tandem.skills.ports.actions.base import FollowSource
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.whereabouts import Neighbours
@@ -49,13 +49,13 @@ class Sights:
         """Where each robot was last, by its name."""
         return self._last
 
-    def refresh(self, by: FollowBy) -> None:
+    def refresh(self, source: FollowSource) -> None:
         """Take in where the robots are now."""
         now, here = robot_seconds(self._clocks), base_in_map(self._monitor)
         for each in self._surround.robots:
             there = compose(here, FloorPose(x=each.x, y=each.y, yaw=0.0))
             self._last[each.name] = Sight(there.x, there.y, now)
-        if by is FollowBy.SENSOR:
+        if source is FollowSource.SENSOR:
             return
         self._neighbours.refresh()
         for name, neighbour in self._neighbours.all().items():

@@ -6,7 +6,7 @@ import pytest
 from py_trees.common import Status
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
-from tandem.skills.ports.actions.base import FollowBy, FollowGoal
+from tandem.skills.ports.actions.base import FollowSource, FollowGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.site import load
 from tandem.skills.testing.mock_base import FOR_EVER, MockReflex
@@ -77,12 +77,12 @@ def test_what_was_seen_before_a_reflex_counts() -> None:
 def test_a_robot_that_sees_no_others_can_only_go_by_what_they_tell() -> None:
     blind = mock_description().model_copy(update={"robot_sensors": ()})
     (problem,) = TASK.against(FollowRequest(robot="r2"), blind)
-    assert (problem.path, problem.found) == ("by", "sensor")
+    assert (problem.path, problem.found) == ("source", "sensor")
     assert "no sensor for other robots" in problem.expected
-    assert TASK.against(FollowRequest(robot="r2", by=FollowBy.BELIEF), blind) == ()
+    assert TASK.against(FollowRequest(robot="r2", source=FollowSource.BELIEF), blind) == ()
 
 
 def test_the_goal_says_how_the_other_is_found() -> None:
     run = bench()
-    assert run.run("follow", {"robot": "r2", "seconds": 5.0, "by": "belief"}) is Status.SUCCESS
-    assert {each.by for each in goals(run)} == {FollowBy.BELIEF}
+    assert run.run("follow", {"robot": "r2", "seconds": 5.0, "source": "belief"}) is Status.SUCCESS
+    assert {each.source for each in goals(run)} == {FollowSource.BELIEF}

@@ -8,7 +8,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 from pydantic import Field
 
-from tandem.skills.ports.actions.base import FollowBy
+from tandem.skills.ports.actions.base import FollowSource
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Count, Message
 from tandem.skills.ports.problems import Problem
@@ -44,10 +44,10 @@ class FollowRequest(Message):
     ]
     distance: Annotated[float, Field(ge=0.3, le=10.0, description="m between the centres")] = 1.3
     seconds: Annotated[float, Field(ge=1.0, le=86400.0, description="robot seconds")] = 60.0
-    by: Annotated[
-        FollowBy,
+    source: Annotated[
+        FollowSource,
         Field(description="how the other is found: a sensor sees it, or it tells where it believes to be"),
-    ] = FollowBy.SENSOR
+    ] = FollowSource.SENSOR
 
 
 class FollowedResult(Message):
@@ -74,10 +74,10 @@ def problems(_: FollowRequest, __: Site) -> tuple[Problem, ...]:
 
 def misfits(asked: FollowRequest, robot: RobotDescription) -> tuple[Problem, ...]:
     """Return that a robot without a sensor for others can only go by what they tell."""
-    if asked.by is FollowBy.BELIEF or robot.robot_sensors:
+    if asked.source is FollowSource.BELIEF or robot.robot_sensors:
         return ()
-    expected = f"{FollowBy.BELIEF}: {robot.name} has no sensor for other robots"
-    return (Problem(path="by", expected=expected, found=asked.by),)
+    expected = f"{FollowSource.BELIEF}: {robot.name} has no sensor for other robots"
+    return (Problem(path="source", expected=expected, found=asked.source),)
 
 
 def build(asked: FollowRequest, context: TreeContext) -> Behaviour:
@@ -106,7 +106,7 @@ def build(asked: FollowRequest, context: TreeContext) -> Behaviour:
                 memory=True,
                 children=[
                     Check("time is over?", lambda: pursuit.over),
-                    follow("follow it", context, pursuit, asked.robot, asked.distance, by=asked.by),
+                    follow("follow it", context, pursuit, asked.robot, asked.distance, source=asked.source),
                 ],
             ),
         ],

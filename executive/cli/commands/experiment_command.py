@@ -47,8 +47,8 @@ class Series(StrEnum):
     GRASP = "grasp"
 
 
-class By(StrEnum):
-    """As ``tandem.skills.ports.actions.base.FollowBy``, which is not loaded for a command's help."""
+class SightSource(StrEnum):
+    """As ``tandem.skills.ports.actions.base.FollowSource``, which is not loaded for a command's help."""
 
     SENSOR = "sensor"
     BELIEF = "belief"
@@ -141,10 +141,12 @@ def rocs(
     route: Annotated[
         Route, typer.Option("--route", help="Both routes, or the baseline without the reflex.")
     ] = Route.BOTH,
-    by: Annotated[
-        By,
-        typer.Option("--by", help="EXP3: the follower sees the other, or is told where that believes to be."),
-    ] = By.SENSOR,
+    source: Annotated[
+        SightSource,
+        typer.Option(
+            "--source", help="EXP3: the follower sees the other, or is told where that believes to be."
+        ),
+    ] = SightSource.SENSOR,
     runs: Runs = 60,
     seed: Seed = 1,
     report: ReportFile = None,
@@ -162,7 +164,9 @@ def rocs(
     from tandem.executive.trials.rocs.settings import RocsOptions  # noqa: PLC0415
     from tandem.executive.trials.rocs.summary import summary  # noqa: PLC0415
 
-    options = RocsOptions.model_validate({"case": case, "route": route.value, "by": by.value, "seed": seed})
+    options = RocsOptions.model_validate(
+        {"case": case, "route": route.value, "source": source.value, "seed": seed}
+    )
     console = Console(highlight=False, soft_wrap=True)
     done: list[RocsRun] = []
     for run in in_series(partial(run_number, partial(run_rocs, options), first), runs, jobs=jobs):
@@ -171,7 +175,7 @@ def rocs(
         if figures is not None:
             figures.mkdir(parents=True, exist_ok=True)
             title = f"EXP{case}, route {route.value}, seed {seed}, run {run.run}: {run.state.lower()}"
-            of = f"-{by.value}" if case == 3 else ""  # noqa: PLR2004 - EXP3 alone has a follower
+            of = f"-{source.value}" if case == 3 else ""  # noqa: PLR2004 - EXP3 alone has a follower
             path = figures / f"rocs-{case}-{route.value}{of}-{run.run}.svg"
             path.write_text(figure(run, title), encoding="utf-8")
     done.sort(key=lambda each: each.run)

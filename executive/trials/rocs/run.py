@@ -18,7 +18,7 @@ from tandem.executive.trials.rocs.settings import Case, RocsOptions
 from tandem.executive.trials.trial import trial, warm_up
 from tandem.sim.things import BoxShape
 from tandem.skills.geometry.poses import wrap
-from tandem.skills.ports.actions.base import FollowBy
+from tandem.skills.ports.actions.base import FollowSource
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import Count, Message
@@ -159,7 +159,7 @@ def run_rocs(options: RocsOptions, run: int) -> RocsRun:
         if options.route == "deliberative":
             reflex_switch("avoid_collision").query(one.bus, ReflexSwitch(on=False, by="the experiment"))
         if plan.follower:
-            _follow(system.of(plan.follower), plan.asked, options.by, witness)
+            _follow(system.of(plan.follower), plan.asked, options.source, witness)
         made = trial(one, dict(plan.request), within=WITHIN, also=witness)
         path = witness.paths[plan.asked]
         (x, y), (x_end, y_end) = (path[-1].x, path[-1].y), plan.places[-1]
@@ -200,7 +200,7 @@ def missed(path: Sequence[Point], places: Sequence[tuple[float, float]]) -> int:
     return left_out
 
 
-def _follow(system: System, robot: str, by: FollowBy, witness: Witness) -> None:
+def _follow(system: System, robot: str, source: FollowSource, witness: Witness) -> None:
     """Have a robot follow another one until the run is over.
 
     Raises:
@@ -211,7 +211,7 @@ def _follow(system: System, robot: str, by: FollowBy, witness: Witness) -> None:
         "robot": robot,
         "distance": DISTANCE,
         "seconds": WITHIN,
-        "by": by,
+        "source": source,
     }
     answer = Caller(system, lambda _: None, also=witness).request(request)
     if not answer.accepted:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from tandem.skills.ports.actions.base import FollowBy
+from tandem.skills.ports.actions.base import FollowSource
 from tandem.skills.ports.message import Count, Message
 
 Case = Literal[1, 2, 3]
@@ -18,6 +18,6 @@ class RocsOptions(Message):
 
     case: Case
     route: Route = "both"
-    by: FollowBy = FollowBy.SENSOR
+    source: FollowSource = FollowSource.SENSOR
     """EXP3: how the follower knows where the other is."""
     seed: Count = 1

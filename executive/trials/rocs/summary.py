@@ -21,7 +21,7 @@ def summary(options: RocsOptions, runs: Sequence[RocsRun]) -> list[str]:
     failed = Counter(str(run.failure.kind) for run in runs if run.failure is not None)
     offs = [run.off_goal for run in runs if run.state == "SUCCEEDED"]
     lines = [
-        f"EXP{options.case}, route {options.route}{_by(options)}, seed {options.seed}: {len(runs)} runs",
+        f"EXP{options.case}, route {options.route}{_source(options)}, seed {options.seed}: {len(runs)} runs",
         f"  as aimed at, having caused no contact: {reached} of {len(runs)}",
         f"  ended: {_counts(ended)}" + (f"; failures: {_counts(failed)}" if failed else ""),
         f"  places not visited: {sum(run.missed for run in runs)}",
@@ -40,8 +40,8 @@ def summary(options: RocsOptions, runs: Sequence[RocsRun]) -> list[str]:
     ]
 
 
-def _by(options: RocsOptions) -> str:
-    return f", by {options.by}" if options.case == 3 else ""  # noqa: PLR2004 - EXP3 alone has a follower
+def _source(options: RocsOptions) -> str:
+    return f", by {options.source}" if options.case == 3 else ""  # noqa: PLR2004 - EXP3 alone has a follower
 
 
 def _counts(of: Counter[str]) -> str:

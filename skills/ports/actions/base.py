@@ -134,7 +134,7 @@ class GoResult(Message):
     position_error: float
 
 
-class FollowBy(StrEnum):
+class FollowSource(StrEnum):
     """How a robot that follows another one knows where that is."""
 
     SENSOR = "sensor"
@@ -149,7 +149,7 @@ class FollowGoal(Message):
     robot: Annotated[str, Field(min_length=1, max_length=64)]
     distance: Annotated[float, Field(gt=0.0)] = 1.3
     seconds: Annotated[float, Field(gt=0.0)] = 60.0
-    by: FollowBy = FollowBy.SENSOR
+    source: FollowSource = FollowSource.SENSOR
 
 
 class FollowFeedback(Message):

@@ -9,7 +9,7 @@ import pytest
 from tandem.skills.base.sights import Sight
 from tandem.skills.base.way_back import WayBack
 from tandem.skills.ports.action import GoalState
-from tandem.skills.ports.actions.base import FOLLOW, FollowBy, FollowGoal
+from tandem.skills.ports.actions.base import FOLLOW, FollowSource, FollowGoal
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.whereabouts import RobotWhereabouts, whereabouts
 from tandem.skills.site import load
@@ -80,7 +80,7 @@ def test_it_backs_up_only_where_map_and_sights_leave_room(
 def test_it_follows_one_that_it_does_not_see_by_what_that_tells() -> None:
     robot = rig()
     told = whereabouts("r2")
-    robot.send(FOLLOW.name, FollowGoal(robot="r2", distance=1.3, seconds=60.0, by=FollowBy.BELIEF))
+    robot.send(FOLLOW.name, FollowGoal(robot="r2", distance=1.3, seconds=60.0, source=FollowSource.BELIEF))
     for sequence in range(150):
         there = FloorPose(x=0.0, y=-2.0, yaw=0.0)
         message = RobotWhereabouts(name="r2", start="s", sequence=sequence, base_in_map=there)
