@@ -6,7 +6,7 @@ import pytest
 from py_trees.common import Status
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
-from tandem.skills.ports.actions.base import FollowSource, FollowGoal
+from tandem.skills.ports.actions.base import FollowGoal, FollowSource
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.site import load
 from tandem.skills.testing.mock_base import FOR_EVER, MockReflex

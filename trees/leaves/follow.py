@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tandem.skills.ports.actions.base import FOLLOW, FollowSource, FollowFeedback, FollowGoal, FollowResult
+from tandem.skills.ports.actions.base import FOLLOW, FollowFeedback, FollowGoal, FollowResult, FollowSource
 from tandem.skills.ports.failure import Failure
 from tandem.trees.behaviours.act import Act
 from tandem.trees.context import TreeContext

@@ -9,7 +9,7 @@ import pytest
 from tandem.skills.base.sights import Sight
 from tandem.skills.base.way_back import WayBack
 from tandem.skills.ports.action import GoalState
-from tandem.skills.ports.actions.base import FOLLOW, FollowSource, FollowGoal
+from tandem.skills.ports.actions.base import FOLLOW, FollowGoal, FollowSource
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.whereabouts import RobotWhereabouts, whereabouts
 from tandem.skills.site import load
