@@ -119,10 +119,9 @@ def in_one_process(count: int) -> list[float]:
         bus, clocks = MemoryBus(), SteppedClocks("bench")
         face = Face(bus, robot_model(ROBOT).description)
         nodes = build(bus, clocks, face.description, load(SITE))
-        for _ in range(20):
+        for tick in range(1, 21):
             clocks.advance(PERIOD)
-            now = clocks.robot()
-            assert now is not None
+            now = RobotTime(boot=clocks.boot, seconds=round(tick * PERIOD, 9))
             face.move(now)
             face.see(now, {})
             for node in nodes:

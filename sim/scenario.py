@@ -14,6 +14,7 @@ from typing import Annotated, Final
 
 from pydantic import Field, JsonValue, ValidationInfo, field_validator, model_validator
 
+from tandem.sim.demonstration import Demonstration
 from tandem.sim.faults import Fault
 from tandem.sim.starts import ALONE, MOST_ROBOTS, ROBOT, RobotStart
 from tandem.sim.things import Angle, Coordinate, Name, Obstacle, TrueItem
@@ -91,6 +92,8 @@ class Scenario(Message):
     surfaces: tuple[SpawnSurface, ...] = ()
     faults: tuple[Fault, ...] = ()
     """Faults to inject, each at its time."""
+    demo: Demonstration | None = None
+    """What ``tandem demo`` shows it with; None: fetching item 29 to the depot."""
 
     @field_validator("robot")
     @classmethod
@@ -120,6 +123,18 @@ class Scenario(Message):
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:
                 raise ValueError(f"duplicate {what}: {', '.join(twice)}")
+        return self
+
+    @model_validator(mode="after")
+    def _demo_asks_who_is_there(self) -> Scenario:
+        if self.demo is None:
+            return self
+        there = self.robots_on_the_bus
+        named = [self.demo.robot] if self.demo.robot else []
+        for name in (*named, *(each.robot for each in self.demo.beside)):
+            if name not in there:
+                known = ", ".join(there) or "none: there is only one"
+                raise ValueError(f"demo: expected a robot with an executive ({known}); found {name!r}")
         return self
 
     @property

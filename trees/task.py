@@ -23,6 +23,8 @@ belongs into a file that the result names."""
 Asked = TypeVar("Asked", bound=Message)
 UNABLE: Final = "UNABLE"
 """Code of the problem that the robot lacks a part."""
+RESERVED: Final = frozenset({"by", "client_id"})
+"""Fields of a request that say who asks: the executive reads them, whatever the kind."""
 _NOTHING: Final = Needs()
 
 
@@ -61,6 +63,18 @@ class TaskType(Generic[Asked]):
     result: type[Message] | None = None
     needs: Needs = _NOTHING
     misfits: Callable[[Asked, RobotDescription], tuple[Problem, ...]] = _fits_any
+
+    def __post_init__(self) -> None:
+        """Refuse a kind whose requests nobody could send.
+
+        Raises:
+            TypeError: a field of its request has a name that the executive reads itself.
+        """
+        if taken := sorted(RESERVED & self.request.model_fields.keys()):
+            raise TypeError(
+                f"task {self.name!r}: {self.request.__name__} has a field {taken[0]!r}, "
+                "by which the executive knows who asks; expected another name"
+            )
 
     def against(self, request: Asked, robot: RobotDescription | None) -> tuple[Problem, ...]:
         """Return why a robot can't do what is asked; nothing when it can, or is not known yet."""

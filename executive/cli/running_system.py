@@ -37,9 +37,11 @@ from tandem.executive.system.systems import (
 )
 from tandem.executive.trials.demo import Caller, succeeded
 from tandem.executive.trials.run_report import Recorder, write_report
+from tandem.executive.trials.truly import judged
+from tandem.sim.demonstration import Beside, Demonstration, View
 from tandem.sim.scenario import Scenario, read_scenario
 from tandem.sim.scene import build_scene
-from tandem.sim.truth import Truth, lies_on
+from tandem.sim.truth import Truth
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.sources import DocumentError
@@ -47,18 +49,25 @@ from tandem.skills.ports.tasks import TaskStatus
 from tandem.skills.site import load, locate
 from tandem.skills.testing.faulty_bus import BusFaults
 
-DEMO_REQUEST: Final[dict[str, JsonValue]] = {"task": "fetch", "item": 29, "to": "depot"}
+USUAL_VIEW: Final = View(eye=(0.9, -2.9, 2.2), target=(-1.6, 0.3, 0.5))
+"""From the lab's south wall: depot, home and shelf."""
+USUAL: Final = Demonstration(request={"task": "fetch", "item": 29, "to": "depot"}, view=USUAL_VIEW)
+"""What a scenario is shown with that says nothing of it."""
 PICTURE: Final = Path("tandem-demo.png")
 
 
 def run_demo(options: RunOptions) -> ExitCode:
-    """Fetch one item and end; OK only when, in truth, the item lies in the depot."""
+    """Show a scenario and end; OK only when the task succeeded, and in truth as well."""
 
     def work(console: Console) -> ExitCode:
         scenario, site, bus_faults = _checked(options)
-        robot = _asked_robot(options, scenario)
+        demo = scenario.demo or USUAL
+        robot = demo.robot or _asked_robot(options, scenario)
         with _system(options, scenario, bus_faults, console) as system:
-            return _fetch(options, system.of(robot) if robot else system, site, console)
+            for each in demo.beside:
+                _ask_beside(system.of(each.robot), each, console)
+            asked: System = system.of(robot) if robot else system
+            return _show(options, asked, site, demo, robot=robot, console=console)
 
     return _ended(work)
 
@@ -74,7 +83,7 @@ def run_once(options: RunOptions) -> ExitCode:
             if ran is None:
                 return ExitCode.BAD_INPUT
             if options.picture is not None:
-                _show_end(options.picture, ran.caller, console)
+                _show_end(options.picture, ran.caller, (scenario.demo or USUAL).view, console)
             _tell_end(ran, console)
             _write_report(options, ran.recorder, system, notes={}, start=ran.before, end=ran.after)
             return ExitCode.OK if succeeded(ran.status) else ExitCode.TASK_FAILED
@@ -253,18 +262,31 @@ def _carry_out(options: RunOptions, system: System, request: str, console: Conso
     return _Ran(status, caller, recorder, _items(before), _items(after), after)
 
 
-def _fetch(options: RunOptions, system: System, site: Site, console: Console) -> ExitCode:
-    ran = _carry_out(options, system, json.dumps(DEMO_REQUEST), console)
+def _ask_beside(system: System, beside: Beside, console: Console) -> None:
+    """Have another robot begin what it does meanwhile.
+
+    Raises:
+        DocumentError: it refuses.
+    """
+    console.print(f"{beside.robot}: {json.dumps(beside.request)}", markup=False)
+    answer = Caller(system, lambda _: None).request(dict(beside.request))
+    if not answer.accepted:
+        raise DocumentError(f"the demo's request to {beside.robot}: {describe_problems(answer)}")
+
+
+def _show(
+    options: RunOptions, system: System, site: Site, demo: Demonstration, *, robot: str, console: Console
+) -> ExitCode:
+    ran = _carry_out(options, system, json.dumps(demo.request), console)
     if ran is None:
         return ExitCode.BAD_INPUT
-    item, depot = int(str(DEMO_REQUEST["item"])), str(DEMO_REQUEST["to"])
-    there = lies_on(ran.truth, site, item, depot)
-    _show_end(options.picture or PICTURE, ran.caller, console)
+    found = judged(demo.request, ran.truth, site, robot)
+    if options.picture is not None or demo.view is not None:
+        _show_end(options.picture or PICTURE, ran.caller, demo.view, console)
     _tell_end(ran, console)
-    console.print(f"ground truth: item {item} {'is' if there else 'is not'} in {depot}", markup=False)
-    notes: dict[str, JsonValue] = {"item": item, "in_depot": there}
-    _write_report(options, ran.recorder, system, notes=notes, start=ran.before, end=ran.after)
-    return ExitCode.OK if there and succeeded(ran.status) else ExitCode.TASK_FAILED
+    console.print(f"ground truth: {found.words}", markup=False)
+    _write_report(options, ran.recorder, system, notes=dict(found.notes), start=ran.before, end=ran.after)
+    return ExitCode.OK if found.good and succeeded(ran.status) else ExitCode.TASK_FAILED
 
 
 def _tell_end(ran: _Ran, console: Console) -> None:
@@ -273,8 +295,8 @@ def _tell_end(ran: _Ran, console: Console) -> None:
     console.print("\n".join((f"task {status.task} {ended}", *result_lines(status))), markup=False)
 
 
-def _show_end(path: Path, caller: Caller, console: Console) -> None:
-    picture = caller.photograph()
+def _show_end(path: Path, caller: Caller, view: View | None, console: Console) -> None:
+    picture = caller.photograph(view or USUAL_VIEW)
     if picture is None:
         console.print("no picture: the camera did not answer")
         return

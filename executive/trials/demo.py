@@ -11,6 +11,7 @@ from pydantic import JsonValue
 
 from tandem.executive.system.systems import System, SystemFailure, wait_for
 from tandem.sim.controls import PHOTOGRAPH, PhotographRequest
+from tandem.sim.demonstration import View
 from tandem.sim.truth import TRUTH, Truth
 from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.keys import Latest, Nothing
@@ -29,8 +30,6 @@ from tandem.skills.ports.tasks import (
 
 ANSWER_WITHIN: Final = 10.0
 """Seconds for one query."""
-VIEW: Final = PhotographRequest(eye=(0.9, -2.9, 2.2), target=(-1.6, 0.3, 0.5))
-"""From the south wall: depot, home and shelf."""
 Say = Callable[[str], None]
 
 
@@ -130,9 +129,9 @@ class Caller:
         """
         return truth_of(self._system)
 
-    def photograph(self) -> bytes | None:
+    def photograph(self, view: View) -> bytes | None:
         """Return a picture of the room as PNG, or None when none came."""
-        ask = VIEW.model_dump_json().encode()
+        ask = PhotographRequest(eye=view.eye, target=view.target).model_dump_json().encode()
         pending = self._system.bus.query(PHOTOGRAPH.key, ask, timeout=ANSWER_WITHIN)
         return wait_for(self._system, pending, ANSWER_WITHIN)
 

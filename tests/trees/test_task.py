@@ -1,0 +1,23 @@
+"""What a kind of task may call its fields."""
+
+from __future__ import annotations
+
+import pytest
+from py_trees.behaviours import Success
+from pydantic import create_model
+
+from tandem.executive.ledger.sender import BY_FIELD
+from tandem.executive.service.intake.request_parser import ID_FIELD
+from tandem.skills.ports.message import Message
+from tandem.trees.task import RESERVED, TaskType
+
+
+@pytest.mark.parametrize("name", [BY_FIELD, ID_FIELD])
+def test_a_kind_whose_field_says_who_asks_is_refused(name: str) -> None:
+    request = create_model("OddRequest", __base__=Message, **{name: (str, "")})  # type: ignore[call-overload]
+    with pytest.raises(TypeError, match=f"OddRequest has a field '{name}'"):
+        TaskType("odd", "Odd.", request, lambda _, __: (), lambda _, __: Success("done"))
+
+
+def test_both_fields_are_reserved() -> None:
+    assert {BY_FIELD, ID_FIELD} == RESERVED
