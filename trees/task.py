@@ -23,7 +23,7 @@ belongs into a file that the result names."""
 Asked = TypeVar("Asked", bound=Message)
 UNABLE: Final = "UNABLE"
 """Code of the problem that the robot lacks a part."""
-RESERVED: Final = frozenset({"by", "client_id"})
+RESERVED: Final = frozenset({"by", "id"})
 """Fields of a request that say who asks: the executive reads them, whatever the kind."""
 _NOTHING: Final = Needs()
 

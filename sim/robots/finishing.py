@@ -12,6 +12,8 @@ if TYPE_CHECKING:
 
 DARK: Final = ("finger", "wheel", "caster", "_2_link")
 """Links with one of these in their name are drawn dark."""
+COLOURS: Final = {"White": "0.92 0.92 0.90 1", "DarkGrey": "0.16 0.16 0.17 1"}
+"""Where the robot's own URDF defines none: pybullet draws a colour that nobody defines as it likes."""
 
 
 def finish(document: UrdfDocument, keep: Iterable[str]) -> tuple[str, dict[str, tuple[str, Array]]]:
@@ -48,3 +50,9 @@ def _draw_collision_shapes(document: UrdfDocument) -> None:
                 if part.tag in ("origin", "geometry"):
                     visual.append(part)
             ET.SubElement(visual, "material", name=colour)
+    defined = {material.get("name") for material in document.root.findall("material")}
+    for name, rgba in COLOURS.items():
+        if name not in defined:
+            material = ET.Element("material", name=name)
+            ET.SubElement(material, "color", rgba=rgba)
+            document.root.insert(0, material)

@@ -94,6 +94,11 @@ def go_on(
         system.advance()
 
 
+def alive(process: int) -> bool:
+    """Say whether a process still runs."""
+    return any(each.number == process and each.state != "Z" for each in processes())
+
+
 def kill(process: int) -> None:
     """Kill a process as nobody can hear."""
     os.kill(process, signal.SIGKILL)

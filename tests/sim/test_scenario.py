@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
-from tandem.sim.scenario import ScenarioError, load_scenario, scenario_names
+from tandem.sim.scenario import Scenario, ScenarioError, load_scenario, scenario_names
 from tandem.sim.scene import build_scene
 from tandem.sim.things import TrueItem
 from tandem.skills.ports.pose import FloorPose
@@ -96,3 +97,17 @@ def test_variants_leave_the_original_alone() -> None:
     assert demo.item(29).support == "table"
     assert len(demo.without_item(29).items) == len(demo.items) - 1
     assert demo.starting_at(FloorPose(x=0.0, y=-2.0, yaw=0.0)).start.y == -2.0
+
+
+@pytest.mark.parametrize(
+    "demo",
+    [
+        {"robot": "r9", "request": {"task": "inspect"}},
+        {"request": {"task": "inspect"}, "beside": [{"robot": "r1", "request": {"task": "inspect"}}]},
+    ],
+    ids=["nobody", "one that a script drives"],
+)
+def test_a_demo_asks_a_robot_with_an_executive(demo: dict[str, object]) -> None:
+    shown = load_scenario("Rocs3").model_dump(mode="json") | {"demo": demo}
+    with pytest.raises(ValueError, match=r"demo: expected a robot with an executive \(r2, r3\); found"):
+        Scenario.model_validate_json(json.dumps(shown))
