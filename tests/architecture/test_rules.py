@@ -94,6 +94,7 @@ def test_truth_is_read_by_tests_and_reports_only() -> None:
     assert readers <= {
         "executive/trials/demo.py",
         "executive/trials/run_report.py",
+        "executive/trials/truly.py",
         "executive/cli/running_system.py",
         "executive/trials/campaigns/crash_physics.py",
         "executive/trials/campaigns/hardware_restart.py",
