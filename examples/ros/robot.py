@@ -35,6 +35,8 @@ from tandem.skills.wire.zenoh_bus import ZenohBus, wait_until
 VECTOR: Final = "geometry_msgs/msg/Vector3"
 POINT: Final = "geometry_msgs/msg/Point"
 QUATERNION: Final = "geometry_msgs/msg/Quaternion"
+SWITCH_INTERVAL: Final = 0.0005
+"""Seconds after which the loop lets zenoh's callbacks go on."""
 WAIT: Final = 0.02
 """Seconds between two looks when nothing comes."""
 
@@ -182,6 +184,7 @@ class RosFace:
 def main(arguments: Iterable[str]) -> None:
     """Be the robot until Ctrl-C."""
     endpoint, prefix = arguments
+    sys.setswitchinterval(SWITCH_INTERVAL)
     ended: list[int] = []
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda which, _: ended.append(which))

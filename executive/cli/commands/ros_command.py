@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -64,7 +65,7 @@ def _play(logs: LogOptions, map_file: Path, router: str, bus: BusOptions) -> Non
     from tandem.executive.config.process_settings import RefusalError, WorkerSettings  # noqa: PLC0415
     from tandem.executive.system.playing import play  # noqa: PLC0415
     from tandem.executive.system.roles.ros import MAP, ROUTER  # noqa: PLC0415
-    from tandem.executive.system.worker import Ending  # noqa: PLC0415
+    from tandem.executive.system.worker import SWITCH_INTERVAL, Ending  # noqa: PLC0415
     from tandem.skills.wire.zenoh_bus import BusError  # noqa: PLC0415
 
     if bus.keys is not None and not router:
@@ -86,6 +87,7 @@ def _play(logs: LogOptions, map_file: Path, router: str, bus: BusOptions) -> Non
     logging.basicConfig(level=logging.INFO)
     ending = Ending(parent=os.getppid())
     ending.listen()
+    sys.setswitchinterval(SWITCH_INTERVAL)  # as any process of the system: a busy loop must hear
     typer.echo(f"{bus.prefix} at {bus.endpoint}: press Ctrl-C to stop")
     try:
         play(settings, ending)
