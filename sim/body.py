@@ -184,7 +184,13 @@ class RobotBody:
             self.physics.set_surface(self.body, link, friction=SKIN_FRICTION)
         for name, friction in self.model.floor_frictions.items():
             share = self.model.sideways_frictions.get(name, 1.0)
-            self.physics.set_surface(self.body, self.link_index[name], friction=friction, sideways=share)
+            self.physics.set_surface(
+                self.body,
+                self.link_index[name],
+                friction=friction,
+                sideways=share,
+                anchored=name in self.model.anchored_wheels,
+            )
         for name in (link for hand in self.model.hands for link in hand.finger_links):
             self.physics.set_surface(self.body, self.link_index[name], friction=PAD_FRICTION)
         for joint in self.joint_index.values():

@@ -90,6 +90,9 @@ class RobotModel:
     """Of wheels that skid in a turn, by link: the friction along the axle (the link's y) as a share of
     that along the way."""
     bumpers: tuple[Sector, ...] = QUARTERS
+    anchored_wheels: tuple[str, ...] = ()
+    """Links of wheels whose static friction keeps its place. A light base creeps on the floor else, by
+    a degree in ten seconds, as its arm moves."""
 
     def hand(self, side: str) -> Hand:
         """Return the hand of a side.

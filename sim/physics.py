@@ -153,9 +153,10 @@ class Physics:
         """Set the friction of a link's surface.
 
         Bullet multiplies the coefficients of the two that touch, so each is at most 1. ``anchored`` lets
-        static friction correct the drift that the solver leaves, within Coulomb's cone: for pads, not for
-        what rolls. See docs/decisions/001-grasp-by-friction.md. ``sideways`` is the friction along the link's
-        y, a wheel's axle, as a share of that in its other directions.
+        static friction correct the drift that the solver leaves, within Coulomb's cone: for pads, and for a
+        light base's wheels, which roll on as before. See docs/decisions/001-grasp-by-friction.md.
+        ``sideways`` is the friction along the link's y, a wheel's axle, as a share of that in its other
+        directions.
 
         Raises:
             ValueError: for a coefficient outside [0, 1].

@@ -44,9 +44,7 @@ DRIVE: Final = DifferentialDrive(
     forward=0.7, backward=0.2, acceleration=0.5, turn=1.5, turn_acceleration=1.5, dead_man=0.3
 )
 """0.7 m/s is Kobuki's; it could turn with 3.1 rad/s. The rest is ours."""
-WHEELS: Final = Wheels(("left_wheel_joint",), ("right_wheel_joint",), radius=0.035, track=0.2325, effort=3.0)
-"""Kobuki's track is 230 mm. It turns as with this one, since its stiff wheels roll on their outer edges."""
-TRACK: Final = 0.230
+WHEELS: Final = Wheels(("left_wheel_joint",), ("right_wheel_joint",), radius=0.035, track=0.230, effort=3.0)
 FLOOR_FRICTIONS: Final = {"left_wheel_link": 1.0, "right_wheel_link": 1.0, CASTERS: 0.0}
 SIXTH: Final = math.pi / 6
 BUMPERS: Final = (
@@ -105,13 +103,14 @@ def compose() -> RobotModel:
         bumper_links=(ROOT,),
         touching_links=(("lower_forearm_link", "gripper_link"), _hand().finger_links),
         bumpers=BUMPERS,
+        anchored_wheels=("left_wheel_link", "right_wheel_link"),
     )
 
 
 def _urdf() -> str:
     wheels = "".join(
         primitives.wheel(side, x=0.0, y=y, radius=WHEEL_SHAPE, width=0.02, mass=0.2)
-        for side, y in (("left", TRACK / 2), ("right", -TRACK / 2))
+        for side, y in (("left", WHEELS.track / 2), ("right", -WHEELS.track / 2))
     )
     posts = "".join(
         _box((x, y, 0.385), (0.02, 0.02, 0.35)) for x in (-0.155, -0.085) for y in (0.125, -0.125)
