@@ -16,13 +16,14 @@ from tandem.skills.ports.tasks import (
     ExecutivePulse,
     TaskKinds,
     TaskStatus,
+    Timeline,
     TreeSnapshot,
 )
 from tandem.skills.ports.world import PlanningScene, WorldState
 
 MODELS: Final = (
     ExecutivePulse, PipelineState, PlanningScene, Problem, ReflexState, RobotDescription, Site, StopState,
-    TaskKinds, TaskStatus, TreeSnapshot, WorldState,
+    TaskKinds, TaskStatus, Timeline, TreeSnapshot, WorldState,
 )  # fmt: skip
 PLAIN: Final = {
     "string": "string", "integer": "number", "number": "number", "boolean": "boolean", "null": "null",

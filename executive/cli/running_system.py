@@ -104,6 +104,8 @@ def run_up(options: RunOptions) -> ExitCode:
             console.print(f"ready: {options.scenario} on {everyone} at {options.bus.endpoint}")
             asked = replace(options, bus=buses[0])
             console.print(f"in another terminal: {hint(asked, scenario, site)}", markup=False)
+            if options.web:
+                console.print(f"the page: http://{options.web}/", markup=False)
             console.print("press Ctrl-C to stop")
             tasks = _task_lines(system, robots, console)
             if options.report is None:

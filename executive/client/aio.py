@@ -32,6 +32,7 @@ from tandem.skills.ports.tasks import (
     TaskKinds,
     TaskState,
     TaskStatus,
+    Timeline,
     TreeSnapshot,
 )
 from tandem.skills.wire.waking import LoopWaker
@@ -244,6 +245,10 @@ class AsyncClient:
         """
         asked = AskHistory(states=tuple(states), since=since, before=before, limit=limit)
         return await self._drive(self._ask.history(asked))
+
+    async def timeline(self, task: str) -> Timeline:
+        """Return when which phase, recovery and action of a task ran; empty when there is none of this id."""
+        return await self._drive(self._ask.timeline(task))
 
     async def status(self, task: str) -> TaskStatus:
         """Return a task as it stands; UnknownTaskError when there is none of this id."""

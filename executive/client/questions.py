@@ -35,6 +35,7 @@ from tandem.skills.ports.tasks import (
     TASK_RESUME,
     TASK_SITE,
     TASK_STEP,
+    TASK_TIMELINE,
     TREE_NOW,
     AnswerQuestion,
     AskHistory,
@@ -53,6 +54,7 @@ from tandem.skills.ports.tasks import (
     TaskKinds,
     TaskList,
     TaskStatus,
+    Timeline,
     TreeSnapshot,
     by_client,
 )
@@ -132,6 +134,10 @@ class Questions:
         if not task or not found.tasks:
             raise UnknownTaskError(task)
         return found.tasks[0]
+
+    def timeline(self, task: str) -> Talk[Timeline]:
+        """Return when which node of a task ran."""
+        return self.talks.ask(TASK_TIMELINE, NameTask(task=task))
 
     def history(self, asked: AskHistory) -> Talk[History]:
         """Return tasks out of the ledger, newest first."""

@@ -31,6 +31,7 @@ from tandem.skills.ports.tasks import (
     TaskKinds,
     TaskState,
     TaskStatus,
+    Timeline,
     TreeSnapshot,
 )
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
@@ -225,6 +226,10 @@ class Client:
         """
         asked = AskHistory(states=tuple(states), since=since, before=before, limit=limit)
         return self._drive(self._ask.history(asked))
+
+    def timeline(self, task: str) -> Timeline:
+        """Return when which phase, recovery and action of a task ran; empty when there is none of this id."""
+        return self._drive(self._ask.timeline(task))
 
     def status(self, task: str) -> TaskStatus:
         """Return a task as it stands; UnknownTaskError when there is none of this id."""

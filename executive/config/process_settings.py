@@ -59,6 +59,10 @@ class WorkerSettings(Message):
     """The observer's: host and port where it serves metrics for Prometheus; empty: nowhere."""
     traces: str = ""
     """The observer's: address of a collector of OpenTelemetry traces; empty: none."""
+    web: str = ""
+    """The page's: host and port where it is served."""
+    person: str = ""
+    """The page's: in whose name it asks."""
     silent_after: float = SILENT_AFTER
     """Host seconds without a beat after which another process is said not to go on."""
     listen: tuple[str, ...] = ()

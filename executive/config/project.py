@@ -48,6 +48,8 @@ class Project(Message):
     insecure: bool | None = None
     metrics: Text | None = None
     traces: Text | None = None
+    web: bool | None = None
+    """Whether the page is served."""
     silent_after: Annotated[float, Field(ge=0.2, le=10.0)] | None = None
 
     def beside(self, file: Path) -> Project:

@@ -77,6 +77,10 @@ class RunOptions:
     """Host and port where metrics are served for Prometheus; empty: nowhere."""
     traces: str = ""
     """Address of a collector of OpenTelemetry traces; empty: none."""
+    web: str = ""
+    """Host and port where the page is served; empty: nowhere."""
+    person: str = ""
+    """Who started it, in whose name the page asks."""
     silent_after: float = SILENT_AFTER
     """Host seconds without a beat after which a process is said not to go on."""
     listen: tuple[str, ...] = ()

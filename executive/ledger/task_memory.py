@@ -12,6 +12,7 @@ from pydantic import Field, JsonValue
 
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.message import HandName, Message
+from tandem.skills.ports.tasks import Span
 
 Winding = Literal["", "begun", "left"]
 """What is done after a cancel: not begun; begun; or left, because the task was cancelled once more."""
@@ -52,3 +53,5 @@ class TaskMemory(Message):
     """Nodes whose goals had ended well, at the last crash."""
     fraction: Annotated[float, Field(ge=0.0, le=1.0)] = 0.0
     """The task's progress at the last crash."""
+    spans: tuple[Span, ...] = ()
+    """When which node ran, once the task has ended or was left."""

@@ -27,6 +27,7 @@ from tandem.executive.service.running.endings import Ending
 from tandem.executive.service.running.failure_pictures import Album, Tries
 from tandem.executive.service.running.orphaned_goals import Leftovers
 from tandem.executive.service.running.sent_goals import LedgerJournal
+from tandem.executive.service.running.timeline import Spans
 from tandem.executive.service.running.tree_run import Run
 from tandem.executive.service.tasks.queue_holds import Holds
 from tandem.executive.service.tasks.resuming import Comeback, How, take_up
@@ -51,6 +52,7 @@ from tandem.skills.ports.tasks import (
     ExecutiveInfo,
     TaskState,
     TaskStatus,
+    Timeline,
     TreeNode,
     TreeSnapshot,
     task_status,
@@ -143,6 +145,7 @@ class Executive:
         self.book.hold = lambda kind: self._holds.why_not(self._kinds[kind])
         self._told_first: tuple[str, str] = ("", "")  # of those that wait, and what it waits for
         self._turn: Turn | None = None
+        self._spans = Spans()
         self._last_tree = TreeSnapshot(task="", kind="", tick=0, root=_NO_TREE)
         self._intake = Intake(
             bus, clocks, self.book, self._kinds, site, robot=lambda: self.knowledge.description, bounds=bounds
@@ -161,6 +164,7 @@ class Executive:
             tree=self._tree,
             kinds=lambda: self._offered,
             site=site,
+            timeline=self._timeline,
         )
         self._tries: list[Tries] = []  # of the running task, and of those before whose picture is under way
         self._pulse, self._task_log = Pulse(bus, clocks), TaskLog()
@@ -293,11 +297,18 @@ class Executive:
             return
         self._turn = None
         self._note_tries()
+        self._keep_spans(turn.task)
         self._note_common(turn, turn.run.ended)
         self._tell(turn.end())
         self._ended += 1
         if self._ended % PRUNE_EVERY == 0:
             self._prune()
+
+    def _keep_spans(self, task: str) -> None:
+        """Write down when which node ran, to be committed with the task's end."""
+        memory = self.book.entry(task).memory
+        spans = self._spans.end(self._clocks.robot())
+        self.book.remember(task, memory.model_copy(update={"spans": spans}))
 
     def _note_common(self, turn: Turn, ended: Ending) -> None:
         """Have tasks wait for what failed this one and would fail them; this one too, if it was a try."""
@@ -337,6 +348,7 @@ class Executive:
             failure = Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=asked.kind.name)
             self._tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
             return
+        self._spans = Spans(self.book.entry(task).memory.spans)
         self._turn.take_up(how)
         self._changed(self._turn)
 
@@ -401,6 +413,7 @@ class Executive:
         if tree is not None:
             self._last_tree = tree
             TREE.publish(self._bus, tree)
+            self._spans.see(tree)
         status = turn.progress()
         if status is not None:
             self._tell(status)
@@ -435,6 +448,12 @@ class Executive:
 
     def _tree(self) -> TreeSnapshot:
         return self._last_tree if self._turn is None else self._turn.run.tree()
+
+    def _timeline(self, task: str) -> Timeline:
+        if self._turn is not None and self._turn.task == task:
+            return Timeline(task=task, spans=self._spans.all())
+        entry = self._ledger.entry(task)
+        return Timeline(task=task, spans=() if entry is None else entry.memory.spans)
 
     @cached_property
     def _offered(self) -> bytes:

@@ -13,6 +13,7 @@ from tandem.executive.config.run_options import RunOptions, default_data
 from tandem.executive.system.hung_processes import Hung
 from tandem.executive.system.roles.observer import NAME as OBSERVER
 from tandem.executive.system.roles.registry import names
+from tandem.executive.system.roles.web import NAME as WEB
 from tandem.sim.scenario import Scenario
 from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.keys import Latest
@@ -115,7 +116,8 @@ def crews_of(
         RobotError: when there is no such robot.
     """
     chosen = roles or options.only
-    observed = (OBSERVER,) if options.metrics or options.traces else ()
+    observed: tuple[str, ...] = (OBSERVER,) if options.metrics or options.traces else ()
+    observed += (WEB,) if options.web else ()
     if not scenario.robots_on_the_bus:
         needed = chosen or roles_of(scenario, options.left_out)
         hung = Hung(time.monotonic, hung_after)

@@ -21,6 +21,7 @@ from tandem.executive.system.hung_processes import HUNG_AFTER
 from tandem.executive.system.processes import RESTARTED, Death, Supervisor
 from tandem.executive.system.roles.observer import NAME as OBSERVER
 from tandem.executive.system.roles.registry import plugged
+from tandem.executive.system.roles.web import NAME as WEB
 from tandem.executive.system.systems import (
     LedgerFailure,
     RefusedError,
@@ -273,6 +274,8 @@ class ProcessSystem:
             log_format=options.log_format,
             metrics=options.metrics if role == OBSERVER else "",
             traces=options.traces if role == OBSERVER else "",
+            web=options.web if role == WEB else "",
+            person=options.person if role == WEB else "",
             silent_after=options.silent_after,
             listen=options.listen if role == "router" else (),
             left_out=options.left_out,
@@ -293,6 +296,9 @@ class ProcessSystem:
             elif self._ready and death.role == OBSERVER:
                 self.supervisor.give_up(death.role)
                 self._say(f"{death.head()} too often; metrics and traces are off from now on")
+            elif self._ready and death.role == WEB:
+                self.supervisor.give_up(death.role)
+                self._say(f"{death.head()} too often; there is no page from now on")
             else:
                 fatal.append(death)
         if fatal:

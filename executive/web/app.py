@@ -114,12 +114,20 @@ class Site:
         told: dict[str, JsonValue] = {
             "status": status.model_dump(mode="json"),
             "words": explain(status),
-            "timeline": [],
+            "timeline": await self._spans(status.task),
         }
         if status.failure is not None:
             kind = KINDS[status.failure.reason.kind]
             told |= {"next": what_next(status.failure), "meaning": kind.meaning, "helper": str(kind.helper)}
         return JSONResponse(told)
+
+    async def _spans(self, task: str) -> JsonValue:
+        """Return when which node ran; nothing of an executive that does not tell."""
+        try:
+            found = await (await self.robot.client()).timeline(task)
+        except ClientError:
+            return []
+        return [each.model_dump(mode="json") for each in found.spans]
 
     async def picture(self, request: Request) -> Response:
         """Send the camera's picture of an attempt."""

@@ -39,6 +39,7 @@ export function useActing(): { session: Session | null; notice: Notice } {
   useEffect(() => {
     const hear = () => again((count) => count + 1);
     heard.add(hear);
+    hear(); // what came before this was there
     return () => void heard.delete(hear);
   }, []);
   return { session, notice };

@@ -31,7 +31,7 @@ export function App() {
         <StopButton />
       </header>
       <StopBanner />
-      <main id="main" tabIndex={-1}><View first={first} url={url} /></main>
+      <main id="main" tabIndex={-1}>{session ? <View first={first} url={url} /> : <p class="quiet">Asking the page's server…</p>}</main>
       <Said key={notice.count} words={notice.words} bad={notice.bad} />
     </>
   );

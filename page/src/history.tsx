@@ -51,11 +51,11 @@ export function History({ url }: { url: URL }) {
       <form class="card filters" onSubmit={(event) => event.preventDefault()} aria-label="Filters">
         {choose("state", any(STATES))}
         {choose("kind", any(kinds?.kinds.map((each) => each.name) ?? (wanted.kind ? [wanted.kind] : [])))}
-        <label>item <input value={wanted.item ?? ""} list="items" size={6} onChange={(event) => change("item", event.currentTarget.value.trim())} /></label>
+        <label>item <Typed value={wanted.item ?? ""} list="items" size={6} take={(value) => change("item", value)} /></label>
         <datalist id="items">{kinds?.items.map((each) => <option key={each} value={each} />)}</datalist>
         {choose("failure", any(failures))}
         {choose("days", DAYS)}
-        <label>text <input type="search" value={wanted.text ?? ""} onChange={(event) => change("text", event.currentTarget.value)} /></label>
+        <label>text <Typed search value={wanted.text ?? ""} take={(value) => change("text", value)} /></label>
         {url.search && <a href="/history">Clear</a>}
       </form>
       {error && <p class="failure" role="alert">{error}</p>}
@@ -92,6 +92,13 @@ export function History({ url }: { url: URL }) {
       )}
     </div>
   );
+}
+
+// A field whose words count once they are entered; what happens meanwhile does not touch what is being typed.
+function Typed({ value, take, search, ...more }: { value: string; take: (value: string) => void; search?: boolean; list?: string; size?: number }) {
+  const [typed, type] = useState(value);
+  useEffect(() => type(value), [value]);
+  return <input {...more} type={search ? "search" : "text"} value={typed} onInput={(event) => type(event.currentTarget.value)} onChange={() => take(typed.trim())} />;
 }
 
 function Summary({ found }: { found: Found }) {

@@ -6,5 +6,10 @@ import { catchLinks } from "./route";
 
 catchLinks();
 follow();
-loadSession().catch((error) => say(String(error.message ?? error), true));
+const begin = () =>
+  loadSession().catch((error) => {
+    say(String(error.message ?? error), true);
+    setTimeout(begin, 2000);
+  });
+void begin();
 render(<App />, document.getElementById("page")!);

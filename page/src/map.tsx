@@ -38,7 +38,7 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
     go(`/map?x=${point.x.toFixed(2)}&y=${(-point.y).toFixed(2)}`, true);
   };
   const choose = (address: string) => ({
-    role: "button", tabIndex: 0,
+    role: "button", tabindex: 0, // in SVG it is an attribute, and not tabIndex
     onClick: (event: Event) => { event.stopPropagation(); go(address, true); },
     onKeyDown: (event: KeyboardEvent) => (event.key === "Enter" || event.key === " ") && (event.preventDefault(), go(address, true)),
   } as const);
@@ -57,7 +57,7 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
       {site.depots.map((depot) => (
         <g key={depot.name} class={`depot ${chosen.depot === depot.name ? "chosen" : ""}`} aria-label={`depot ${depot.name}`} {...choose(`/map?depot=${encodeURIComponent(depot.name)}`)}>
           {depot.slots.map((slot, i) => <circle key={i} cx={slot.position[0]} cy={-slot.position[1]} r={0.05} />)}
-          {depot.slots[0] && <text x={depot.slots[0].position[0]} y={-depot.slots[0].position[1] - 0.1}>{depot.name}</text>}
+          {depot.slots[0] && <text x={mean(depot.slots.map((slot) => slot.position[0]!))} y={-Math.max(...depot.slots.map((slot) => slot.position[1]!)) - 0.1}>{depot.name}</text>}
         </g>
       ))}
       {things.map((each) => {
@@ -73,7 +73,7 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
       })}
       {pose && (
         <g class={`me ${pose.localised ? "" : "lost"}`} transform={turned(pose.x, pose.y, pose.yaw)}>
-          <circle r={radius} /><path d={`M${radius * 0.5} ${-radius * 0.35} L${radius} 0 L${radius * 0.5} ${radius * 0.35}`} />
+          <circle r={radius} /><path d={`M${radius * 0.45} ${-radius * 0.4} L${radius * 0.92} 0 L${radius * 0.45} ${radius * 0.4} Z`} />
         </g>
       )}
       {chosen.x && chosen.y && <path class="mark" transform={`translate(${Number(chosen.x)} ${-Number(chosen.y)})`} d="M-0.12 0 H0.12 M0 -0.12 V0.12" />}
@@ -81,6 +81,7 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
   );
 }
 
+const mean = (values: number[]) => values.reduce((sum, each) => sum + each, 0) / values.length;
 const turned = (x: number, y: number, yaw: number) => `translate(${x} ${-y}) rotate(${(-yaw * 180) / Math.PI})`;
 
 // The kinds of request that are about what was chosen, and that this robot can do.

@@ -3,9 +3,9 @@ import { useEffect, useState } from "preact/hooks";
 import { get } from "./api";
 import { TaskCard } from "./card";
 import { ended, useLive } from "./state";
-import { Timeline, type Span } from "./timeline";
+import { Timeline } from "./timeline";
 import { LiveTree } from "./tree";
-import type { Attempt, Failure, TaskStatus } from "./types";
+import type { Attempt, Failure, Span, TaskStatus } from "./types";
 import { command, seconds, when } from "./words";
 
 type Told = { status: TaskStatus; words: string; next?: string; meaning?: string; helper?: string; timeline: Span[] };

@@ -1,13 +1,23 @@
 // When which node ran: a bar for each of its runs, skills and recoveries under their phases.
-import type { TaskStatus } from "./types";
-import { seconds } from "./words";
+import { useLive } from "./state";
+import type { Span, TaskStatus } from "./types";
+import { seconds, STATUS_WORDS } from "./words";
 
-export type Span = { path: string; name: string; kind: string; begin: number; end: number | null; status: string; message: string };
+type Run = { path: string; name: string; kind: string; begin: number; end: number | null; status: string; message: string };
 
-export function Timeline({ spans, status }: { spans: Span[]; status: TaskStatus }) {
+// Times of two boots can't be compared: what was before the last one is left out, and said so.
+export function Timeline({ spans: told, status }: { spans: Span[]; status: TaskStatus }) {
+  const now = useLive((live) => live.now);
+  const boot = told.at(-1)!.begin.boot;
+  const spans: Run[] = told
+    .filter((each) => each.begin.boot === boot)
+    .map((each) => ({ ...each, name: each.path.split("/").at(-1)!, begin: each.begin.seconds, end: each.end && each.end.seconds }))
+    .sort((a, b) => a.begin - b.begin || a.path.length - b.path.length);
+  const before = told.length - spans.length;
   const from = Math.min(...spans.map((each) => each.begin));
-  const to = Math.max(...spans.map((each) => each.end ?? each.begin), from + 1);
-  const lanes = new Map<string, Span[]>();
+  const last = Math.max(...spans.map((each) => each.end ?? each.begin), from + 0.1);
+  const to = spans.some((each) => each.end === null) && now?.boot === boot ? Math.max(last, now.seconds ?? 0) : last;
+  const lanes = new Map<string, Run[]>();
   for (const each of spans) lanes.set(each.path, [...(lanes.get(each.path) ?? []), each]);
   const share = (value: number) => (100 * (value - from)) / (to - from);
   const over = status.ended !== null;
@@ -22,7 +32,7 @@ export function Timeline({ spans, status }: { spans: Span[]; status: TaskStatus 
               <span class="name" title={path}>{name}</span>
               <span class="lane">
                 {runs.map((run) => (
-                  <span key={run.begin} class={`run ${run.status}`} title={`${name}: ${seconds(run.begin - from)} to ${run.end === null ? "now" : seconds(run.end - from)}, ${run.status.toLowerCase()}${run.message && `: ${run.message}`}`}
+                  <span key={run.begin} class={`run ${run.status}`} title={`${name}: ${seconds(run.begin - from)} to ${run.end === null ? "now" : seconds(run.end - from)}, ${STATUS_WORDS[run.status] ?? run.status}${run.message && `: ${run.message}`}`}
                     style={{ left: `${share(run.begin)}%`, width: `${Math.max(0.4, share(run.end ?? to) - share(run.begin))}%` }} />
                 ))}
               </span>
@@ -31,6 +41,7 @@ export function Timeline({ spans, status }: { spans: Span[]; status: TaskStatus 
           );
         })}
       </ol>
+      {before > 0 && <p class="quiet">{before} runs before the hardware's last start are not drawn.</p>}
     </section>
   );
 }

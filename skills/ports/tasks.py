@@ -270,6 +270,26 @@ class TreeSnapshot(Message):
     root: TreeNode
 
 
+class Span(Message):
+    """One run of a node of a task's tree."""
+
+    path: str
+    kind: Literal["sequence", "selector", "parallel", "recovery", "decorator", "condition", "action"]
+    begin: RobotTime
+    end: RobotTime | None = None
+    """None while it runs."""
+    status: NodeStatus
+    """How it ended; INVALID: it was left."""
+    message: str = ""
+
+
+class Timeline(Message):
+    """The runs of a task's phases, recoveries and actions, the newest 256; of any task in the ledger."""
+
+    task: str
+    spans: tuple[Span, ...] = ()
+
+
 class ExecutiveInfo(Message):
     """Information about the executive."""
 
@@ -355,6 +375,7 @@ TASK_PICTURE: Final = "task/picture"
 TASK_LIST: Final = Service("task/list", AskTasks, TaskList, reads=True, limits=Limits(per_step=2))
 TASK_INFO: Final = Service("task/info", Nothing, ExecutiveInfo, reads=True)
 TASK_KINDS: Final = Service("task/kinds", Nothing, TaskKinds, reads=True)
+TASK_TIMELINE: Final = Service("task/timeline", NameTask, Timeline, reads=True, exact=True)
 TASK_SITE: Final = Service("task/site", Nothing, Site, reads=True)
 TASK_PULSE: Final = Topic("task/pulse", ExecutivePulse)
 TREE: Final = Topic("tree/snapshot", TreeSnapshot)

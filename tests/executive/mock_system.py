@@ -8,16 +8,29 @@ import time
 from tandem.executive.service.executive import Executive
 from tandem.executive.service.tasks.task_book import start_id
 from tandem.skills.geometry.poses import from_axes
-from tandem.skills.ports.hardware import Clock
-from tandem.skills.ports.keys import CLOCK
+from tandem.skills.ports.endpoint import answering
+from tandem.skills.ports.hardware import Clock, Stop, StopRelease, StopState
+from tandem.skills.ports.keys import CLOCK, STOP, STOP_RELEASE, STOP_STATE
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.serving import Endpoints
 from tandem.skills.site import load
 from tandem.skills.testing.mock_robot import MockRobot
 from tandem.skills.wire.clocks import ProcessClocks
 from tandem.skills.wire.configs import router_config
 from tandem.skills.wire.zenoh_bus import ZenohBus, open_session
 from tandem.trees.registry import discover
+
+
+def stops(bus: ZenohBus) -> Endpoints:
+    """Return the stop of a hardware that never moves."""
+
+    def told(asked: Stop | StopRelease) -> StopState:
+        state = StopState(stopped=isinstance(asked, Stop), by=asked.by, reason=asked.reason)
+        STOP_STATE.publish(bus, state)
+        return state
+
+    return Endpoints(bus, time.monotonic, (answering(STOP, told), answering(STOP_RELEASE, told)))
 
 
 def main(port: str, duration: str, parts: str) -> None:
@@ -33,6 +46,7 @@ def main(port: str, duration: str, parts: str) -> None:
         items = {
             29: Pose(position=(0.5, 0.5, 0.74), orientation=from_axes((0, -1, 0), (0, 0, 1), (-1, 0, 0)))
         }
+        stop = stops(robot_bus)
         nodes.append(MockRobot(robot_bus, robot_clocks, site, items=items, duration=float(duration)))
     if "executive" in parts:
         nodes.append(Executive(bus, clocks, site, discover(), start=start_id(), version="test"))
@@ -46,6 +60,8 @@ def main(port: str, duration: str, parts: str) -> None:
         clocks.refresh()
         robot_clocks.refresh()
         more = [node.step() for node in nodes]
+        if "robot" in parts:
+            more.append(stop.step())
         if not any(more):
             bus.waker.wait(0.005)
         if tick % 100 == 0 and "robot" in parts:

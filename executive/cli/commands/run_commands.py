@@ -20,6 +20,7 @@ from tandem.executive.cli.arguments import (
     connects,
     give_parameters,
 )
+from tandem.executive.cli.commands.stop_commands import person
 from tandem.executive.cli.completing import scenarios
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.logs import LogOptions
@@ -72,6 +73,13 @@ TracesTo = Annotated[
 ]
 ReportFile = Annotated[
     Path | None, typer.Option("--report", metavar="FILE", help="Write a JSON report to this file.")
+]
+Page = Annotated[
+    bool, typer.Option("--web", help="Serve the page: robot, tree, tasks and stop in a browser.")
+]
+PageAt = Annotated[
+    str,
+    typer.Option("--web-at", metavar="HOST:PORT", help="Address of the page, on this host only."),
 ]
 Data = Annotated[
     Path | None,
@@ -217,6 +225,8 @@ def up(
     report: ReportFile = None,
     metrics: MetricsAt = "",
     traces: TracesTo = "",
+    web: Page = False,
+    web_at: PageAt = "127.0.0.1:8447",
     data: Data = None,
     on_restart: OnRestart = "resume",
     listen: Listen = None,
@@ -261,6 +271,8 @@ def up(
         log_format=logs.format,
         metrics=_metrics(metrics),
         traces=_traces(traces),
+        web=_page(web_at, bus) if web else "",
+        person=person(bus),
         silent_after=silent_after,
         listen=checked_endpoints(bus, listen or (), insecure=insecure)
         if not roles or "router" in roles
@@ -319,6 +331,28 @@ def _metrics(text: str) -> str:
         host_and_port(text)
     except ValueError as error:
         raise typer.BadParameter(str(error), param_hint="--metrics") from error
+    return text
+
+
+def _page(text: str, bus: BusOptions) -> str:
+    from tandem.executive.config.extras import WEB, words_on  # noqa: PLC0415
+
+    lacks = words_on(WEB, "up --web")
+    if lacks:
+        raise CommandError(lacks)
+    if bus.keys is not None:
+        raise CommandError(
+            "up --web: where keys are used the page shows the key of a person; "
+            f"leave out --web, and run `tandem web --keys {bus.keys} --as NAME` beside it"
+        )
+    from tandem.executive.web.options import AddressError, checked_address  # noqa: PLC0415
+
+    try:
+        _, port = checked_address(text)
+    except AddressError as error:
+        raise CommandError(f"--web-at: {error}") from error
+    if port == 0:
+        raise CommandError("--web-at: expected a port other than 0, so that it can be told")
     return text
 
 

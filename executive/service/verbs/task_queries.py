@@ -21,12 +21,14 @@ from tandem.skills.ports.tasks import (
     TASK_LIST,
     TASK_SITE,
     TASK_STATUS,
+    TASK_TIMELINE,
     TREE,
     TREE_NOW,
     AskHistory,
     AskTasks,
     ExecutiveInfo,
     TaskStatus,
+    Timeline,
     TreeSnapshot,
     task_status,
 )
@@ -49,6 +51,7 @@ class Questions:
         tree: returns the tree as it is.
         kinds: tells what may be asked for, as JSON.
         site: the place that the executive works in.
+        timeline: tells when which node of a task ran.
     """
 
     def __init__(
@@ -62,6 +65,7 @@ class Questions:
         tree: Callable[[], TreeSnapshot],
         kinds: Callable[[], bytes],
         site: Site,
+        timeline: Callable[[str], Timeline],
     ) -> None:
         self.last = ""
         """The task that was told of last."""
@@ -75,6 +79,7 @@ class Questions:
                 answering(TASK_INFO, lambda _: info()),
                 answering(TASK_KINDS, lambda _: kinds()),
                 answering(TASK_SITE, lambda _: site),
+                answering(TASK_TIMELINE, lambda asked: timeline(asked.task)),
                 answering(TREE_NOW, lambda _: tree()),
                 answering(LAST_TREE, lambda _: tree()),
                 answering(LAST_STATUS, lambda _: self._find(self.last) if self.last else None),
