@@ -90,6 +90,7 @@ def _server(app: ASGIApp) -> uvicorn.Server:
             access_log=False,
             ws="websockets-sansio",
             ws_max_size=LARGEST,
+            ws_per_message_deflate=False,  # it never leaves this host
             ws_ping_interval=10.0,
             ws_ping_timeout=20.0,
             server_header=False,

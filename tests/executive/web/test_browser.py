@@ -1,6 +1,6 @@
 """The page in a real browser, beside an executive whose robot is mocked.
 
-With ``TANDEM_PICTURES=docs/images`` the tests also make the pictures of docs/web.md.
+With ``TANDEM_PICTURES=FOLDER`` the tests leave pictures of the views there, to be looked at.
 """
 
 from __future__ import annotations
@@ -114,6 +114,7 @@ def test_a_request_goes_from_its_form_to_its_end(page: Page) -> None:
     expect(page.locator(".task")).to_contain_text("SUCCEEDED", timeout=30_000)
     expect(page.get_by_role("treeitem").first).to_have_text(re.compile("fetch"))
     expect(page.locator(".canvas")).to_have_attribute("data-robot", "loaded", timeout=30_000)
+    picture(page, "page-now-mocked")
     page.get_by_placeholder("Find a node").fill("retract")
     expect(page.get_by_role("treeitem").last).to_contain_text("retract")
 
@@ -155,6 +156,7 @@ def test_filters_stand_in_the_address_and_lead_to_a_task(page: Page, fetched: st
     page.get_by_role("link", name=fetched).click()
     expect(page.get_by_role("heading", name="Timeline")).to_be_visible()
     expect(page.locator(".timeline .name", has_text="retract")).to_be_visible()
+    picture(page, "page-task-mocked")
 
 
 def test_hostile_words_are_shown_as_words(page: Page, robot: str) -> None:
