@@ -94,6 +94,7 @@ def test_what_needs_no_extra_works(bare: dict[str, str], words: list[str]) -> No
         (["demo"], ["the role hardware", "pybullet", "tandem-executive[sim]", "tandem-executive[skills]"]),
         (["up", "--only", "base"], ["the role base", "numpy", "tandem-executive[skills]"]),
         (["ros", "--map", "map.yaml"], ["rosbags", "tandem-executive[ros]"]),
+        (["web"], ["starlette", "uvicorn", "tandem-executive[web]"]),
         (["zones"], ["numpy", "tandem-executive[all]"]),
         (["campaign", "fetch", "--runs", "1"], ["numpy", "tandem-executive[all]"]),
         (
