@@ -23,10 +23,14 @@ from tandem.skills.ros.naming import (
     gid_of,
     read_end,
 )
-from tandem.skills.ros.types import HASHES, UNHASHED, Distro, dds_name, hash_of
+from tandem.skills.ros.types import HASHES, IMAGE, UNHASHED, Distro, dds_name, hash_of
 
-DEPTH: Final = 20
-"""Messages of a topic that wait to be read: at 100 Hz, 0.2 s of them."""
+DEPTH: Final = 128
+"""Messages of a topic that wait to be read: several sensors may share one, and fire together."""
+PICTURES: Final = 2
+"""Likewise pictures, which are large: only the newest is shown."""
+REASONS: Final = 20
+"""Different reasons for which messages of one topic are refused that the log gets."""
 log = logging.getLogger(__name__)
 
 
@@ -75,7 +79,7 @@ class RosSubscription:
     def refuse(self, why: str) -> None:
         """Count a message that is of no use, and say why, once for each reason."""
         self.refused += 1
-        if why not in self._said and len(self._said) < DEPTH:
+        if why not in self._said and len(self._said) < REASONS:
             self._said.add(why)
             log.warning("topic %s (%s): %s", self.topic, self.type_name, why)
 
@@ -108,7 +112,8 @@ class RosNode:
     def subscription(self, topic: str, type_name: str) -> RosSubscription:
         """Return a subscription, and show it. Any hash is heard, so that a wrong one can be told."""
         self._token("MS", topic, type_name, QOS_BEST_EFFORT)
-        inbox = self._link.hear(data_key(self._node.domain, topic, type_name, "*"), DEPTH)
+        depth = PICTURES if type_name == IMAGE else DEPTH
+        inbox = self._link.hear(data_key(self._node.domain, topic, type_name, "*"), depth)
         return RosSubscription(topic, type_name, self._codec, inbox)
 
     def others(self) -> tuple[RosEnd, ...]:

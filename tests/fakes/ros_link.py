@@ -23,6 +23,7 @@ class Waiting:
     """An inbox."""
 
     expression: str
+    depth: int
     items: list[Put] = field(default_factory=list)
 
     def drain(self) -> Sequence[Put]:
@@ -43,7 +44,7 @@ class MemoryNet:
         self.puts.append(made)
         for inbox in self.inboxes:
             if matches(inbox.expression, key):
-                inbox.items.append(made)
+                inbox.items = [*inbox.items, made][-inbox.depth :]
 
 
 @dataclass(eq=False)
@@ -56,8 +57,8 @@ class MemoryLink:
     def putter(self, key: str) -> Callable[[bytes, bytes], None]:
         return lambda payload, attachment: self.net.put(key, payload, attachment)
 
-    def hear(self, expression: str, depth: int) -> RosInbox:  # noqa: ARG002 - as zenoh's
-        self.net.inboxes.append(Waiting(expression))
+    def hear(self, expression: str, depth: int) -> RosInbox:
+        self.net.inboxes.append(Waiting(expression, depth))
         return self.net.inboxes[-1]
 
     def show(self, token: str) -> None:

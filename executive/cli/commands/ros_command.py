@@ -66,6 +66,7 @@ def _play(logs: LogOptions, map_file: Path, router: str, bus: BusOptions) -> Non
     from tandem.executive.system.playing import play  # noqa: PLC0415
     from tandem.executive.system.roles.ros import MAP, ROUTER  # noqa: PLC0415
     from tandem.executive.system.worker import SWITCH_INTERVAL, Ending  # noqa: PLC0415
+    from tandem.executive.telemetry.logs import formatter  # noqa: PLC0415
     from tandem.skills.wire.zenoh_bus import BusError  # noqa: PLC0415
 
     if bus.keys is not None and not router:
@@ -84,7 +85,9 @@ def _play(logs: LogOptions, map_file: Path, router: str, bus: BusOptions) -> Non
         keys=None if bus.keys is None else str(bus.keys),
         holder=bus.holder,
     )
-    logging.basicConfig(level=logging.INFO)
+    handler = logging.StreamHandler(sys.stderr)
+    handler.setFormatter(formatter(logs.format, settings.called))
+    logging.basicConfig(level=logging.DEBUG if logs.verbose else logging.INFO, handlers=[handler])
     ending = Ending(parent=os.getppid())
     ending.listen()
     sys.setswitchinterval(SWITCH_INTERVAL)  # as any process of the system: a busy loop must hear

@@ -338,6 +338,18 @@ def test_joints_are_not_moved_and_the_answer_says_so() -> None:
     )
 
 
+@pytest.mark.parametrize(("type_name", "kept"), [(types.BOOL, 64), (types.IMAGE, 2)])
+def test_sensors_that_share_a_topic_lose_nothing_and_pictures_do_not_pile_up(
+    type_name: str, kept: int
+) -> None:
+    rig = Rig("p3dx", [ODOM])
+    topic = rig.ros.subscription("/shared", type_name)
+    for _ in range(64):
+        rig.net.put(data_key(0, "/shared", type_name, types.HASHES[type_name]), b"")
+    topic.take()
+    assert topic.refused == kept
+
+
 def test_topics_that_nobody_publishes_are_named(caplog: pytest.LogCaptureFixture) -> None:
     rig = Rig("p3dx", [ODOM, BUMP])
     rig.ros.publisher("/odom", types.ODOMETRY)
