@@ -12,6 +12,7 @@ import pytest
 
 from tandem.executive.web.app import BUNDLE
 
+AGAIN = "run: python page/types_of_schemas.py page/src/types.ts"
 PAGE = Path(__file__).parents[3] / "page"
 SHIPPED = files("tandem.executive.web").joinpath("bundle")
 
@@ -20,7 +21,7 @@ def test_the_types_are_those_of_the_schemas(tmp_path: Path) -> None:
     made = tmp_path / "types.ts"
     subprocess.run([sys.executable, PAGE / "types_of_schemas.py", made], cwd=PAGE.parent, check=True,
                    env={"PYTHONPATH": "."})  # fmt: skip
-    assert made.read_text("utf-8") == (PAGE / "src" / "types.ts").read_text("utf-8"), "run `make page`"
+    assert made.read_text("utf-8") == (PAGE / "src" / "types.ts").read_text("utf-8"), AGAIN
 
 
 def test_nothing_is_loaded_from_elsewhere() -> None:
