@@ -26,7 +26,7 @@ from tandem.skills.grasping.item_frames import (
     turned_like,
     upright_in_map,
 )
-from tandem.skills.grasping.tag_grasps import grasp, place, proximity_poses
+from tandem.skills.grasping.tag_grasps import PALM_ROOM, grasp, held_back, place, proximity_poses
 from tandem.skills.ports.pose import Pose
 
 FACES_SOUTH = from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0))
@@ -40,6 +40,26 @@ def homogeneous(pose: Pose) -> np.ndarray:
     matrix[:3, :3] = np.array(columns).T
     matrix[:3, 3] = pose.position
     return matrix
+
+
+@pytest.mark.parametrize(
+    ("pitch", "palm", "back"),
+    [
+        (0.0, None, 0.0),
+        (0.0, 0.04, 0.0),
+        (0.0, 0.022, 0.03 + PALM_ROOM - 0.022),
+        (math.pi / 4, 0.022, 0.04 * math.sqrt(2.0) + PALM_ROOM - 0.022),
+    ],
+)
+def test_a_palm_stays_clear_of_an_item(pitch: float, palm: float | None, back: float) -> None:
+    """An item of 6 x 6 x 10 cm; from 45 degrees above it reaches 5.7 cm from its middle towards the palm."""
+    found = held_back((0.06, 0.06, 0.10), pitch, palm)
+    assert found == pytest.approx(back)
+    away = grasp(TAG, DEPTH, pitch, back=found)
+    at_middle = grasp(TAG, DEPTH, pitch).grasp
+    assert math.dist(away.grasp.position, at_middle.position) == pytest.approx(back)
+    held = compose(away.grasp, away.item_in_tool).position
+    assert held == pytest.approx(at_middle.position)
 
 
 def test_equation_1_the_pre_grasp_lies_10_cm_along_the_tags_z() -> None:

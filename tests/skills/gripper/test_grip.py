@@ -19,7 +19,14 @@ from tandem.skills.ports.action import (
 from tandem.skills.ports.actions.gripper import Grip, GripGoal, GripResult
 from tandem.skills.ports.bus import Pending
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.hardware import Answer, GripperCommand, GripperMotion, GripperState
+from tandem.skills.ports.hardware import (
+    Answer,
+    Gripper,
+    GripperCommand,
+    GripperMotion,
+    GripperState,
+    RobotDescription,
+)
 from tandem.skills.ports.keys import Latest, gripper_command, gripper_state
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.skill import Command
@@ -82,10 +89,10 @@ class Fingers:
 
 
 class Rig:
-    def __init__(self) -> None:
+    def __init__(self, closed: float = 0.0) -> None:
         self.bus, self.clocks = MemoryBus(), SteppedClocks("test")
         self.fingers = Fingers(self.bus, self.clocks)
-        (self.server, self.watch) = nodes(self.bus, self.clocks, mock_description(), "left")
+        (self.server, self.watch) = nodes(self.bus, self.clocks, closing_to(closed), "left")
         self.status = Latest(self.bus, status_topic(ACTION))
 
     def rounds(self, count: int) -> None:
@@ -109,6 +116,15 @@ class Rig:
             if status is not None and status.state.terminal:
                 return status
         raise AssertionError(self.status.value)
+
+
+def closing_to(width: float) -> RobotDescription:
+    robot = mock_description()
+    hands = tuple(
+        hand.model_copy(update={"gripper": hand.gripper.model_copy(update={"min_width": width})})
+        for hand in robot.end_effectors
+    )
+    return robot.model_copy(update={"end_effectors": hands})
 
 
 @pytest.fixture
@@ -154,6 +170,18 @@ def test_a_grasp_of_something_of_the_width_expected_is_full(rig: Rig) -> None:
     held = result(rig.run(GripGoal(grip=Grip.GRASP, width=0.06, force=10.0)))
     assert held.full
     assert held.force == pytest.approx(10.0)
+
+
+@pytest.mark.parametrize(("between", "full"), [(0.0, False), (0.05, True)])
+def test_pads_that_do_not_meet_are_empty_when_they_are_closed(between: float, *, full: bool) -> None:
+    rig = Rig(closed=0.03)
+    rig.fingers.between, rig.fingers.width = between, 0.09
+    ended = rig.run(GripGoal(grip=Grip.GRASP, width=0.05, force=10.0))
+    assert rig.fingers.commands[-1].width == pytest.approx(0.03)
+    if full:
+        assert result(ended).full
+    else:
+        assert kind(ended) is FailureKind.GRASP_EMPTY
 
 
 def test_a_grasp_of_nothing_is_empty(rig: Rig) -> None:
@@ -211,3 +239,8 @@ def test_goals_beyond_the_gripper_are_rejected(rig: Rig, goal: GripGoal) -> None
     answer = sent.poll()
     assert answer is not None
     assert GoalStatus.model_validate_json(answer).state is GoalState.REJECTED
+
+
+def test_a_gripper_that_closes_as_wide_as_it_opens_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"expected a min_width below max_width, found 0\.08 and 0\.074 m"):
+        Gripper(joints=("a", "b"), min_width=0.08, max_width=0.074, speed=0.05, force=5.0)
