@@ -23,7 +23,10 @@ const licences = Object.keys(dependencies).sort().map((name) => {
   const file = ["LICENSE", "LICENSE.md", "LICENSE.txt"].find((each) => {
     try { return readFileSync(`${folder}/${each}`), true; } catch { return false; }
   });
-  const text = file ? readFileSync(`${folder}/${file}`, "utf8").trim() : "";
+  // urdf-loader brings no file: its README has the copyright, and Apache-2.0 is our own licence, too.
+  const readme = readFileSync(`${folder}/README.md`, "utf8");
+  const own = () => `${readme.slice(readme.indexOf("# LICENSE"))}\n\n${readFileSync("../LICENSE", "utf8")}`;
+  const text = (file ? readFileSync(`${folder}/${file}`, "utf8") : own()).trim();
   return `${name} ${version} (${license})\n\n${text}\n`;
 });
 writeFileSync(`${out}/LICENSES.txt`, `The page contains these packages.\n\n${licences.join("\n---\n\n")}`);
