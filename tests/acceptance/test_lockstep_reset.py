@@ -29,7 +29,7 @@ def holds(world: WorldState | None) -> bool:
     return world is not None and bool(world.held)
 
 
-def test_a_reset_costs_the_fetch_that_runs_at_the_most_and_undoes_what_was_delivered() -> None:
+def test_a_reset_costs_the_fetch_that_runs_at_the_most() -> None:
     with course(load_scenario("Demo").starting_at(BEFORE_THE_TABLE)) as run:
         task = run.ask(29)
         run.until(lambda: holds(run.world()), within=150.0)
@@ -38,7 +38,13 @@ def test_a_reset_costs_the_fetch_that_runs_at_the_most_and_undoes_what_was_deliv
         first = run.caller.follow(task, within=300.0)
         assert first.state in {TaskState.SUCCEEDED, TaskState.FAILED}, run.account()
         assert run.delivered(29) == (first.state is TaskState.SUCCEEDED), run.account()
-        reset(run)  # at rest
+
+
+@pytest.mark.thorough
+def test_a_reset_at_rest_undoes_what_was_delivered_and_the_next_fetch_succeeds() -> None:
+    with course(load_scenario("Demo").starting_at(BEFORE_THE_TABLE)) as run:
+        assert run.fetch(29).state is TaskState.SUCCEEDED, run.account()
+        reset(run)
         assert not run.delivered(29)
         assert run.fetch(42).state is TaskState.SUCCEEDED, run.account()
         assert run.delivered(42)

@@ -21,19 +21,23 @@ from typing import Final
 import pytest
 import zenoh
 
+from tandem.sim.scenario import load_scenario
+from tandem.skills.ports.pose import FloorPose
 from tests.fakes.ports import free_endpoint
 
 SITE: Final = "restarted"
 PREFIX: Final = f"{SITE}/tiago"
+BEFORE_THE_TABLE: Final = FloorPose(x=-0.55, y=0.50, yaw=0.0)
+"""Item 29 is in view from there."""
 WITHIN: Final = 400.0
 """Host seconds for a fetch, also beside other programs; alone it takes 60 to 90."""
 
 
 @contextmanager
-def tandem_up(endpoint: str, folder: Path) -> Iterator[subprocess.Popen[bytes]]:
+def tandem_up(endpoint: str, folder: Path, *more: str) -> Iterator[subprocess.Popen[bytes]]:
     """Run the whole system; entered when it is ready."""
     command = [sys.executable, "-m", "tandem", "up"]
-    command += ["--connect", endpoint, "--site-key", SITE, "--data", str(folder), "--speed", "max"]
+    command += ["--connect", endpoint, "--site-key", SITE, "--data", str(folder), "--speed", "max", *more]
     with (folder / "log").open("w+") as log:
         process = subprocess.Popen(command, stdout=log, stderr=log, start_new_session=True)
         try:
@@ -119,28 +123,30 @@ def until(holds: Callable[[], bool], within: float, meanwhile: Callable[[], bool
         time.sleep(0.05)
 
 
-def fetches_42(client: Client, start: list[float], folder: Path) -> None:
+def fetches(item: int, client: Client, start: list[float], folder: Path) -> None:
     """Have it fetched, and look where it truly is."""
-    after = client.fetch(42)
+    after = client.fetch(item)
     until(lambda: client.ended(after), WITHIN)
     assert client.states[after] == "SUCCEEDED", (folder / "log").read_text()
-    there = client.true_place(42)
+    there = client.true_place(item)
     assert math.dist(there, start) > 0.5, "it was brought somewhere else"
-    assert math.dist(there, client.items[42]) < 0.1, "and lies where it is believed to lie"
+    assert math.dist(there, client.items[item]) < 0.1, "and lies where it is believed to lie"
 
 
 @pytest.mark.processes
 def test_the_fetch_after_a_restart_of_the_hardware_at_rest_succeeds(tmp_path: Path) -> None:
-    endpoint = free_endpoint()
-    with tandem_up(endpoint, tmp_path) as up:
+    endpoint, near = free_endpoint(), tmp_path / "near.yaml"
+    document = load_scenario("Demo").starting_at(BEFORE_THE_TABLE).model_dump(mode="json")
+    near.write_text(json.dumps(document))  # JSON is YAML
+    with tandem_up(endpoint, tmp_path, "--scenario", str(near)) as up:
         client = Client(endpoint)
-        start = client.true_place(42)
+        start = client.true_place(29)
         dead = hardware_of(up.pid)
         assert dead is not None
         until(lambda: len(client.boots) == 1, 30.0, lambda: up.poll() is None)
         os.kill(dead, signal.SIGKILL)
         until(lambda: len(client.boots) == 2, 90.0, lambda: up.poll() is None)
-        fetches_42(client, start, tmp_path)
+        fetches(29, client, start, tmp_path)
         client.session.close()
 
 
@@ -159,6 +165,6 @@ def test_the_fetch_after_a_restart_in_the_middle_of_one_succeeds(tmp_path: Path)
         until(lambda: len(client.boots) == 2, 90.0, lambda: up.poll() is None)
         # It goes on from what is true now, or fails: but it ends.
         until(lambda: client.ended(interrupted), WITHIN)
-        fetches_42(client, start, tmp_path)
+        fetches(42, client, start, tmp_path)
         client.session.close()
     assert "the hardware process ended (signal 9); restarted" in (tmp_path / "log").read_text()
