@@ -1,7 +1,8 @@
 """What EXP2 and EXP3 needed beyond EXP1 (RoCS paper, Q2 and Q3): files that they reach and EXP1 does not.
 
-``python -m benchmarks.reuse`` prints the table of docs/papers/rocs-extending.md. A file counts for an experiment
-if one of its roots imports it, directly or through others, anywhere in the file; lines are those with code.
+``python -m benchmarks.reuse`` prints the table of docs/papers/rocs-extending.md. A file counts for an
+experiment if one of its roots imports it, directly or through others, anywhere in the file; lines are those
+with code.
 """
 
 from __future__ import annotations
