@@ -9,7 +9,12 @@ from benchmarks.reuse import ROOT, ROOTS, lines, reached, table
 
 def test_the_page_has_the_table_that_the_command_prints() -> None:
     page = (ROOT / "docs/papers/rocs-extending.md").read_text("utf-8")
-    assert page.partition("<!-- what python -m benchmarks.reuse prints -->")[2].partition("<!-- until here -->")[0].strip() == table()
+    assert (
+        page.partition("<!-- what python -m benchmarks.reuse prints -->")[2]
+        .partition("<!-- until here -->")[0]
+        .strip()
+        == table()
+    )
 
 
 def test_another_robot_needs_its_description_alone() -> None:
