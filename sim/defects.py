@@ -74,7 +74,11 @@ def break_hardware(standing: Sequence[Standing], link: FaultyLink, hardware: Har
     for side, hand in hardware.hands.items():
         hand.defects = _hand([each.fault for each in standing if side in each.sides])
     for base in hardware.bases:
-        base.jammed = frozenset(fault.bumper for fault in faults if isinstance(fault, BumperPressed))
+        base.jammed = frozenset(
+            fault.bumper or hardware.description.bumpers[0].name
+            for fault in faults
+            if isinstance(fault, BumperPressed)
+        )
 
 
 def _ranges(
@@ -127,6 +131,15 @@ def stalled_joints(fault: JointStall, group: str, robot: RobotDescription) -> tu
     return tuple(named)
 
 
+def _bumper_misfit(fault: BumperPressed, robot: RobotDescription) -> str:
+    there = [each.name for each in robot.bumpers]
+    if not there:
+        return f"kind: expected a robot with bumpers, found {robot.name}, which has none"
+    if fault.bumper is None or fault.bumper in there:
+        return ""
+    return f"bumper: expected one of {', '.join(there)}, found {fault.bumper}"
+
+
 def _range_misfit(fault: RangeSilent | RangeStuck, robot: RobotDescription) -> str:
     there = [each.name for each in robot.range_sensors]
     if not there:
@@ -153,6 +166,8 @@ def misfit(fault: Fault, robot: RobotDescription) -> str:
     """Return what a fault names and the robot doesn't have, and what was expected; else nothing."""
     if isinstance(fault, OdometryJump | BumperPressed) and robot.drive is None:
         return f"kind: expected a robot that drives, found {robot.name}, whose base is fixed"
+    if isinstance(fault, BumperPressed):
+        return _bumper_misfit(fault, robot)
     if isinstance(fault, RangeSilent | RangeStuck):
         return _range_misfit(fault, robot)
     side = getattr(fault, "side", None)

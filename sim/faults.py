@@ -19,7 +19,6 @@ Duration = Annotated[float, Field(gt=0.0, le=3600.0)]
 Share = Annotated[float, Field(ge=0.0, le=1.0)]
 Step = Annotated[float, Field(ge=-5.0, le=5.0)]
 """Metres by which something is displaced along one axis."""
-Bumper = Literal["front", "left", "back", "right"]
 
 PARCEL: Final = BoxShape(size=(0.07, 0.07, 0.07))
 
@@ -200,7 +199,8 @@ class BumperPressed(_Lasting):
     """A bumper reads pressed."""
 
     kind: Literal["bumper"] = "bumper"
-    bumper: Bumper = "front"
+    bumper: PartName | None = None
+    """None: the first that the robot has."""
 
 
 class StopSet(_Lasting):

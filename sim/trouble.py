@@ -216,7 +216,7 @@ def _standing(case: _Case) -> str:
         case GripperStuck() | GripperWeak() | HandOpens():
             what += f" ({' and '.join(case.sides)})"
         case BumperPressed():
-            what = f"bumper {fault.bumper} reads pressed"
+            what = f"{'a bumper' if fault.bumper is None else f'bumper {fault.bumper}'} reads pressed"
         case RangeSilent() | RangeStuck():
             sensors = "all range sensors" if fault.sensor is None else f"range sensor {fault.sensor}"
             what = f"{sensors} {fault.kind.removeprefix('range_')}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from tandem.sim.faults import Fault, JointStall
+from tandem.sim.faults import BumperPressed, Fault, JointStall, RangeSilent, RangeStuck
 from tandem.sim.scene import fault_problems
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.site import Site
@@ -47,11 +47,11 @@ def check_faults(path: str | Path, site: Site, robots: Mapping[str, str]) -> Fau
     file, source = _read(path)
     if problems := fault_problems(site, file.faults, source, tuple(robots)):
         raise DocumentError("\n".join(problems))
-    if any(isinstance(fault, JointStall) for fault in file.faults):
-        # Only what names joints needs the robot, which takes a moment to be put together.
-        from tandem.sim.defects import check_faults as check_joints  # noqa: PLC0415
+    if any(isinstance(fault, JointStall | BumperPressed | RangeSilent | RangeStuck) for fault in file.faults):
+        # Only what names joints or sensors needs the robot, which takes a moment to be put together.
+        from tandem.sim.defects import check_faults as check_parts  # noqa: PLC0415
         from tandem.sim.robots.registry import robot_model  # noqa: PLC0415
 
         described = {name: robot_model(robot).description for name, robot in robots.items()}
-        check_joints(file.faults, described, source=source)
+        check_parts(file.faults, described, source=source)
     return file
