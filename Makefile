@@ -86,6 +86,10 @@ $(FIGURES)/rocs-1.json:
 	-$(EXPERIMENT) rocs --case 1 $(SERIES) --report $@
 $(FIGURES)/rocs-1-deliberative.json:
 	-$(EXPERIMENT) rocs --case 1 --route deliberative $(SERIES) --report $@
+$(FIGURES)/rocs-1-reactive.json:
+	-$(EXPERIMENT) rocs --case 1 --route reactive $(SERIES) --report $@
+$(FIGURES)/rocs-3-belief.json:
+	-$(EXPERIMENT) rocs --case 3 --source belief $(SERIES) --report $@
 $(FIGURES)/rocs-2.json:
 	-$(EXPERIMENT) rocs --case 2 $(SERIES) --report $@
 $(FIGURES)/rocs-3.json:

@@ -14,6 +14,7 @@ import typer
 from rich.console import Console
 
 from tandem.executive.cli.commands.campaign_command import First, Jobs, ReportFile, Seed
+from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.cli.telling import told
 
@@ -59,6 +60,7 @@ class Route(StrEnum):
 
     BOTH = "both"
     DELIBERATIVE = "deliberative"
+    REACTIVE = "reactive"
 
 
 Runs = Annotated[int, typer.Option("--runs", min=1, max=10_000, help="Number of runs.")]
@@ -139,7 +141,8 @@ def rocs(
         typer.Option("--case", min=1, max=3, help="EXP1, EXP2 or EXP3 of the paper."),
     ] = 1,
     route: Annotated[
-        Route, typer.Option("--route", help="Both routes, or the baseline without the reflex.")
+        Route,
+        typer.Option("--route", help="Both routes, or a baseline: without the reflex, or by reflexes alone."),
     ] = Route.BOTH,
     source: Annotated[
         SightSource,
@@ -164,6 +167,8 @@ def rocs(
     from tandem.executive.trials.rocs.settings import RocsOptions  # noqa: PLC0415
     from tandem.executive.trials.rocs.summary import summary  # noqa: PLC0415
 
+    if route is Route.REACTIVE and case == 3:  # noqa: PLR2004 - a place after the other is a plan
+        raise CommandError("--route reactive: expected --case 1 or 2; corners in order are a plan")
     options = RocsOptions.model_validate(
         {"case": case, "route": route.value, "source": source.value, "seed": seed}
     )

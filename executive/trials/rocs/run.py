@@ -19,6 +19,7 @@ from tandem.executive.trials.trial import trial, warm_up
 from tandem.sim.things import BoxShape
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.actions.base import FollowSource
+from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import Count, Message
@@ -160,21 +161,22 @@ def run_rocs(options: RocsOptions, run: int) -> RocsRun:
             reflex_switch("avoid_collision").query(one.bus, ReflexSwitch(on=False, by="the experiment"))
         if plan.follower:
             _follow(system.of(plan.follower), plan.asked, options.source, witness)
-        made = trial(one, dict(plan.request), within=WITHIN, also=witness)
+        if options.route == "reactive":
+            end = _by_reflexes(one, plan, witness)
+        else:
+            end = _by_request(one, plan.request, witness)
         path = witness.paths[plan.asked]
         (x, y), (x_end, y_end) = (path[-1].x, path[-1].y), plan.places[-1]
-        result = {} if made.status is None or made.status.result is None else made.status.result
-        told = result.get("replans", 0)
         return RocsRun(
             run=run,
-            state=made.state.partition(":")[0],
-            failure=made.failure,
-            lasted=made.lasted,
+            state=end.state,
+            failure=end.failure,
+            lasted=end.lasted,
             kept=_kept(path, witness.paths[plan.follower]) if plan.follower else None,
             off_goal=round(math.hypot(x - x_end, y - y_end), 3),
             missed=missed(path, plan.places),
             bumps=tuple(witness.bumps),
-            replans=told if isinstance(told, int) else 0,
+            replans=end.replans,
             reactive=round(sum(each.reactive for each in path) / max(1, len(path)), 3),
             paths={name: tuple(points) for name, points in witness.paths.items()},
             boxes=tuple(
@@ -185,6 +187,41 @@ def run_rocs(options: RocsOptions, run: int) -> RocsRun:
         )
     finally:
         system.close()
+
+
+@dataclass(frozen=True)
+class _End:
+    """How it went, by the robot's own account; without a tree, by where it is."""
+
+    state: str
+    failure: Failure | None
+    lasted: float
+    replans: int
+
+
+def _by_request(system: System, request: Request, witness: Witness) -> _End:
+    made = trial(system, dict(request), within=WITHIN, also=witness)
+    result = {} if made.status is None or made.status.result is None else made.status.result
+    told = result.get("replans", 0)
+    replans = told if isinstance(told, int) else 0
+    return _End(made.state.partition(":")[0], made.failure, made.lasted, replans)
+
+
+def _by_reflexes(system: System, plan: Plan, witness: Witness) -> _End:
+    """Switch on the reflex that steers to the origin, and wait until the robot has stayed there."""
+    reflex_switch("approach").query(system.bus, ReflexSwitch(on=True, by="the experiment"))
+    began, stays = robot_seconds(system.clocks), plan.request.get("stay", 0.0)
+    assert isinstance(stays, float)
+    there: float | None = None
+    while (now := robot_seconds(system.clocks)) - began < WITHIN:
+        system.advance()
+        witness.step()
+        at = witness.paths[plan.asked][-1]
+        near = math.dist((at.x, at.y), plan.places[-1]) <= NEAR
+        there = (now if there is None else there) if near else None
+        if there is not None and now - there >= max(STOOD, stays):
+            return _End("SUCCEEDED", None, round(now - began, 2), 0)
+    return _End("STUCK", None, WITHIN, 0)
 
 
 def missed(path: Sequence[Point], places: Sequence[tuple[float, float]]) -> int:

@@ -9,8 +9,8 @@ from tandem.skills.ports.message import Count, Message
 
 Case = Literal[1, 2, 3]
 """The number of the experiment: ``executive.trials.rocs.run.PLANS`` says what is asked of whom."""
-Route = Literal["both", "deliberative"]
-"""Both routes, or the baseline without the reflex."""
+Route = Literal["both", "deliberative", "reactive"]
+"""Both routes; or a baseline: without the reflex, or by reflexes alone (EXP1 and EXP2)."""
 
 
 class RocsOptions(Message):

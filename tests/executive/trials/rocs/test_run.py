@@ -49,6 +49,13 @@ def test_the_summit_follows_the_pioneer_along_the_corners() -> None:
     assert set(run.paths) == {"r1", "r2", "r3"}
 
 
+@pytest.mark.lockstep
+def test_by_reflexes_alone_it_gets_there_without_a_task() -> None:
+    run = run_rocs(RocsOptions(case=1, route="reactive"), 1)
+    assert run.reached
+    assert run.reactive > 0.9
+
+
 @pytest.mark.parametrize("case", [1, 2])
 def test_draws_differ_keep_their_distance_and_are_the_same_for_the_same_seed(case: Case) -> None:
     draws = [draw(case, np.random.default_rng((1, run))) for run in range(30)]
