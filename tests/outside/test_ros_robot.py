@@ -104,6 +104,7 @@ class face:  # noqa: N801 - a context, as ``running`` is
         self._running.end(signal.SIGTERM)
 
 
+@pytest.mark.thorough
 def test_the_pioneer_goes_to_the_origin_over_ros_with_its_reflex(robot: Speaking) -> None:
     """RoCS paper, 6.3. Sensors and velocities cross ROS; the skill, the reflex and the tree are as always."""
     asked = ("request", "go_to", "--x", "0", "--y", "0", "--tolerance", "0.12", "--wait", "--json")

@@ -32,6 +32,8 @@ pytestmark = [
 ]
 PICTURES = os.environ.get("TANDEM_PICTURES", "")
 ROOT = Path(__file__).parents[3]
+PATIENCE = 30_000
+"""Milliseconds in which the page must show something, also beside other programs."""
 HOSTILE = "<img src=x onerror=document.title='broken'>"
 VIEWS = ("/", "/map?item=29", "/request?task=fetch&item=29", "/history", "/task/{task}")
 
@@ -73,6 +75,7 @@ def address(robot: str) -> Iterator[str]:
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
+    expect.set_options(timeout=PATIENCE)
     with sync_playwright() as driver:
         made = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
         yield made
@@ -111,9 +114,9 @@ def test_a_request_goes_from_its_form_to_its_end(page: Page) -> None:
     page.get_by_label("item").fill("29")
     page.get_by_role("button", name="Send").click()
     expect(page).to_have_url(re.compile("/$"))
-    expect(page.locator(".task")).to_contain_text("SUCCEEDED", timeout=30_000)
+    expect(page.locator(".task")).to_contain_text("SUCCEEDED")
     expect(page.get_by_role("treeitem").first).to_have_text(re.compile("fetch"))
-    expect(page.locator(".canvas")).to_have_attribute("data-robot", "loaded", timeout=30_000)
+    expect(page.locator(".canvas")).to_have_attribute("data-robot", "loaded")
     picture(page, "page-now-mocked")
     page.get_by_placeholder("Find a node").fill("retract")
     expect(page.get_by_role("treeitem").last).to_contain_text("retract")
@@ -174,9 +177,9 @@ def test_it_connects_again_by_itself(browser: Browser, robot: str) -> None:
     with served(robot) as address:
         page.goto(address)
         expect(page.locator(".link")).to_contain_text("live")
-    expect(page.locator(".link")).to_contain_text(re.compile("no link.*data is .* s old"), timeout=10_000)
+    expect(page.locator(".link")).to_contain_text(re.compile("no link.*data is .* s old"))
     with served(robot, address.removeprefix("http://")):
-        expect(page.locator(".link")).to_contain_text("live", timeout=20_000)
+        expect(page.locator(".link")).to_contain_text("live")
     page.close()
 
 
