@@ -20,7 +20,9 @@ if TYPE_CHECKING:
     from tandem.skills.ports.reflex import PipelineState, ReflexState
 
 LISTENS: Final = 1.3
-"""Seconds of the host: each reflex and each resource tells once a robot second how it is."""
+"""Seconds of the host after the first word: each reflex and each resource tells once a robot second."""
+SILENCE: Final = 5.0
+"""Seconds of the host without a word after which nobody is there."""
 Name = Annotated[str, typer.Argument(metavar="REFLEX", help="Its name; `tandem reflex list` has them.")]
 
 
@@ -96,11 +98,13 @@ def _hear(connection: Connection) -> Reflexes:
     pipelines = Heard(bus, pipeline_state("*").key, PipelineState.model_validate_json)
     reflexes: dict[str, ReflexState] = {}
     resources: dict[str, PipelineState] = {}
-    end = time.monotonic() + LISTENS
+    end, heard = time.monotonic() + SILENCE, False
     while (left := end - time.monotonic()) > 0.0:
         bus.waker.wait(left)
         reflexes |= {state.reflex: state for _, state, _ in states.take()}
         resources |= {state.resource: state for _, state, _ in pipelines.take()}
+        if not heard and (reflexes or resources):
+            end, heard = time.monotonic() + LISTENS, True
     return Reflexes(
         pipelines=tuple(resources[name] for name in sorted(resources)),
         reflexes=tuple(sorted(reflexes.values(), key=lambda each: (-each.rank, each.reflex))),

@@ -218,7 +218,8 @@ class CrashLedger:
         if not self._written:
             self.inner.commit()
             return
-        what = " and ".join(self._written)
+        # What a task remembers goes along with most commits: it is named where it is all there is.
+        what = " and ".join(each for each in self._written if each != "memory") or "memory"
         self.points.passing(f"before keeping {what}")
         self.inner.commit()
         self._written.clear()

@@ -87,7 +87,7 @@ class CoordinateGoal(Message):
     """
 
     mode: Literal["faithful", "eager"] = "eager"
-    phi: Annotated[float, Field(gt=0.0)] | None = None
+    phi: Annotated[float, Field(gt=0.0, le=60.0)] | None = None
     """Robot seconds between two samples of the record that are kept; the robot's own unless given."""
 
 

@@ -34,7 +34,8 @@ def test_the_robot_that_is_named_is_asked(tmp_path: Path, capsys: pytest.Capture
 
 def test_without_a_name_the_first_is_asked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(tmp_path, BusOptions()) is ExitCode.TASK_FAILED
-    assert "p3dx can do" in capsys.readouterr().out, "the first is one that can not follow"
+    said = capsys.readouterr().out
+    assert "p3dx has no sensor for other robots" in said, "the first is one that can not follow by sight"
 
 
 def test_a_robot_that_is_not_there_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
