@@ -1,8 +1,8 @@
 """How soon a reflex commands: from a sensor's message to the first velocity that the reflex sends.
 
-A Pioneer stands; a sonar tells of something near, and ``avoid_collision`` turns the base away. In one process
-the base's nodes are stepped once, over a bus in memory: what the computation takes. Across processes the base
-is a process of its own and this one plays the hardware, over zenoh: what a robot sees.
+A Pioneer is standing still when a sonar reports something close by, and ``avoid_collision`` turns it away. In
+one process, the base's nodes are stepped once over a bus in memory: the time of the computation alone. Across
+processes, the base runs in a process of its own and this one plays the hardware over zenoh, as on a robot.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from starlette.types import ASGIApp
 
 from tandem.executive.web.app import application
 from tandem.executive.web.options import AddressError, WebOptions
-from tandem.executive.web.robot import Robot, RobotOnZenoh, Who
+from tandem.executive.web.robot import Robot
 
 LARGEST: Final = 64 * 1024
 """Bytes of what a page may say at once."""
@@ -97,8 +97,3 @@ def _server(app: ASGIApp) -> uvicorn.Server:
             timeout_graceful_shutdown=1,
         )
     )
-
-
-def robot_at(options: WebOptions, who: Who) -> Robot:
-    """Return the robot of a router without keys."""
-    return RobotOnZenoh(options.bus, who, None)

@@ -16,6 +16,7 @@ from tandem.executive.trials.demo import Caller
 from tandem.executive.trials.rocs.draws import DISTANCE, draw
 from tandem.executive.trials.rocs.settings import Case, RocsOptions
 from tandem.executive.trials.trial import trial, warm_up
+from tandem.executive.trials.truly import NEAR
 from tandem.sim.things import BoxShape
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.actions.base import FollowSource
@@ -31,8 +32,6 @@ if TYPE_CHECKING:
 
 WITHIN: Final = 240.0
 """Robot seconds for one run."""
-NEAR: Final = 0.15
-"""Metres from a goal, or from a corner, that count as there."""
 FOLLOWS: Final = (0.9, 1.8)
 """Metres between the two centres, in EXP3, for"""
 MOST_OF_IT: Final = 0.90

@@ -16,6 +16,7 @@ from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message, Positive
 from tandem.skills.ports.reflex import BASE
+from tandem.skills.ports.reflex_setting import Threshold
 from tandem.skills.reflexes import Act, ReflexType
 
 NAME: Final = "approach"
@@ -28,10 +29,8 @@ class ApproachParameters(Message):
 
     x: float = 0.0
     y: float = 0.0
-    near: Positive = 0.12
-    """Metres from the place that are near enough."""
-    again: Positive = 0.20
-    """Metres from the place from which on a base that was there sets out again."""
+    near: Threshold = Threshold(fires=0.12, releases=0.20)
+    """Metres from the place: where the base is there, and from where on it sets out again."""
     speed: Positive = 0.40
     """m/s."""
 
@@ -47,7 +46,7 @@ class ApproachReflex:
         """Return how far it is, unless the base is there, or a goal has the wheels, or it may not move."""
         here = base_in_map(self._at.localiser)
         left = math.dist((here.x, here.y), (self._how.x, self._how.y))
-        self._there = left < (self._how.again if self._there else self._how.near)
+        self._there = self._how.near.below(left, holds=self._there)
         if self._there or self._at.board.holder or self._at.guard.refusal(f"reflex/{NAME}") is not None:
             return None
         return Failure(
@@ -61,7 +60,7 @@ class ApproachReflex:
         """Steer to the place until it is near, then brake."""
         macros = self._at.macros(NAME, self._how.speed)
         with macros.named("Approach"):
-            while macros.distance(self._how.x, self._how.y) > self._how.near and not self._there:
+            while macros.distance(self._how.x, self._how.y) > self._how.near.fires and not self._there:
                 if self._at.guard.refusal(f"reflex/{NAME}") is not None:
                     break
                 bearing = macros.bearing(self._how.x, self._how.y)

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 
+import pytest
+
+from tandem.skills.base.reflexes.approach import ApproachParameters
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.actions.base import GO, GoGoal
 from tandem.skills.ports.hardware import StopState
@@ -70,3 +73,8 @@ def test_it_stands_while_the_stop_is_set() -> None:
     there = robot.pose
     robot.wait(2.0)
     assert robot.pose == there
+
+
+def test_bounds_that_contradict_each_other_are_refused() -> None:
+    with pytest.raises(ValueError, match="contradictory thresholds"):
+        ApproachParameters.model_validate({"near": {"fires": 0.3, "releases": 0.2}})
