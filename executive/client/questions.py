@@ -14,9 +14,11 @@ from tandem.executive.client.errors import RefusedError, RejectedError, UnknownT
 from tandem.executive.client.talks import Sent, Talk, Talks
 from tandem.executive.render.failure_words import chosen, explain
 from tandem.executive.security.identity import Identity
+from tandem.skills.ports.actions.perception import PICTURE
 from tandem.skills.ports.hardware import RobotDescription, Stop, StopRelease, StopState
 from tandem.skills.ports.keys import DESCRIPTION, STOP, STOP_RELEASE, Nothing, Service
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.reflex import ReflexState, ReflexSwitch, reflex_switch
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
     REQUEST,
@@ -158,6 +160,14 @@ class Questions:
         """Return the picture of an attempt as JPEG; empty when it is not kept (any more)."""
         asked = AskPicture(task=task, picture=number).model_dump_json().encode()
         return (yield from self.talks.raw(TASK_PICTURE, asked)) or b""
+
+    def camera(self) -> Talk[bytes]:
+        """Return what the head camera sees now as JPEG; empty when no picture comes."""
+        return (yield from self.talks.raw(PICTURE, b"")) or b""
+
+    def switch_reflex(self, reflex: str, by: str, *, on: bool) -> Talk[ReflexState]:
+        """Switch a reflex on or off."""
+        return self.talks.ask(reflex_switch(reflex), ReflexSwitch(on=on, by=by))
 
     def cancel(self, task: str) -> Talk[str]:
         """Cancel a task."""

@@ -21,6 +21,7 @@ from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.hardware import RobotDescription, StopState
+from tandem.skills.ports.reflex import ReflexState
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
     AskHistory,
@@ -247,6 +248,10 @@ class Client:
         """Return the camera's picture of an attempt as JPEG; empty when it is not kept (any more)."""
         return self._drive(self._ask.picture(task, number))
 
+    def camera(self) -> bytes:
+        """Return what the head camera sees now as JPEG; empty when no picture comes."""
+        return self._drive(self._ask.camera())
+
     # Verbs: each but cancel is of the running task unless one is named, and returns the task's id;
     # RefusedError has the executive's reason when it is not taken.
 
@@ -285,6 +290,10 @@ class Client:
     def force(self, task: str, node: str, status: Forced) -> str:
         """Have a node end so without its work, for a test run; None takes it back."""
         return self._drive(self._ask.force(ForceNode(task=task, node=node, status=status)))
+
+    def switch_reflex(self, reflex: str, *, on: bool, by: str) -> ReflexState:
+        """Switch a reflex on or off, until its process starts anew: then it is as declared."""
+        return self._drive(self._ask.switch_reflex(reflex, by, on=on))
 
     # The hardware's stop, which needs no executive.
 

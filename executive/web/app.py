@@ -29,6 +29,7 @@ from tandem.executive.client.errors import (
 )
 from tandem.executive.render.failure_words import explain, what_next
 from tandem.executive.web.audience import Audience, FullError
+from tandem.executive.web.camera import Camera
 from tandem.executive.web.gate import CLOSED, Gate
 from tandem.executive.web.history import Filter, Past
 from tandem.executive.web.meshes import MEDIA, mesh, named_in
@@ -68,6 +69,7 @@ class Site:
     robot: Robot
     audience: Audience
     past: Past = field(default_factory=Past)
+    eye: Camera = field(default_factory=Camera)
     named: frozenset[str] = frozenset()
     """Files of the robot's URDF."""
 
@@ -136,6 +138,15 @@ class Site:
         if not found:
             raise WrongError(404, "the picture is not kept any more")
         return Response(found, media_type="image/jpeg")
+
+    async def camera(self, request: Request) -> Response:
+        """Send what the camera sees now."""
+        del request
+        jpeg, age = await self.eye.picture(await self.robot.client())
+        if not jpeg:
+            raise WrongError(404, "the camera sends no picture")
+        headers = {"Cache-Control": "no-store", "X-Age": f"{age:.1f}"}
+        return Response(jpeg, media_type="image/jpeg", headers=headers)
 
     async def history(self, request: Request) -> Response:
         """Tell the tasks that pass a filter."""
@@ -213,6 +224,7 @@ def application(robot: Robot, audience: Audience | None = None) -> Starlette:
             Route("/api/site", site.place),
             Route("/api/kinds", site.kinds),
             Route("/api/history", site.history),
+            Route("/api/camera", site.camera),
             Route("/api/task/{task}", site.task),
             Route("/api/task/{task}/picture/{number}", site.picture),
             Route("/api/request", site.request, methods=["POST"]),

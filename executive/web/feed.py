@@ -8,6 +8,8 @@ from typing import Final, TypeVar
 from pydantic import JsonValue
 
 from tandem.executive.web.viewers import Update, merge
+from tandem.skills.ports.action import GoalState, status_topic
+from tandem.skills.ports.actions.base import DRIVE
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.hardware import Clock, JointStates, RobotDescription
 from tandem.skills.ports.keys import CLOCK, JOINT_STATES, STOP_STATE, Latest, laser
@@ -22,7 +24,7 @@ from tandem.skills.ports.tasks import (
     TreeNode,
     TreeSnapshot,
 )
-from tandem.skills.ports.world import ROBOT_POSE, SCENE, WORLD
+from tandem.skills.ports.world import ROBOT_POSE, SCENE, SIGHTINGS, WORLD, Sightings
 
 M = TypeVar("M", bound=Message)
 EXECUTIVE: Final = "executive"
@@ -61,6 +63,8 @@ class Feed:
         self._trees = Latest(bus, TREE, depth=256)
         self._reflexes = Latest(bus, reflex_state("*"), depth=4)
         self._pipelines = Latest(bus, pipeline_state("*"), depth=4)
+        self._sightings = Latest(bus, SIGHTINGS, depth=16)
+        self._drive = Latest(bus, status_topic(DRIVE.name), depth=4)
         self._laser: Latest[LaserScan] | None = None
         self._told: Update = {}
         self._last: TreeSnapshot | None = None
@@ -101,6 +105,7 @@ class Feed:
         self._time(update)
         self._motion(update)
         self._beliefs(update)
+        self._plans_and_tags(update)
         for status in self._statuses.take():
             merge(update, {"tasks": {status.task: _plain(status)}})
         for tree in self._trees.take():
@@ -116,7 +121,8 @@ class Feed:
         """Stop hearing."""
         for heard in (
             self._clock, self._joints, self._pose, self._stop, self._scene, self._world, self._pulse,
-            self._statuses, self._trees, self._reflexes, self._pipelines, self._laser,
+            self._statuses, self._trees, self._reflexes, self._pipelines, self._sightings, self._drive,
+            self._laser,
         ):  # fmt: skip
             if heard is not None:
                 heard.close()
@@ -174,6 +180,16 @@ class Feed:
             plain.pop("stamp", None)
             self._if_new_of("pipelines", pipeline.resource, plain, update)
 
+    def _plans_and_tags(self, update: Update) -> None:
+        """Tell the way that is planned while the base drives, and the last tags that were seen."""
+        drive = self._fresh(self._drive)
+        if drive is not None:
+            drives = drive.state in {GoalState.RUNNING, GoalState.PAUSED}
+            self._if_new("plan", (drive.feedback or {}).get("way", []) if drives else [], update)
+        seen = [each for each in self._sightings.take() if each.sightings]
+        if seen:
+            update["tags"] = _tags(seen[-1])
+
     def _tree(self, tree: TreeSnapshot, update: Update) -> None:
         """Tell the nodes that have changed; of a tree with other nodes the whole."""
         nodes = dict(_states(tree.root))
@@ -214,6 +230,16 @@ class Feed:
 def _plain(message: Message) -> dict[str, JsonValue]:
     plain: dict[str, JsonValue] = message.model_dump(mode="json")
     return plain
+
+
+def _tags(seen: Sightings) -> dict[str, JsonValue]:
+    return {
+        "stamp": _plain(seen.stamp),
+        "seen": [
+            {"item": each.item, "distance": round(each.distance, 2), "tag": _plain(each.tag_in_camera)}
+            for each in seen.sightings
+        ],
+    }
 
 
 def _states(node: TreeNode) -> Iterable[tuple[str, list[JsonValue]]]:

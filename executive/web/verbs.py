@@ -16,12 +16,15 @@ from tandem.executive.client.errors import RefusedError
 from tandem.executive.web.robot import Who
 from tandem.skills.ports.keys import STOP, STOP_RELEASE
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.reflex import reflex_switch
+from tandem.skills.ports.reflex_setting import ReflexName
 from tandem.skills.ports.tasks import (
     REQUEST,
     TASK_ABANDON,
     TASK_ANSWER,
     TASK_BREAKPOINT,
     TASK_CANCEL,
+    TASK_FORCE,
     TASK_PAUSE,
     TASK_REPRIORITISE,
     TASK_RESUME,
@@ -29,6 +32,7 @@ from tandem.skills.ports.tasks import (
     AnswerQuestion,
     Breakpoint,
     CancelTask,
+    ForceNode,
     NameTask,
     Reprioritise,
     StepTask,
@@ -44,6 +48,13 @@ class Why(Message):
     """Why the stop is set or released."""
 
     reason: Annotated[str, Field(max_length=200)] = ""
+
+
+class SwitchReflex(Message):
+    """Which reflex is switched, on or off."""
+
+    reflex: ReflexName
+    on: bool
 
 
 @dataclass(frozen=True)
@@ -128,6 +139,19 @@ async def _breakpoint(client: AsyncClient, who: Who, asked: Breakpoint) -> JsonV
     return await client.set_breakpoint(asked.task, asked.node, when=asked.when, on=asked.on)
 
 
+async def _force(client: AsyncClient, who: Who, asked: ForceNode) -> JsonValue:
+    del who
+    return await client.force(asked.task, asked.node, asked.status)
+
+
+async def _reflex(client: AsyncClient, who: Who, asked: SwitchReflex) -> JsonValue:
+    state = await client.switch_reflex(asked.reflex, on=asked.on, by=who.name)
+    if state.on is not asked.on:
+        wished, found = ("on", "off") if asked.on else ("off", "on")
+        raise RefusedError(f"switch {wished}", asked.reflex, f"the reflex answered, and is still {found}")
+    return state.model_dump(mode="json")
+
+
 VERBS: Final[Mapping[str, Verb]] = MappingProxyType(
     {
         "stop": _verb(STOP.key, Why, _stop),
@@ -140,6 +164,8 @@ VERBS: Final[Mapping[str, Verb]] = MappingProxyType(
         "reprioritise": _verb(TASK_REPRIORITISE.key, Reprioritise, _reprioritise),
         "answer": _verb(TASK_ANSWER.key, AnswerQuestion, _answer),
         "breakpoint": _verb(TASK_BREAKPOINT.key, Breakpoint, _breakpoint),
+        "force": _verb(TASK_FORCE.key, ForceNode, _force),
+        "reflex": _verb(reflex_switch("*").key, SwitchReflex, _reflex),
         "retry": _verb(REQUEST, NameTask, _retry),
     }
 )

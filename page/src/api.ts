@@ -33,5 +33,12 @@ export const post = async <T>(path: string, document: unknown): Promise<T> =>
     }),
   );
 
+// A picture and its age in seconds.
+export async function picture(path: string): Promise<{ blob: Blob; age: number }> {
+  const answer = await reach(path);
+  if (!answer.ok) await told(answer);
+  return { blob: await answer.blob(), age: Number(answer.headers.get("X-Age") ?? 0) };
+}
+
 export const ask = (verb: string, document: unknown = {}) =>
   post<{ answer: unknown }>(`/api/verb/${verb}`, document);

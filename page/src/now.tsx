@@ -1,6 +1,6 @@
 // What happens now: the robot in its room, the task at work with its tree, and what waits.
 import { TaskCard } from "./card";
-import { Overridden } from "./reflexes";
+import { Overridden, Resources } from "./reflexes";
 import { at, atWork, ended, queued, useLive } from "./state";
 import { LiveTree } from "./tree";
 import { View3d } from "./view3d";
@@ -19,6 +19,7 @@ export function NowView() {
         {shown ? <TaskCard status={shown} /> : <section class="card"><h2>Nothing runs</h2><p class="quiet">No task yet. <a href="/request">Send a request</a></p></section>}
         <Overridden />
         <Queue />
+        <Resources />
         <section class="card grow"><h2>Tree</h2><LiveTree failed={shown?.state === "FAILED"} /></section>
       </div>
     </div>

@@ -1,5 +1,8 @@
-// Resources that a reflex has taken from the tree, and reflexes that are switched off.
+// Who has which resource of the robot, what a reflex has taken from the tree, and reflexes to switch on and off.
+import { act, may } from "./acting";
+import { ask } from "./api";
 import { useLive } from "./state";
+import type { ReflexState } from "./types";
 
 export function Overridden() {
   const pipelines = useLive((live) => live.pipelines);
@@ -14,5 +17,50 @@ export function Overridden() {
       ))}
       {off.map((each) => <p key={each.reflex}>The reflex <strong>{each.reflex}</strong> is off{each.by && `, by ${each.by}`}.</p>)}
     </section>
+  );
+}
+
+export function Resources() {
+  const pipelines = Object.values(useLive((live) => live.pipelines)).sort((a, b) => a.resource.localeCompare(b.resource));
+  const reflexes = Object.values(useLive((live) => live.reflexes)).sort((a, b) => b.rank - a.rank || a.reflex.localeCompare(b.reflex));
+  if (!pipelines.length && !reflexes.length) return null;
+  const busy = pipelines.filter((each) => each.holder || each.reflex).length;
+  return (
+    <details class="card resources">
+      <summary><strong>Resources and reflexes</strong> <span class="quiet">{busy} of {pipelines.length} in use; {reflexes.filter((each) => each.on).length} of {reflexes.length} reflexes on</span></summary>
+      <table>
+        <thead><tr><th>Resource</th><th>Has it</th><th>Does</th></tr></thead>
+        <tbody>
+          {pipelines.map((each) => (
+            <tr key={each.resource}>
+              <td>{each.resource}</td>
+              <td>{each.reflex ? <><strong>⚡ {each.reflex}</strong>{each.holder && <span class="quiet"> (before: {each.holder})</span>}</> : each.holder || <span class="quiet">free</span>}</td>
+              <td class="quiet">{each.doing.join(" › ")}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      <ul class="plain reflexes">{reflexes.map((each) => <li key={each.reflex}><Reflex reflex={each} /></li>)}</ul>
+    </details>
+  );
+}
+
+function Reflex({ reflex }: { reflex: ReflexState }) {
+  const next = !reflex.on;
+  const words = `The reflex ${reflex.reflex} is ${next ? "on" : "off"}.`;
+  return (
+    <>
+      <p>
+        <strong>{reflex.reflex}</strong> <span class={`chip ${reflex.on ? "" : "off"}`}>{reflex.on ? "on" : "off"}</span>
+        {reflex.by && <span class="quiet"> by {reflex.by}</span>}
+        <span class="quiet"> · takes {reflex.resources.join(", ")} · fired {reflex.fired} {reflex.fired === 1 ? "time" : "times"}</span>
+        <br /><span class="quiet">{reflex.about}</span>
+      </p>
+      {may("reflex") && (
+        <button class="small" aria-label={`Switch ${reflex.reflex} ${next ? "on" : "off"}`} onClick={() => act(() => ask("reflex", { reflex: reflex.reflex, on: next }), words)}>
+          Switch {next ? "on" : "off"}
+        </button>
+      )}
+    </>
   );
 }

@@ -21,6 +21,7 @@ export class RobotScene {
   private things = new THREE.Group();
   private held: THREE.Object3D[] = [];
   private path = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x2f8f6f }));
+  private plan = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineDashedMaterial({ color: 0x1257c8, dashSize: 0.1, gapSize: 0.06 }));
   private scan = new THREE.Points(new THREE.BufferGeometry(), new THREE.PointsMaterial({ color: 0xd0402f, size: 0.03 }));
   private shown: Partial<Live> = {};
   private dirty = true;
@@ -38,11 +39,11 @@ export class RobotScene {
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.maxPolarAngle = Math.PI / 2;
     this.controls.addEventListener("change", () => this.touch());
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a80, 2.2), this.base, this.room, this.things, this.path, this.scan);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a80, 2.2), this.base, this.room, this.things, this.path, this.plan, this.scan);
     const sun = new THREE.DirectionalLight(0xffffff, 1.6);
     sun.position.set(2, -3, 6);
     this.scene.add(sun);
-    this.path.frustumCulled = this.scan.frustumCulled = false;
+    this.path.frustumCulled = this.plan.frustumCulled = this.scan.frustumCulled = false;
     this.renderer.domElement.addEventListener("dblclick", (event) => this.pick(event));
     this.watch = new ResizeObserver(() => this.resize());
     this.watch.observe(box);
@@ -173,15 +174,21 @@ export class RobotScene {
     }
     if (live.scene !== this.shown.scene || live.world !== this.shown.world || live.now?.boot !== this.shown.now?.boot) this.place(live);
     else if (live.now?.seconds != null && Math.floor(live.now.seconds) !== Math.floor(this.shown.now?.seconds ?? -1)) this.age(live);
-    if (live.path !== this.shown.path) {
-      const flat = live.path.flatMap(([x, y]) => [x, y, 0.012]);
-      this.path.geometry.dispose();
-      this.path.geometry = new THREE.BufferGeometry();
-      this.path.geometry.setAttribute("position", new THREE.Float32BufferAttribute(flat, 3));
-      this.touch();
+    if (live.path !== this.shown.path) this.draw(this.path, live.path, 0.012);
+    if (live.plan !== this.shown.plan) {
+      this.draw(this.plan, live.plan, 0.02);
+      this.plan.computeLineDistances();
+      this.box.dataset.plan = String(live.plan.length);
     }
     if (live.laser !== this.shown.laser) this.beams(live.laser);
     this.shown = live;
+  }
+
+  private draw(line: THREE.Line, corners: [number, number][], height: number) {
+    line.geometry.dispose();
+    line.geometry = new THREE.BufferGeometry();
+    line.geometry.setAttribute("position", new THREE.Float32BufferAttribute(corners.flatMap(([x, y]) => [x, y, height]), 3));
+    this.touch();
   }
 
   private beams(ranges: number[]) {

@@ -1,13 +1,14 @@
 // All that is known, as one object that is replaced at each change. The server's updates are merged into it.
 import { useEffect, useState } from "preact/hooks";
 import type {
-  ExecutivePulse, NodeStatus, PipelineState, PlanningScene, ReflexState, StopState, TaskStatus, TreeNode, TreeSnapshot,
+  ExecutivePulse, NodeStatus, PipelineState, PlanningScene, ReflexState, RobotTime, StopState, TaskStatus, TreeNode, TreeSnapshot,
   WorldState,
 } from "./types";
 
 export type Pose = { x: number; y: number; yaw: number; localised: boolean; moving: boolean; reason: string; position_sigma: number };
 export type Now = { boot: string; seconds: number | null; silent: number | null };
 export type Session = { site: string; robot: string; endpoint: string; who: string; role: string; keys: boolean; may: string[] };
+export type Tags = { stamp: RobotTime; seen: { item: number; distance: number; tag: { position: [number, number, number]; orientation: [number, number, number, number] } }[] };
 export type NodeState = [NodeStatus, NodeStatus, string];
 export type Live = {
   connected: boolean;
@@ -21,6 +22,8 @@ export type Live = {
   joints: Record<string, number>;
   pose: Pose | null;
   path: [number, number][];
+  plan: [number, number][];
+  tags: Tags | null;
   laser: number[];
   scene: Omit<PlanningScene, "stamp" | "version"> | null;
   world: Omit<WorldState, "stamp" | "version"> | null;
@@ -34,7 +37,7 @@ type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & {
 
 const EMPTY: Live = {
   connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, joints: {},
-  pose: null, path: [], laser: [], scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
+  pose: null, path: [], plan: [], tags: null, laser: [], scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
   pipelines: {},
 };
 const PATH = 2000;

@@ -1,8 +1,9 @@
 // A running tree as an outline that opens where it runs or fails.
+import type { ComponentChildren } from "preact";
 import { useMemo, useRef, useState } from "preact/hooks";
 import { ask } from "./api";
 import { count, rows, type Row } from "./outline";
-import { useLive, type NodeState } from "./state";
+import { ended, useLive, type NodeState } from "./state";
 import { act, may } from "./acting";
 import type { NodeStatus, TreeSnapshot } from "./types";
 import { KIND_SIGNS, KIND_WORDS, SIGNS, STATUS_WORDS } from "./words";
@@ -12,7 +13,7 @@ export function LiveTree({ failed }: { failed: boolean }) {
   const nodes = useLive((live) => live.nodes);
   const kept = useLive((live) => live.kept);
   if (!tree) return <p class="quiet">No tree yet. It appears with the first task.</p>;
-  return <Tree tree={tree} nodes={nodes} kept={kept} failed={failed} breakpoints />;
+  return <Tree tree={tree} nodes={nodes} kept={kept} failed={failed} at={(path) => <NodeVerbs task={tree.task} node={path} />} />;
 }
 
 type Given = {
@@ -20,10 +21,10 @@ type Given = {
   nodes: Record<string, NodeState>;
   kept: Record<string, NodeStatus>;
   failed: boolean;
-  breakpoints?: boolean;
+  at?: (path: string) => ComponentChildren; // what is offered at the node that is chosen
 };
 
-export function Tree({ tree, nodes, kept, failed, breakpoints }: Given) {
+export function Tree({ tree, nodes, kept, failed, at: offers }: Given) {
   const [chosen, choose] = useState<Record<string, boolean>>({});
   const [search, find] = useState("");
   const [all, showAll] = useState(false);
@@ -82,15 +83,35 @@ export function Tree({ tree, nodes, kept, failed, breakpoints }: Given) {
             <span class="kind" aria-hidden="true">{KIND_SIGNS[row.inner.kind]}</span>
             <span class="name">{row.node.name}</span>
             {row.message && <span class="said">{row.message}</span>}
-            {breakpoints && may("breakpoint") && at === row.node.path && (
-              <button class="small" onClick={(event) => { event.stopPropagation(); void act(() => ask("breakpoint", { task: tree.task, node: row.node.path }), "It pauses before this node."); }}>
-                Pause here
-              </button>
-            )}
+            {at === row.node.path && offers?.(row.node.path)}
           </li>
         ))}
       </ul>
     </div>
+  );
+}
+
+// Breakpoints of a task that has not ended, and how its node is to end in a test run.
+function NodeVerbs({ task, node }: { task: string; node: string }) {
+  const status = useLive((live) => live.tasks[task]);
+  if (!status || ended(status)) return null;
+  const press = (words: string, verb: string, ...documents: Record<string, unknown>[]) => (event: Event) => {
+    event.stopPropagation();
+    void act(() => Promise.all(documents.map((each) => ask(verb, { task, node, ...each }))), words);
+  };
+  return (
+    <span class="nodeverbs">
+      {may("breakpoint") && <>
+        <button class="small" onClick={press("It pauses before this node.", "breakpoint", {})}>Pause here</button>
+        <button class="small" onClick={press("It pauses after this node.", "breakpoint", { when: "after" })}>after</button>
+        <button class="small" onClick={press("It does not pause here any more.", "breakpoint", { on: false }, { on: false, when: "after" })}>not here</button>
+      </>}
+      {may("force") && status.request.test_run === true && <>
+        <button class="small" onClick={press("It will succeed without its work.", "force", { status: "SUCCESS" })}>Force ✓</button>
+        <button class="small" onClick={press("It will fail without its work.", "force", { status: "FAILURE" })}>Force ✗</button>
+        <button class="small" onClick={press("It does its work again.", "force", { status: null })}>Let it run</button>
+      </>}
+    </span>
   );
 }
 

@@ -1,7 +1,8 @@
 // The 3D view in the page; where there is no WebGL, it says so and the map stays.
 import { useEffect, useRef, useState } from "preact/hooks";
+import { Camera } from "./camera";
 import { useRobot, useSite } from "./loading";
-import { go } from "./route";
+import { go, useRoute } from "./route";
 import { RobotScene } from "./scene";
 import { clearPath, current, listen } from "./state";
 
@@ -9,6 +10,7 @@ export function View3d() {
   const box = useRef<HTMLDivElement>(null);
   const scene = useRef<RobotScene | null>(null);
   const [error, fail] = useState("");
+  const looks = useRoute().searchParams.get("camera") !== null;
   const robot = useRobot();
   const site = useSite();
   useEffect(() => {
@@ -39,10 +41,12 @@ export function View3d() {
     <section class="view3d" aria-label="The robot in its room">
       <div class="canvas" ref={box} />
       {error && <p class="quiet over">{error} <a href="/map">Map</a></p>}
+      {looks && <Camera />}
       <div class="tools">
         <button onClick={() => scene.current?.look("side")}>Side</button>
         <button onClick={() => scene.current?.look("above")}>Above</button>
         <button onClick={clearPath}>Clear path</button>
+        {robot.value?.cameras.length !== 0 && <button aria-pressed={looks} onClick={() => go(looks ? "/" : "/?camera", true)}>Camera</button>}
       </div>
     </section>
   );

@@ -60,6 +60,7 @@ class Drive:
                 base_in_map=ride.pose,
                 remaining=max(progress.remaining, 0.0),
                 progress=min(max(share, 0.0), 1.0),
+                way=progress.way,
             )
 
         ride = Ride(

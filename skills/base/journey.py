@@ -62,6 +62,8 @@ class Progress:
 
     total: float = 0.0
     remaining: float = 0.0
+    way: tuple[tuple[float, float], ...] = ()
+    """Corners of the plan in the map (m)."""
 
 
 @dataclass(frozen=True)
@@ -190,6 +192,7 @@ class Journey:
             return False
         self._plan = (planner.path, planner.clearances)
         self._progress.remaining = planner.path.length
+        self._progress.way = tuple((round(float(x), 3), round(float(y), 3)) for x, y in planner.path.points)
         self._progress.total = max(self._progress.total, planner.path.length)
         return True
 

@@ -15,12 +15,16 @@ from tandem.executive.security.role import Role
 from tandem.executive.web.app import application
 from tandem.executive.web.robot import Ears, Who
 from tandem.sim.robots.registry import robot_model
+from tandem.skills.ports.actions.perception import PICTURE
 from tandem.skills.ports.endpoint import answering
 from tandem.skills.ports.hardware import Stop, StopRelease, StopState
-from tandem.skills.ports.keys import DESCRIPTION, STOP, STOP_RELEASE, STOP_STATE
+from tandem.skills.ports.keys import DESCRIPTION, STOP, STOP_RELEASE, STOP_STATE, Nothing, Service
+from tandem.skills.ports.reflex import ReflexState, ReflexSwitch, reflex_switch
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.wire.memory import MemoryBus
 
+CAMERA = Service(PICTURE, Nothing, Nothing, reads=True, exact=True)
+"""Answered with a JPEG."""
 AT = "http://127.0.0.1:8447"
 
 
@@ -30,6 +34,8 @@ class Hardware:
     def __init__(self, here: Surroundings) -> None:
         self.bus, self.state = here.hub.endpoint(), StopState(stopped=False)
         self.description = robot_model("tiago_dual").description
+        self.pictures, self.asked_pictures = [b"a jpeg"], 0
+        self.obeys = True
         self.endpoints = Endpoints(
             self.bus,
             here.clocks.monotonic,
@@ -37,6 +43,8 @@ class Hardware:
                 answering(STOP, self.stop),
                 answering(STOP_RELEASE, self.release),
                 answering(DESCRIPTION, lambda _: self.description),
+                answering(CAMERA, self.picture),
+                answering(reflex_switch("back_off"), self.switch),
             ),
         )
 
@@ -45,6 +53,17 @@ class Hardware:
 
     def release(self, asked: StopRelease) -> StopState:
         return self.told(StopState(stopped=False, by=asked.by, reason=asked.reason))
+
+    def picture(self, asked: Nothing) -> bytes:
+        del asked
+        self.asked_pictures += 1
+        return self.pictures[-1]
+
+    def switch(self, asked: ReflexSwitch) -> ReflexState:
+        return ReflexState(
+            reflex="back_off", on=asked.on and self.obeys, by=asked.by, resources=("base",), rank=1,
+            holds=False, fired=0, about="backs off",
+        )  # fmt: skip
 
     def told(self, state: StopState) -> StopState:
         self.state = state

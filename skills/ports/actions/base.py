@@ -52,6 +52,8 @@ class DriveFeedback(Message):
     remaining: float
     """Metres left to drive."""
     progress: Annotated[float, Field(ge=0.0, le=1.0)]
+    way: tuple[tuple[float, float], ...] = ()
+    """Corners of the planned way in the map (m), from where it was planned to its end; empty: no plan yet."""
 
 
 class DriveResult(Message):

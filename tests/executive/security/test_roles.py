@@ -57,7 +57,7 @@ QUERIES = [
     ("skill/base/drive/goal", "skills", {"executive"}),
     ("skill/base/drive/command", "skills", {"executive"}),
     ("skill/base/drive/result", "skills", {*READERS, "executive"}),
-    ("skill/perception/picture", "skills", {"executive"}),
+    ("skill/perception/picture", "skills", {*READERS, "executive"}),
     ("hw/description", "hardware", {*READERS, "skills", "executive", "supervisor"}),
     ("hw/group/arm_left/goal", "hardware", {"skills"}),
     ("hw/group/arm_left/cancel", "hardware", {"skills"}),

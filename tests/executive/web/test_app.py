@@ -126,6 +126,35 @@ def test_the_stop_says_who_set_it(page: TestClient) -> None:
     assert page.post("/api/verb/release", json={"reason": "seen"}).json()["answer"]["stopped"] is False
 
 
+def test_the_camera_is_asked_once_for_all_who_look(page: TestClient, rig: Rig) -> None:
+    answers = [page.get("/api/camera") for _ in range(3)]
+    assert {(each.status_code, each.content) for each in answers} == {(200, b"a jpeg")}
+    assert (float(answers[0].headers["x-age"]) < 1.0, rig.hardware.asked_pictures) == (True, 1)
+
+
+def test_a_camera_without_a_picture_is_said_so(page: TestClient, rig: Rig) -> None:
+    rig.hardware.pictures.append(b"")
+    answer = page.get("/api/camera")
+    assert (answer.status_code, answer.json()["error"]) == (404, "the camera sends no picture")
+
+
+def test_a_reflex_is_switched_in_the_viewers_name(page: TestClient, rig: Rig) -> None:
+    told = page.post("/api/verb/reflex", json={"reflex": "back_off", "on": True}).json()["answer"]
+    assert (told["on"], told["by"]) == (True, "anna")
+    rig.hardware.obeys = False
+    answer = page.post("/api/verb/reflex", json={"reflex": "back_off", "on": True})
+    assert (answer.status_code, "still off" in answer.json()["error"]) == (409, True)
+    assert page.post("/api/verb/reflex", json={"reflex": "a/b", "on": True}).status_code == 422
+
+
+@pytest.mark.parametrize("test_run", [True, False])
+def test_a_node_is_forced_in_a_test_run_only(page: TestClient, *, test_run: bool) -> None:
+    task = page.post("/api/request", json={**WAIT, "test_run": test_run}).json()["task"]
+    document = {"task": task, "node": "wait/wait for the world", "status": "SUCCESS"}
+    answer = page.post("/api/verb/force", json=document)
+    assert (answer.status_code == 200) is test_run
+
+
 def test_an_executive_that_is_gone_is_said_so(page: TestClient, rig: Rig) -> None:
     rig.link.served = False
     answer = page.get("/api/kinds")

@@ -5,9 +5,7 @@ With ``TANDEM_PICTURES=FOLDER`` the tests leave pictures of the views there, to 
 
 from __future__ import annotations
 
-import os
 import re
-import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -20,20 +18,12 @@ from tandem.executive.client.sync import Client
 from tests.fakes.mocked import mocked_system
 from tests.fakes.ports import free_endpoint
 
-playwright = pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
-from playwright.sync_api import Browser, Page, expect, sync_playwright  # noqa: E402
+pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
+from playwright.sync_api import Browser, Page, expect
+from web_chromium import MARKS, launched, opened, picture
 
-NAMES = ("chromium", "chromium-browser", "google-chrome")
-CHROMIUM = next((found for name in NAMES if (found := shutil.which(name))), "")
-pytestmark = [
-    pytest.mark.processes,
-    pytest.mark.xdist_group("page"),
-    pytest.mark.skipif(not CHROMIUM, reason="no Chromium: apt-get install --no-install-recommends chromium"),
-]
-PICTURES = os.environ.get("TANDEM_PICTURES", "")
+pytestmark = MARKS
 ROOT = Path(__file__).parents[3]
-PATIENCE = 30_000
-"""Milliseconds in which the page must show something, also beside other programs."""
 HOSTILE = "<img src=x onerror=document.title='broken'>"
 VIEWS = ("/", "/map?item=29", "/request?task=fetch&item=29", "/history", "/task/{task}")
 
@@ -75,31 +65,14 @@ def address(robot: str) -> Iterator[str]:
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    expect.set_options(timeout=PATIENCE)
-    with sync_playwright() as driver:
-        made = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+    with launched() as made:
         yield made
-        made.close()
 
 
 @pytest.fixture
 def page(browser: Browser, address: str) -> Iterator[Page]:
-    made = browser.new_page(base_url=address, viewport={"width": 1280, "height": 800})
-    wrong: list[str] = []
-    made.on("pageerror", lambda error: wrong.append(str(error)))
-    made.on("request", lambda asked: wrong.append(asked.url) if not is_ours(asked.url, address) else None)
-    yield made
-    made.close()
-    assert wrong == [], "no error in the page, and nothing from elsewhere"
-
-
-def is_ours(url: str, address: str) -> bool:
-    return url.startswith((address, address.replace("http", "ws"), "data:", "blob:"))
-
-
-def picture(page: Page, name: str) -> None:
-    if PICTURES:
-        page.screenshot(path=f"{PICTURES}/{name}.png", type="png")
+    with opened(browser, address) as made:
+        yield made
 
 
 def ended(robot: str, **fields: object) -> str:

@@ -13,9 +13,13 @@ from web_rig import AT, Rig
 
 from tandem.executive.web.feed import Feed
 from tandem.executive.web.viewers import Update, merge
+from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
+from tandem.skills.ports.actions.base import DRIVE, DriveFeedback
 from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.keys import JOINT_STATES
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.world import SIGHTINGS, Sighting, Sightings
 from tandem.skills.wire.memory import MemoryHub
 
 LIVE = AT.replace("http", "ws") + "/live"
@@ -126,3 +130,28 @@ def test_of_joints_only_those_that_move_are_told() -> None:
     say(2.0, 0.1001, 0.3)
     assert feed.poll()["joints"] == {"second": 0.3}
     assert feed.whole()["joints"] == {"first": 0.1, "second": 0.3}
+
+
+def test_a_planned_way_is_told_while_the_base_drives() -> None:
+    hub = MemoryHub()
+    bus, feed = hub.endpoint(), Feed(hub.endpoint(), time.monotonic)
+    here = FloorPose(x=0.0, y=0.0, yaw=0.0)
+    fed = DriveFeedback(base_in_map=here, remaining=2.0, progress=0.0, way=((0.0, 0.0), (2.0, 0.0)))
+    for number, state in enumerate((GoalState.RUNNING, GoalState.SUCCEEDED), 1):
+        told = GoalStatus(goal_id="a/b/1", state=state, sequence=number, feedback=fed.model_dump(mode="json"))
+        status_topic(DRIVE.name).publish(bus, told)
+        assert feed.poll()["plan"] == ([[0.0, 0.0], [2.0, 0.0]] if state is GoalState.RUNNING else [])
+
+
+def test_the_last_tags_seen_are_told() -> None:
+    hub = MemoryHub()
+    bus, feed = hub.endpoint(), Feed(hub.endpoint(), time.monotonic)
+    there = Pose(position=(0.0, 0.1, 1.0), orientation=(0.0, 0.0, 0.0, 1.0))
+    tag = Sighting(
+        item=29, stamp=RobotTime(boot="b", seconds=1.0), tag_in_map=there, tag_in_base=there,
+        tag_in_camera=there, distance=1.004, quality=0.9, position_sigma=0.01,
+    )  # fmt: skip
+    for seconds, tags in ((1.0, (tag,)), (2.0, ())):
+        SIGHTINGS.publish(bus, Sightings(stamp=RobotTime(boot="b", seconds=seconds), sightings=tags))
+    told: Any = feed.poll()["tags"]
+    assert (told["stamp"]["seconds"], [each["item"] for each in told["seen"]]) == (1.0, [29])

@@ -1,0 +1,99 @@
+// What the camera sees, with the tags that perception has found. Asked for only while it is open and in view.
+import { useEffect, useState } from "preact/hooks";
+import { picture } from "./api";
+import { useRobot, useSite } from "./loading";
+import { useLive, type Tags } from "./state";
+import type { CameraSensor } from "./types";
+
+const EVERY = 1000;
+const FRESH = 3; // robot seconds for which a tag is drawn where it was seen
+
+export function Camera() {
+  const [shown, show] = useState<{ url: string; came: number } | null>(null);
+  const [error, fail] = useState("");
+  const [now, tick] = useState(performance.now());
+  const robot = useRobot().value;
+  const sensor = robot?.cameras[0];
+  useEffect(() => {
+    let over = false;
+    let timer = 0;
+    let last = "";
+    const look = async () => {
+      if (!document.hidden) {
+        try {
+          const { blob, age } = await picture("/api/camera");
+          if (over) return;
+          URL.revokeObjectURL(last);
+          last = URL.createObjectURL(blob);
+          show({ url: last, came: performance.now() - age * 1000 });
+          fail("");
+        } catch (wrong) {
+          if (over) return;
+          fail(wrong instanceof Error ? wrong.message : String(wrong));
+        }
+        tick(performance.now());
+      }
+      timer = setTimeout(look, EVERY);
+    };
+    void look();
+    return () => {
+      over = true;
+      clearTimeout(timer);
+      URL.revokeObjectURL(last);
+    };
+  }, []);
+  const age = shown ? Math.max(0, (now - shown.came) / 1000) : null;
+  return (
+    <figure class="camera">
+      {shown ? <span class="shot"><img src={shown.url} alt="What the robot's camera sees" />{sensor && <Found sensor={sensor} />}</span>
+        : <p class="quiet">{error || "Asking for a picture…"}</p>}
+      {shown && <figcaption>{error ? `${error}; this one is ${age!.toFixed(0)} s old` : `${age! < 1.5 ? "now" : `${age!.toFixed(0)} s old`}`}<Seen /></figcaption>}
+    </figure>
+  );
+}
+
+function useTags(): { tags: Tags | null; age: number | null } {
+  const tags = useLive((live) => live.tags);
+  const now = useLive((live) => live.now);
+  const same = tags && now?.seconds != null && tags.stamp.boot === now.boot;
+  return { tags, age: same ? Math.max(0, now.seconds! - tags.stamp.seconds) : null };
+}
+
+function Seen() {
+  const { tags, age } = useTags();
+  if (!tags?.seen.length || age === null) return <span class="quiet"> · no tag read yet</span>;
+  return <span class="quiet"> · {tags.seen.length > 1 ? "tags" : "tag"} {tags.seen.map((each) => each.item).join(", ")} read {age < 1 ? "now" : `${age.toFixed(0)} s ago`}</span>;
+}
+
+// The outlines of tags by a pinhole camera, in its optical frame: z forward, x to the right, y down.
+function Found({ sensor }: { sensor: CameraSensor }) {
+  const { tags, age } = useTags();
+  const site = useSite().value;
+  if (!tags || age === null || age > FRESH) return null;
+  const focal = sensor.width / 2 / Math.tan(sensor.horizontal_fov / 2);
+  return (
+    <svg viewBox={`0 0 ${sensor.width} ${sensor.height}`} aria-hidden="true">
+      {tags.seen.map((each, i) => {
+        const half = (site?.items.find((one) => one.item === each.item)?.tag_size ?? 0.05) / 2;
+        const corners = [[-half, -half], [half, -half], [half, half], [-half, half]].map(([x, y]) => {
+          const [px, py, pz] = turned(each.tag.orientation, [x!, y!, 0]);
+          const [tx, ty, tz] = each.tag.position;
+          const depth = Math.max(tz + pz, 0.01);
+          return [sensor.width / 2 + (focal * (tx + px)) / depth, sensor.height / 2 + (focal * (ty + py)) / depth] as const;
+        });
+        const top = corners.reduce((one, other) => (other[1] < one[1] ? other : one));
+        return (
+          <g key={i}>
+            <polygon points={corners.map((each) => each.join(",")).join(" ")} />
+            <text x={top[0]} y={top[1] - sensor.height / 60} font-size={sensor.height / 20}>{each.item}</text>
+          </g>
+        );
+      })}
+    </svg>
+  );
+}
+
+function turned([x, y, z, w]: readonly number[], [a, b, c]: readonly number[]): [number, number, number] {
+  const [ux, uy, uz] = [2 * (y! * c! - z! * b!), 2 * (z! * a! - x! * c!), 2 * (x! * b! - y! * a!)];
+  return [a! + w! * ux + y! * uz - z! * uy, b! + w! * uy + z! * ux - x! * uz, c! + w! * uz + x! * uy - y! * ux];
+}

@@ -1,0 +1,112 @@
+"""Views of the page in a real browser, beside a robot in memory that tells what a test wants."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Iterator
+
+import pytest
+from web_fake import FakeRobot, served
+
+from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
+from tandem.skills.ports.actions.base import DRIVE, DriveFeedback
+from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.reflex import PipelineState, ReflexState, pipeline_state, reflex_state
+from tandem.skills.ports.world import ROBOT_POSE, SIGHTINGS, RobotPose, Sighting, Sightings
+
+pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
+from playwright.sync_api import Browser, Page, expect
+from web_chromium import MARKS, launched, opened, picture
+
+pytestmark = MARKS
+HERE = FloorPose(x=0.3, y=0.2, yaw=0.4)
+AHEAD = Pose(position=(0.0, 0.1, 1.0), orientation=(0.0, 0.0, 0.0, 1.0))
+REFLEX = ReflexState(
+    reflex="avoid_collision", on=True, resources=("base",), rank=2, holds=True, fired=3, about="Backs off."
+)
+GREY = base64.b64decode(
+    "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDABsSFBcUERsXFhceHBsgKEIrKCUlKFE6PTBCYFVlZF9VXVtqeJmBanGQc1tdhbWGkJ6j"
+    "q62rZ4C8ybqmx5moq6T/wAALCAAJABABAREA/8QAFAABAAAAAAAAAAAAAAAAAAAAAP/EABQQAQAAAAAAAAAAAAAAAAAAAAD/2gAI"
+    "AQEAAD8AAP/Z"
+)
+"""16 pixels by 9."""
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with launched() as made:
+        yield made
+
+
+@pytest.fixture
+def robot() -> FakeRobot:
+    return FakeRobot(seconds=100.0, picture=GREY, reflexes={REFLEX.reflex: REFLEX})
+
+
+@pytest.fixture
+def page(browser: Browser, robot: FakeRobot) -> Iterator[Page]:
+    with served(robot) as address, opened(browser, address) as made:
+        yield made
+
+
+def tell(robot: FakeRobot) -> None:
+    """Tell where it is, what it sees, where it drives to, and who has the base."""
+    now = robot.now
+    tag = Sighting(
+        item=29, stamp=now, tag_in_map=AHEAD, tag_in_base=AHEAD, tag_in_camera=AHEAD,
+        distance=1.0, quality=0.9, position_sigma=0.01,
+    )  # fmt: skip
+    way = DriveFeedback(
+        base_in_map=HERE, remaining=2.0, progress=0.2, way=((0.3, 0.2), (1.0, 0.1), (1.4, -0.8))
+    )
+    fed = way.model_dump(mode="json")
+    robot.tell(
+        (
+            ROBOT_POSE,
+            RobotPose(
+                stamp=now, localised=True, base_in_map=HERE, odom_in_map=HERE,
+                position_sigma=0.01, yaw_sigma=0.01, moving=True,
+            ),
+        ),
+        (SIGHTINGS, Sightings(stamp=now, sightings=(tag,))),
+        (
+            status_topic(DRIVE.name),
+            GoalStatus(goal_id="a/b/1", state=GoalState.RUNNING, sequence=1, feedback=fed),
+        ),
+        (reflex_state(REFLEX.reflex), robot.reflexes[REFLEX.reflex]),
+        (pipeline_state("base"), PipelineState(
+            stamp=now, resource="base", holder=DRIVE.name, doing=("GoTo",)
+        )),
+    )  # fmt: skip
+
+
+def test_the_camera_is_shown_with_the_tags_that_were_found(page: Page, robot: FakeRobot) -> None:
+    page.goto("/")
+    expect(page.locator(".link")).to_contain_text("nothing heard")
+    tell(robot)
+    page.get_by_role("button", name="Camera").click()
+    expect(page).to_have_url("/?camera")
+    expect(page.locator(".camera svg text")).to_have_text("29")
+    expect(page.locator(".camera figcaption")).to_contain_text("now · tag 29 read now")
+    page.get_by_role("button", name="Camera").click()
+    expect(page.locator(".camera")).to_have_count(0)
+
+
+def test_the_planned_way_is_drawn(page: Page, robot: FakeRobot) -> None:
+    page.goto("/")
+    expect(page.locator(".link")).to_contain_text("nothing heard")
+    tell(robot)
+    expect(page.locator(".canvas")).to_have_attribute("data-plan", "3")
+
+
+def test_a_reflex_is_switched_where_it_is_shown_who_has_what(page: Page, robot: FakeRobot) -> None:
+    page.goto("/")
+    expect(page.locator(".link")).to_contain_text("nothing heard")
+    tell(robot)
+    page.locator(".resources summary").click()
+    expect(page.locator(".resources tbody tr")).to_have_text("basebase/driveGoTo")
+    picture(page, "page-resources")
+    page.get_by_role("button", name="Switch avoid_collision off").click()
+    expect(page.locator(".warn")).to_contain_text("avoid_collision is off, by anna")
+    page.get_by_role("button", name="Switch avoid_collision on").click()
+    expect(page.locator(".warn")).to_have_count(0)

@@ -1,0 +1,187 @@
+"""A robot in memory that tells what a test wants, with its page served to a real browser from a thread."""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import TypeVar
+
+from tandem.executive.client.aio import AsyncClient
+from tandem.executive.config.run_options import BusOptions
+from tandem.executive.web.options import WebOptions
+from tandem.executive.web.robot import Ears, Who
+from tandem.executive.web.serve import listen, serve_until
+from tandem.sim.robots.registry import robot_model
+from tandem.skills.ports.actions.perception import PICTURE
+from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.endpoint import Endpoint, answering
+from tandem.skills.ports.hardware import Clock, RobotDescription, Stop, StopRelease, StopState
+from tandem.skills.ports.keys import (
+    CLOCK,
+    DESCRIPTION,
+    STOP,
+    STOP_RELEASE,
+    STOP_STATE,
+    Nothing,
+    Service,
+    Topic,
+)
+from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.reflex import ReflexState, ReflexSwitch, reflex_state, reflex_switch
+from tandem.skills.ports.serving import Endpoints
+from tandem.skills.ports.site import Site
+from tandem.skills.ports.tasks import (
+    TASK_HISTORY,
+    TASK_INFO,
+    TASK_KINDS,
+    TASK_LIST,
+    TASK_SITE,
+    TASK_TIMELINE,
+    TREE_NOW,
+    AskHistory,
+    ExecutiveInfo,
+    History,
+    TaskKinds,
+    TaskList,
+    TaskStatus,
+    Timeline,
+    TreeNode,
+    TreeSnapshot,
+)
+from tandem.skills.site import load
+from tandem.skills.wire.memory import MemoryHub
+
+M = TypeVar("M", bound=Message)
+CAMERA = Service(PICTURE, Nothing, Nothing, reads=True, exact=True)
+EMPTY = TreeSnapshot(
+    task="", kind="none", tick=0, root=TreeNode(path="none", name="none", kind="action", type="None")
+)
+
+
+@dataclass
+class FakeRobot:
+    """What is told and answered; implements ``Robot``. Of one loop, but for ``tell``."""
+
+    who: Who = field(default_factory=lambda: Who("anna"))
+    options: BusOptions = field(default_factory=BusOptions)
+    site: Site = field(default_factory=lambda: load("lab"))
+    description: RobotDescription = field(default_factory=lambda: robot_model("tiago_dual").description)
+    kinds: TaskKinds = field(default_factory=lambda: TaskKinds(kinds=()))
+    unable: dict[str, str] = field(default_factory=dict)
+    tasks: tuple[TaskStatus, ...] = ()
+    timeline: Timeline = field(default_factory=lambda: Timeline(task=""))
+    tree: TreeSnapshot = EMPTY
+    picture: bytes = b""
+    reflexes: dict[str, ReflexState] = field(default_factory=dict)
+    seconds: float = 1.0
+
+    def __post_init__(self) -> None:
+        self.hub = MemoryHub()
+        self.bus, self.asking = self.hub.endpoint(), self.hub.endpoint()
+        self.bus.announce("executive")
+        self.loop: asyncio.AbstractEventLoop | None = None
+        self.endpoints = Endpoints(self.bus, time.monotonic, tuple(self.answers()))
+
+    def answers(self) -> Iterator[Endpoint]:
+        yield answering(DESCRIPTION, lambda _: self.description)
+        yield answering(TASK_SITE, lambda _: self.site)
+        yield answering(TASK_KINDS, lambda _: self.kinds)
+        yield answering(
+            TASK_INFO, lambda _: ExecutiveInfo(name="tiago", version="test", tasks=(), unable=self.unable)
+        )
+        yield answering(TASK_LIST, lambda _: TaskList(tasks=self.tasks))
+        yield answering(TASK_HISTORY, self.history)
+        yield answering(TASK_TIMELINE, lambda _: self.timeline)
+        yield answering(TREE_NOW, lambda _: self.tree)
+        yield answering(CAMERA, lambda _: self.picture)
+        yield answering(STOP, lambda asked: self.stop(asked, stopped=True))
+        yield answering(STOP_RELEASE, lambda asked: self.stop(asked, stopped=False))
+        yield answering(reflex_switch("avoid_collision"), self.switch)
+
+    def history(self, asked: AskHistory) -> History:
+        named = [each for each in self.tasks if not asked.task or each.task == asked.task]
+        return History(tasks=tuple(named[: asked.limit]))
+
+    def stop(self, asked: Stop | StopRelease, *, stopped: bool) -> StopState:
+        state = StopState(stopped=stopped, by=asked.by, reason=asked.reason)
+        STOP_STATE.publish(self.bus, state)
+        return state
+
+    def switch(self, asked: ReflexSwitch) -> ReflexState:
+        name = "avoid_collision"
+        state = self.reflexes[name].model_copy(update={"on": asked.on, "by": asked.by})
+        self.reflexes[name] = state
+        reflex_state(name).publish(self.bus, state)
+        return state
+
+    def tell(self, *told: tuple[Topic[M], M]) -> None:
+        """Publish from any thread, with the clock as it is."""
+
+        def publish() -> None:
+            CLOCK.publish(self.bus, Clock(stamp=self.now, tick=0))
+            for topic, message in told:
+                topic.publish(self.bus, message)
+
+        if self.loop is None:
+            publish()
+        else:
+            self.loop.call_soon_threadsafe(publish)
+
+    @property
+    def now(self) -> RobotTime:
+        return RobotTime(boot="fake", seconds=self.seconds)
+
+    async def client(self) -> AsyncClient:
+        return AsyncClient(link=FakeLink(self), monotonic=time.monotonic)
+
+    async def listen(self) -> Ears:
+        bus = self.hub.endpoint()
+        return Ears(bus, bus.close)
+
+    async def close(self) -> None:
+        pass
+
+
+@dataclass
+class FakeLink:
+    """The end at which the page's client asks; waiting lets the robot answer."""
+
+    robot: FakeRobot
+
+    @property
+    def bus(self) -> Bus:
+        return self.robot.asking
+
+    async def wait(self, seconds: float) -> None:
+        del seconds
+        self.robot.endpoints.step()
+        await asyncio.sleep(0)
+
+    async def close(self) -> None:
+        pass
+
+
+@contextmanager
+def served(robot: FakeRobot, port: int = 0) -> Iterator[str]:
+    """Serve a robot's page from a thread; yields its address."""
+    listening = listen(WebOptions(robot.options, "127.0.0.1", port))
+    stopped, there = threading.Event(), threading.Event()
+
+    def turn() -> None:
+        if not there.is_set():
+            robot.loop = asyncio.get_running_loop()
+            there.set()
+
+    thread = threading.Thread(target=serve_until, args=(robot, listening, stopped.is_set, turn))
+    thread.start()
+    there.wait(20.0)
+    try:
+        yield listening.address.rstrip("/")
+    finally:
+        stopped.set()
+        thread.join(20.0)
+        robot.loop = None
