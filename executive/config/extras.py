@@ -77,12 +77,20 @@ ROS: Final = Extra(
     "robots that speak ROS 2",
     (("rosbags", "rosbags", "messages of ROS 2"), ("numpy", "numpy", "arrays")),
 )
+RECORD: Final = Extra(
+    "record",
+    "recordings as MCAP",
+    (
+        ("mcap", "mcap", "the file"),
+        ("foxglove-sdk", "foxglove", "what its viewer draws by itself"),
+    ),
+)
 DEV: Final = Extra(
     "dev",
     "Tandem's own tests",
     (("hypothesis", "hypothesis", "invented inputs"), ("jsonschema", "jsonschema", "checks of schemas")),
 )
-EXTRAS: Final = (SKILLS, SIM, OTEL, ROS, WEB, DEV)
+EXTRAS: Final = (SKILLS, SIM, OTEL, ROS, WEB, RECORD, DEV)
 """In this order a missing module is looked for."""
 
 

@@ -24,6 +24,8 @@ EXCEPTIONS = {
     "executive/trials/campaigns/crash_physics.py": "orders what was told in a run: one start of the hardware",
     "executive/trials/experiments/witness.py": "notes when two bodies touched, for a report",
     "executive/trials/rocs/run.py": "notes when two bodies touched, for a report",
+    "executive/records/lines_file.py": "written down with its boot",
+    "executive/records/mcap_writing.py": "written down with its boot, and with what makes it one over boots",
     "executive/telemetry/traces.py": "an attribute of a span, for people",
     "skills/ports/checks.py": "whether a stamp is a plausible number at all",
     "skills/perception/eye.py": "a failure's evidence, for people",

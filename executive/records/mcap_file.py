@@ -1,0 +1,233 @@
+"""MCAP, as ``tandem up --record`` writes it: our messages as JSON under their keys, and what Foxglove draws.
+
+``log_time`` is robot time, ``publish_time`` the host's, both in nanoseconds. A metadata record ``tandem``
+says what the file is. One called ``boot`` stands where the robot time of another boot begins. It says what to
+add to a robot time of that boot to get ``at`` (``recording.Recorded``).
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO, Final
+
+from pydantic import ValidationError
+
+from tandem.executive.config.extras import RECORD, words_on
+from tandem.executive.records.recording import (
+    MCAP,
+    Attachment,
+    Encoding,
+    Facts,
+    Recorded,
+    RecordError,
+    Span,
+    check_layout,
+)
+from tandem.skills.ports.message import RobotTime, read_leniently
+
+try:
+    from mcap.exceptions import McapError
+    from mcap.reader import SeekingReader
+    from mcap.records import Channel, Chunk, ChunkIndex, Message, MetadataIndex
+    from mcap.stream_reader import StreamReader, breakup_chunk
+except ModuleNotFoundError as error:
+    raise ModuleNotFoundError(
+        words_on(RECORD, "what reads an .mcap file") or str(error), name="mcap"
+    ) from error
+
+FACTS: Final = "tandem"
+"""Metadata: ``layout``, ``facts`` (a ``Facts`` as JSON) and ``begin`` (the span's)."""
+BOOT: Final = "boot"
+"""Metadata: the ``boot`` of what follows (empty: none heard yet), and ``offset`` in seconds."""
+OURS: Final = "tandem"
+"""In a channel's metadata: ``json`` or ``bytes`` for what was put on the bus, ``jpeg`` for pictures."""
+NANO: Final = 1_000_000_000
+_PICTURE_DATA: Final = 2
+"""Number of the field ``data`` in foxglove's CompressedImage."""
+_LENGTH_DELIMITED: Final = 2
+_WIDTHS: Final = {1: 8, 5: 4}
+
+
+@dataclass(frozen=True)
+class _Boot:
+    """From where in the file on which boot counts."""
+
+    place: int
+    name: str
+    offset: float
+
+
+@dataclass(frozen=True)
+class _Part:
+    """A chunk: where it is, and from when to when its messages are."""
+
+    place: int
+    boot: _Boot
+    begin: float
+    end: float
+
+
+class McapRecording:
+    """An MCAP file of ours; implements ``Recording``.
+
+    Raises:
+        RecordError: for one that can't be used.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        _require_whole(path)
+        self._file: IO[bytes] = path.open("rb")
+        try:
+            self._read_index()
+        except (McapError, EOFError) as error:
+            self._file.close()
+            raise RecordError(path, "an MCAP file", str(error), f"try `tandem log recover {path}`") from error
+        except RecordError:
+            self._file.close()
+            raise
+
+    def _read_index(self) -> None:
+        self._reader = SeekingReader(self._file)
+        summary = self._reader.get_summary()
+        if summary is None:
+            advice = f"`tandem log recover {self.path}` makes one"
+            raise RecordError(self.path, "a summary at its end", "none", advice)
+        self.facts, begin = _facts(self.path, self._metadata(FACTS))
+        self._channels = summary.channels
+        self._parts = _parts(summary.chunk_indexes, self._boots(summary.metadata_indexes))
+        self.attachments = tuple(
+            Attachment(each.name, each.log_time / NANO, each.data, each.media_type)
+            for each in self._reader.iter_attachments()
+        )
+        self.span = Span(begin, max((each.end for each in self._parts), default=begin))
+
+    def messages(self, since: float = -math.inf, until: float = math.inf) -> Iterator[Recorded]:
+        """Yield the messages between two moments."""
+        return (each for each in self._read(since, until, pictures=False) if each.encoding != "jpeg")
+
+    def pictures(self, since: float = -math.inf, until: float = math.inf) -> Iterator[Recorded]:
+        """Yield the pictures between two moments."""
+        return (each for each in self._read(since, until, pictures=True) if each.encoding == "jpeg")
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+
+    def _read(self, since: float, until: float, *, pictures: bool) -> Iterator[Recorded]:
+        for part in self._parts:
+            if part.end < since or part.begin > until:
+                continue
+            for message in self._chunk(part):
+                channel = self._channels[message.channel_id]
+                if (channel.metadata.get(OURS) == "jpeg") is not pictures:
+                    continue
+                read = _recorded(message, channel, part.boot)
+                if read is not None and since <= read.at <= until:
+                    yield read
+
+    def _chunk(self, part: _Part) -> Iterable[Message]:
+        self._file.seek(part.place)
+        chunk = next(StreamReader(self._file, skip_magic=True, emit_chunks=True).records)
+        assert isinstance(chunk, Chunk), "as the index says"
+        return (each for each in breakup_chunk(chunk) if isinstance(each, Message))
+
+    def _metadata(self, name: str) -> dict[str, str]:
+        return next((each.metadata for each in self._reader.iter_metadata() if each.name == name), {})
+
+    def _boots(self, indexes: Iterable[MetadataIndex]) -> list[_Boot]:
+        places = [each.offset for each in indexes]
+        told = zip(places, self._reader.iter_metadata(), strict=True)
+        return [
+            _Boot(place, each.metadata["boot"], float(each.metadata["offset"]))
+            for place, each in told
+            if each.name == BOOT
+        ]
+
+
+def _require_whole(path: Path) -> None:
+    with path.open("rb") as file:
+        file.seek(0, 2)
+        size = file.tell()
+        file.seek(max(0, size - len(MCAP)))
+        if size > len(MCAP) and file.read() == MCAP:
+            return
+    raise RecordError(
+        path,
+        "a file with its end",
+        "one that was cut, or that is still written",
+        f"`tandem log recover {path}` writes what can be read into another file",
+    )
+
+
+def _facts(path: Path, told: dict[str, str]) -> tuple[Facts, float]:
+    layout = told.get("layout", "")
+    written = told.get("facts", "")
+    try:
+        release = str(json.loads(written).get("release", "")) if written else ""
+        check_layout(path, int(layout) if layout.isdecimal() else None, release)
+        return read_leniently(Facts, written.encode()), float(told["begin"])
+    except (ValidationError, KeyError, AttributeError) as error:
+        found = str(error).partition("\n")[0]
+        raise RecordError(path, "facts of a record in its metadata", found, "the file was changed") from error
+
+
+def _parts(indexes: Iterable[ChunkIndex], boots: list[_Boot]) -> tuple[_Part, ...]:
+    places = [each.place for each in boots]
+
+    def part(index: ChunkIndex) -> _Part:
+        boot = boots[bisect_right(places, index.chunk_start_offset) - 1]
+        begin, end = (
+            boot.offset + time / NANO for time in (index.message_start_time, index.message_end_time)
+        )
+        return _Part(index.chunk_start_offset, boot, begin, end)
+
+    found = [part(index) for index in indexes]
+    return tuple(sorted(found, key=lambda each: each.place))
+
+
+def _recorded(message: Message, channel: Channel, boot: _Boot) -> Recorded | None:
+    """Return a message of ours; None for what only Foxglove draws."""
+    kind = channel.metadata.get(OURS, "")
+    if kind not in {"json", "bytes", "jpeg"}:
+        return None
+    seconds = round(message.log_time / NANO, 9)
+    stamp = RobotTime(boot=boot.name, seconds=seconds) if boot.name else None
+    encoding: Encoding = "json" if kind == "json" else "bytes" if kind == "bytes" else "jpeg"
+    payload = picture_in(message.data) if kind == "jpeg" else message.data
+    key = channel.metadata.get("key", channel.topic)
+    return Recorded(key, round(boot.offset + seconds, 9), stamp, message.publish_time, payload, encoding)
+
+
+def picture_in(message: bytes) -> bytes:
+    """Return the field ``data`` of foxglove's CompressedImage (protobuf), which has no other bytes."""
+    place = 0
+    while place < len(message):
+        tag, place = _varint(message, place)
+        kind = tag & 7
+        if kind == _LENGTH_DELIMITED:
+            length, place = _varint(message, place)
+            if tag >> 3 == _PICTURE_DATA:
+                return message[place : place + length]
+            place += length
+        elif kind in _WIDTHS:
+            place += _WIDTHS[kind]
+        else:
+            _, place = _varint(message, place)
+    return b""
+
+
+def _varint(data: bytes, place: int) -> tuple[int, int]:
+    value = shift = 0
+    while True:
+        byte = data[place]
+        place += 1
+        value |= (byte & 0x7F) << shift
+        if byte < 0x80:  # noqa: PLR2004 - the last one has no high bit
+            return value, place
+        shift += 7

@@ -1,0 +1,194 @@
+"""What a record of a robot is, whatever file it stands in, and how one is opened.
+
+Robot time starts anew with each boot of the hardware. So a record counts on over boots: ``at`` is the robot
+seconds since its recorder began, and never falls. ``stamp`` is the robot's own time of the same moment.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final, Literal, Protocol
+
+from tandem.skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.sources import DocumentError
+
+LAYOUT: Final = 1
+"""Of what stands in a file, whichever kind it is of. A file with a larger number is refused."""
+GZIP: Final = b"\x1f\x8b"
+MCAP: Final = b"\x89MCAP0\r\n"
+JSON: Final = "application/json"
+
+Encoding = Literal["json", "jpeg", "bytes"]
+"""``json``: as it was on the bus. ``jpeg``: a picture, made smaller. ``bytes``: as it was, and no JSON."""
+
+
+class RecordError(DocumentError):
+    """A record that can't be used: the text names the file, what was expected and found, and what to do."""
+
+    def __init__(self, path: Path, expected: str, found: str, advice: str) -> None:
+        super().__init__(f"{path}: expected {expected}; found {found}; {advice}")
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """One message, as it was heard."""
+
+    key: str
+    """Without ``<site>/<robot>``."""
+    at: float
+    """Robot seconds since the recorder began, counted on over boots of the hardware; never falls."""
+    stamp: RobotTime | None
+    """The robot's time when it was heard; None before the hardware's clock was."""
+    host: int
+    """Nanoseconds since 1970 on the recorder's host, when it was heard."""
+    payload: bytes
+    encoding: Encoding = "json"
+
+
+@dataclass(frozen=True)
+class Attachment:
+    """A document beside the messages: who the robot is, its site, the tree at a task's start."""
+
+    name: str
+    """The key whose answer it is, such as ``hw/description``; of a tree ``tree/<task>``."""
+    at: float
+    """Robot seconds since the recorder began."""
+    data: bytes
+    media: str = JSON
+
+
+class Cause(Message):
+    """Why a black box was kept."""
+
+    kind: Literal["task", "stop", "death", "asked"]
+    """A task failed; a stop was set; a process died; somebody asked for it."""
+    words: str
+    """What happened, in a line."""
+    task: str = ""
+    """The task that failed or ran; empty: none."""
+    at: float = 0.0
+    """Robot seconds since the recorder began."""
+    stamp: RobotTime | None = None
+    """The robot's time of it."""
+
+
+class Facts(Message):
+    """What a record is of."""
+
+    site: str
+    """First part of the robot's keys."""
+    robot: str
+    """Second part."""
+    scenario: str = ""
+    seed: Count = 0
+    lockstep: bool = False
+    """Whether the run can be repeated from scenario and seed."""
+    command: str = ""
+    """What repeats it, in lockstep."""
+    release: str
+    """Version of the Tandem that wrote it."""
+    commit: str = ""
+    """Of its checkout; empty: not known."""
+    began: float
+    """UTC seconds, when the recorder began."""
+    cause: Cause | None = None
+    """Of a black box."""
+
+
+@dataclass(frozen=True)
+class Span:
+    """From when to when a record is whole, in robot seconds since its recorder began.
+
+    Earlier messages are the last ones of their keys from before ``begin``: what was known then.
+    """
+
+    begin: float
+    end: float
+
+    def clipped(self, at: float) -> float:
+        """Return the moment, or the nearest one that lies within."""
+        return min(max(at, self.begin), self.end)
+
+
+class Recording(Protocol):
+    """A record that can be read again and again. Its owner closes it."""
+
+    @property
+    def path(self) -> Path:
+        """The file."""
+        ...
+
+    @property
+    def facts(self) -> Facts:
+        """What it is of."""
+        ...
+
+    @property
+    def span(self) -> Span:
+        """From when to when it is whole."""
+        ...
+
+    @property
+    def attachments(self) -> tuple[Attachment, ...]:
+        """The documents beside the messages, in the order in which they came."""
+        ...
+
+    def messages(self, since: float = -math.inf, until: float = math.inf) -> Iterator[Recorded]:
+        """Yield the messages with ``since <= at <= until``, in the order in which they were heard."""
+        ...
+
+    def pictures(self, since: float = -math.inf, until: float = math.inf) -> Iterator[Recorded]:
+        """Yield the pictures between two moments, as JPEG under the key of their camera."""
+        ...
+
+    def close(self) -> None:
+        """Close the file. Closing twice is allowed."""
+        ...
+
+
+def open_recording(path: Path) -> Recording:
+    """Return the record in a file.
+
+    Raises:
+        RecordError: for a file that can't be read, is no record, was cut, or was written by a newer release.
+    """
+    try:
+        with path.open("rb") as file:
+            first = file.read(len(MCAP))
+    except OSError as error:
+        raise RecordError(
+            path, "a record", error.strerror or str(error), "see `tandem log info` for those kept"
+        ) from error
+    if first == MCAP:
+        from tandem.executive.records.mcap_file import McapRecording  # noqa: PLC0415 - of the extra `record`
+
+        return McapRecording(path)
+    if first.startswith(GZIP):
+        from tandem.executive.records.lines_file import LinesRecording  # noqa: PLC0415 - as both know this
+
+        return LinesRecording(path)
+    raise RecordError(
+        path,
+        "a record of Tandem (.mcap, or .jsonl.gz of the black box)",
+        "another kind of file" if first else "an empty file",
+        "`tandem up --record DIR` writes records, and the black box writes into `records` of the data folder",
+    )
+
+
+def check_layout(path: Path, layout: object, release: str) -> None:
+    """Refuse a file of a newer layout, or of none.
+
+    Raises:
+        RecordError: saying so.
+    """
+    if isinstance(layout, int) and 1 <= layout <= LAYOUT:
+        return
+    expected = f"layout {LAYOUT} or older"
+    if isinstance(layout, int) and layout > LAYOUT:
+        raise RecordError(
+            path, expected, f"layout {layout}, of release {release}", "read it with that release"
+        )
+    raise RecordError(path, expected, "no record of Tandem", "open it with the program that wrote it")
