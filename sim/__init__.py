@@ -6,6 +6,7 @@ Controllers: joints, motors, gripper, base, spline.
 Sensors: camera, render, render_world, pixels, lens, laser, wrench, range_sensor, pose_sensor, robot_sensor,
 sensor_nodes, sensing.
 The room: scenario, demonstration, starts, wanderer, scene, world, room, things, tags, placing, plan, draw.
+People: people, crowd, walker, walker_body.
 Physics and truth: physics, truth, disturbances.
 Faults: faults, trouble, events, defects, faulty_link.
 """

@@ -88,7 +88,11 @@ class Studio:
         """Have the world drawn as it is now; return the job's number. Without a header it is a photograph."""
         self._number += 1
         revision = self._world.revision
-        bodies = None if revision == self._sent_revision else tuple(self._world.bodies.values())
+        bodies = (
+            None
+            if revision == self._sent_revision
+            else (*self._world.bodies.values(), *self._world.figures())
+        )
         self._sent_revision = revision
         scene = Scene(revision, bodies)
         self._renderer.request(
@@ -146,7 +150,10 @@ class Studio:
     def _snapshot(self) -> Snapshot:
         return Snapshot(
             robots=tuple(_posed(robot, joints) for robot, joints in self._robots),
-            bodies=tuple((name, self._world.pose(name)) for name in self._world.movable()),
+            bodies=(
+                *((name, self._world.pose(name)) for name in self._world.movable()),
+                *((figure.name, figure.pose) for figure in self._world.figures()),
+            ),
         )
 
 

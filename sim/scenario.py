@@ -16,6 +16,7 @@ from pydantic import Field, JsonValue, ValidationInfo, field_validator, model_va
 
 from tandem.sim.demonstration import Demonstration
 from tandem.sim.faults import Fault
+from tandem.sim.people import MOST_PEOPLE, Person
 from tandem.sim.starts import ALONE, MOST_ROBOTS, ROBOT, RobotStart
 from tandem.sim.things import Angle, Coordinate, Name, Obstacle, TrueItem
 from tandem.skills.ports.message import Message
@@ -86,6 +87,8 @@ class Scenario(Message):
     """Where the only robot starts. Read ``placed``, which has both forms."""
     items: tuple[TrueItem, ...] = ()
     obstacles: tuple[Obstacle, ...] = ()
+    people: Annotated[tuple[Person, ...], Field(max_length=MOST_PEOPLE)] = ()
+    """Who walks about in the room."""
     noise: Noise = Noise()
     camera_rate: float = Field(default=5.0, gt=0.0, le=30.0)
     """Pictures a second while there is a subscriber."""
@@ -118,6 +121,7 @@ class Scenario(Message):
             ("robot", [each.name for each in self.robots]),
             ("tag", [str(item.tag) for item in self.items]),
             ("obstacle", [obstacle.name for obstacle in self.obstacles]),
+            ("person", [person.name for person in self.people]),
             ("surface", [surface.name for surface in self.surfaces]),
         ):
             twice = sorted({name for name in names if names.count(name) > 1})

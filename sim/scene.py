@@ -14,6 +14,7 @@ from typing import Final
 
 from tandem.sim import placing
 from tandem.sim.faults import DepotTaken, Fault, ItemMoves, ObstacleAppears, Place
+from tandem.sim.people import path_problems
 from tandem.sim.robots import registry
 from tandem.sim.scenario import Scenario, ScenarioError
 from tandem.sim.starts import ALONE, RobotStart
@@ -81,7 +82,10 @@ def build_scene(site: Site, scenario: Scenario, source: Source | None = None) ->
         )
         for index, each in enumerate(scenario.placed)
     )
-    clashes = placing.clashes(furniture, items, obstacles, robots)
+    clashes = [
+        *placing.clashes(furniture, items, obstacles, robots),
+        *path_problems(scenario.people, site.bounds, (*furniture, *items, *obstacles), robots),
+    ]
     if told := [f"{source.at(where)}: {reason}" for where, reason in clashes]:
         raise ScenarioError("\n".join(told))
     return (*furniture, *items, *obstacles)
@@ -191,8 +195,23 @@ def _problems(site: Site, scenario: Scenario, source: Source) -> list[str]:
                 support_height(site, surface.support, x, y)
             except KeyError as error:
                 found.append(f"{source.at(f'surfaces.{index}.{corner}')}: {error.args[0]}")
+    found += _name_problems(scenario, source)
     found += fault_problems(site, scenario.faults, source, tuple(each.name for each in scenario.placed))
     return found
+
+
+def _name_problems(scenario: Scenario, source: Source) -> list[str]:
+    """Return a line for each person who is called as something else is."""
+    things = {
+        *(item_name(each.tag) for each in scenario.items),
+        *(each.name for each in scenario.obstacles),
+        *(each.name for each in scenario.placed),
+    }
+    return [
+        f"{source.at(f'people.{index}.name')}: {person.name} is the name of something else"
+        for index, person in enumerate(scenario.people)
+        if person.name in things
+    ]
 
 
 def _robot_problems(site: Site, each: RobotStart, source: Source, path: Callable[[str], str]) -> list[str]:

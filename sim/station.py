@@ -12,6 +12,7 @@ from functools import partial
 from tandem.sim.body import RobotBody
 from tandem.sim.camera import HeadCamera, Studio
 from tandem.sim.controls import Controls
+from tandem.sim.crowd import Crowd
 from tandem.sim.defects import check_faults
 from tandem.sim.faults import Fault
 from tandem.sim.hardware import Hardware
@@ -76,6 +77,7 @@ class Station:
         self._check(scenario)
         self.scenario = scenario
         self.world, bodies = self._fill(scenario)
+        self.crowd = self._people(scenario, settings.seed)
         painter = PainterSettings(urdfs=tuple(body.model.physics_urdf for body in bodies))
         renderer: Renderer = WorkerRenderer(painter) if settings.beside else InlineRenderer(painter)
         self.studio = Studio(self.world, bodies, renderer, noise=scenario.noise, seed=settings.seed)
@@ -144,6 +146,7 @@ class Station:
         for robot in robots:
             robot.drive()
             robot.hardware.act()
+        self.crowd.step()
         self.physics.step(self.hardware.physics_steps)
         for robot in robots:
             robot.hardware.tell()
@@ -166,8 +169,10 @@ class Station:
             self._check(scenario)
             self.scenario = scenario
         self._boots += 1
+        self.crowd.close()
         self.physics.clear()
         self.world, bodies = self._fill(self.scenario)
+        self.crowd = self._people(self.scenario, seed)
         self.studio.restart(self.world, bodies, noise=self.scenario.noise, seed=seed)
         boot = f"{self._settings.boot}.{self._boots}"
         for robot, body in zip(self.robots.values(), bodies, strict=True):
@@ -212,6 +217,10 @@ class Station:
                 where = scenario.path_of(index, "drives")
                 raise ScenarioError(f"{scenario.name}: {where}: expected executive: {each.robot} can't drive")
         check_faults(scenario.faults, described, source=Source(scenario.name))
+
+    def _people(self, scenario: Scenario, seed: int) -> Crowd:
+        period = registry.robot_model(scenario.first.robot).description.period
+        return Crowd(self.world, scenario.people, period=period, seed=seed)
 
     def _fill(self, scenario: Scenario) -> tuple[World, tuple[RobotBody, ...]]:
         world = spawn(self.physics, self._site, scenario)

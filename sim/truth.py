@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from tandem.sim.body import RobotBody
+    from tandem.sim.walker_body import WalkerBody
     from tandem.sim.world import World
 
 LYING_TOLERANCE: Final = 0.01
@@ -45,6 +46,25 @@ class TrueRobot(Message):
     angular: float
 
 
+class TruePerson(Message):
+    """Where a person's axis is (m, in map), and how fast they walk (m/s along map's x and y)."""
+
+    name: str
+    x: float
+    y: float
+    linear: tuple[float, float]
+
+
+class TrueTouch(Message):
+    """A contact of a person with a robot, from its beginning at ``at`` (robot seconds) on."""
+
+    at: float
+    person: str
+    robot: str
+    stood: float
+    """Seconds for which the robot had stood still then; 0 where it moved."""
+
+
 class Truth(Message):
     """The true state of the world; ``bodies`` are those that can move.
 
@@ -56,6 +76,9 @@ class Truth(Message):
     bodies: tuple[TrueBody, ...]
     contacts: tuple[TrueContact, ...]
     robots: tuple[TrueRobot, ...] = ()
+    people: tuple[TruePerson, ...] = ()
+    touches: tuple[TrueTouch, ...] = ()
+    """All contacts of people with robots since the start, in order."""
 
     def robot(self, name: str) -> TrueRobot:
         """Return a robot; KeyError when there is none of that name."""
@@ -95,6 +118,11 @@ def read_truth(world: World, robot: RobotBody, stamp: RobotTime) -> Truth:
         bodies=tuple(bodies),
         contacts=_contacts(world, robots),
         robots=tuple(_true_robot(each) for each in robots),
+        people=tuple(_true_person(name, each) for name, each in world.people.items()),
+        touches=tuple(
+            TrueTouch(at=each.at, person=each.person, robot=each.robot, stood=each.stood)
+            for each in world.touches
+        ),
     )
 
 
@@ -124,6 +152,11 @@ def _true_robot(robot: RobotBody) -> TrueRobot:
     (vx, vy, _), (_, _, turning) = robot.physics.body_velocity(robot.body)
     pose = Pose(position=position, orientation=orientation)
     return TrueRobot(name=robot.name, base_in_map=pose, linear=(vx, vy), angular=turning)
+
+
+def _true_person(name: str, person: WalkerBody) -> TruePerson:
+    x, y = person.place
+    return TruePerson(name=name, x=x, y=y, linear=person.velocity)
 
 
 def _contacts(world: World, robots: Sequence[RobotBody]) -> tuple[TrueContact, ...]:

@@ -6,20 +6,28 @@ from typing import TYPE_CHECKING, Final
 
 import pybullet
 
+from tandem.sim.people import RADIUS
 from tandem.sim.scene import SceneBody, build_scene
-from tandem.sim.things import BoxShape
+from tandem.sim.things import BoxShape, CylinderShape
 from tandem.skills.ports.pose import Pose
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from tandem.sim.body import RobotBody
+    from tandem.sim.crowd import PersonTouch
     from tandem.sim.physics import Physics
     from tandem.sim.scenario import Scenario
+    from tandem.sim.walker_body import WalkerBody
     from tandem.skills.ports.site import Site
 
 RESTING_SPEED: Final = 0.002
 """m/s below which a body counts as at rest."""
+
+
+FIGURE: Final = CylinderShape(radius=RADIUS - 0.01, height=1.70)
+"""What is drawn of a person."""
+CLOTHES: Final = (0.28, 0.36, 0.55)
 
 
 class World:
@@ -37,6 +45,10 @@ class World:
         self._ids: dict[str, int] = {}
         self.robots: dict[str, RobotBody] = {}
         """The robots that have been let in, by name; they are no ``bodies``."""
+        self.people: dict[str, WalkerBody] = {}
+        """Who walks about, by name; they are no ``bodies`` either."""
+        self.touches: list[PersonTouch] = []
+        """What people and robots have touched each other."""
 
     @property
     def bodies(self) -> Mapping[str, SceneBody]:
@@ -48,12 +60,32 @@ class World:
         return self._ids[name]
 
     def names_by_id(self) -> dict[int, str]:
-        """Return the name of each body by its number, the floor's too."""
-        return {self.floor: "floor", **{body: name for name, body in self._ids.items()}}
+        """Return the name of each body by its number, the floor's and the people's too."""
+        people = {person.body: name for name, person in self.people.items()}
+        return {self.floor: "floor", **{body: name for name, body in self._ids.items()}, **people}
 
     def admit(self, robot: RobotBody) -> None:
         """Have a robot in the room; the physics has it already."""
         self.robots[robot.name] = robot
+
+    def join(self, name: str, person: WalkerBody) -> None:
+        """Have a person in the room; the physics has it already."""
+        self.people[name] = person
+        self.revision += 1
+
+    def figures(self) -> tuple[SceneBody, ...]:
+        """Return the people as a camera sees them: a cylinder each, where it is now."""
+        return tuple(
+            SceneBody(
+                name=name,
+                shape=FIGURE,
+                pose=Pose(position=(*person.place, FIGURE.height / 2), orientation=(0.0, 0.0, 0.0, 1.0)),
+                mass=1.0,
+                friction=0.5,
+                colour=CLOTHES,
+            )
+            for name, person in self.people.items()
+        )
 
     def names_with_robots(self) -> dict[int, str]:
         """Return the name of each body by its number, the floor's and the robots' too."""
