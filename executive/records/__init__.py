@@ -1,5 +1,9 @@
 """What was heard of a robot, kept in files, and played back.
 
-Floor plan: ``recording`` what a record is, and how one is opened; ``lines_file`` our own layout, of the black
-box; ``mcap_file`` reads MCAP; ``player`` plays a record into a bus.
+Floor plan.
+Files: ``recording`` what a record is, and how one is opened; ``lines_file`` our own layout, of the black box;
+``mcap_file`` reads MCAP, ``mcap_writing`` writes it, ``json_schemas`` has its schemas; ``recovering`` mends
+what was cut, ``mcap_copy`` record by record.
+Playing: ``tape`` walks through a record and knows what was ``known``; ``player`` plays it into a bus in
+memory, where ``answers`` has the answers of that time.
 """

@@ -183,7 +183,7 @@ def _parts(indexes: Iterable[ChunkIndex], boots: list[_Boot]) -> tuple[_Part, ..
     def part(index: ChunkIndex) -> _Part:
         boot = boots[bisect_right(places, index.chunk_start_offset) - 1]
         begin, end = (
-            boot.offset + time / NANO for time in (index.message_start_time, index.message_end_time)
+            round(boot.offset + time / NANO, 9) for time in (index.message_start_time, index.message_end_time)
         )
         return _Part(index.chunk_start_offset, boot, begin, end)
 
