@@ -5,7 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import coal
+import numpy as np
 
+from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.pose import Pose
 
 
@@ -24,7 +27,44 @@ class CylinderShape:
     length: float
 
 
-Shape = BoxShape | CylinderShape
+@dataclass(frozen=True)
+class CellsShape:
+    """Cubes of ``resolution`` metres, as an octree has them. Made by ``of``.
+
+    Its frame lies in a corner of cells, near the middle; ``size`` is a box about that which holds all cells
+    (m). ``packed``: the cells' centres in that frame, as bytes, so that two can be compared.
+    """
+
+    packed: bytes
+    resolution: float
+    size: tuple[float, float, float]
+
+    @classmethod
+    def of(cls, centres: Array, resolution: float) -> tuple[CellsShape, Vector3]:
+        """Return the shape of at least one cell, and where its frame is.
+
+        Args:
+            centres: (n, 3) metres, on one lattice.
+            resolution: edge of a cell (m).
+        """
+        corner = centres[0] + resolution / 2.0
+        middle = (centres.min(axis=0) + centres.max(axis=0)) / 2.0
+        frame = corner + resolution * np.rint((middle - corner) / resolution)
+        inside = np.ascontiguousarray(centres - frame, np.float64)
+        x, y, z = (float(each) for each in 2.0 * np.abs(inside).max(axis=0) + resolution)
+        return cls(inside.tobytes(), resolution, (x, y, z)), (
+            float(frame[0]),
+            float(frame[1]),
+            float(frame[2]),
+        )
+
+    @property
+    def centres(self) -> Array:
+        """The cells' centres in the shape's frame, (n, 3) metres: odd multiples of half a cell."""
+        return np.frombuffer(self.packed, np.float64).reshape(-1, 3)
+
+
+Shape = BoxShape | CylinderShape | CellsShape
 
 
 @dataclass(frozen=True)
@@ -58,6 +98,8 @@ def geometry(shape: Shape, padding: tuple[float, float] = (0.0, 0.0)) -> coal.Co
     if isinstance(shape, BoxShape):
         x, y, z = shape.size
         made = coal.Box(x + 2.0 * around, y + 2.0 * around, z + 2.0 * along)
+    elif isinstance(shape, CellsShape):
+        made = coal.makeOctree(shape.centres, shape.resolution)  # whose cells begin at multiples of that
     else:
         made = coal.Cylinder(shape.radius + around, shape.length + 2.0 * along)
     made.computeLocalAABB()

@@ -8,7 +8,7 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from tandem.skills.kinematics.bodies import BoxShape, Carried
+from tandem.skills.kinematics.bodies import BoxShape, Carried, CellsShape
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.transforms import Array, to_se3
 
@@ -42,7 +42,7 @@ class Extent:
             farthest = max(farthest, _reach(data.oMi[joint].homogeneous @ points))
         for each in carried:
             frame = model.frames[self._robot.frame_index(each.link)]
-            size = each.shape.size if isinstance(each.shape, BoxShape) else (
+            size = each.shape.size if isinstance(each.shape, BoxShape | CellsShape) else (
                 2 * each.shape.radius, 2 * each.shape.radius, each.shape.length
             )  # fmt: skip
             points = _homogeneous(frame.placement * to_se3(each.pose_in_link), _box(np.array(size) / 2.0))

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
-from tandem.skills.kinematics.bodies import BoxShape, Carried, Obstacle, geometry
+from tandem.skills.kinematics.bodies import BoxShape, Carried, CellsShape, Obstacle, geometry
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.model import Chain
 from tandem.skills.kinematics.transforms import Array, to_se3
@@ -122,7 +122,7 @@ class Bodies:
 
 def _half(each: Obstacle) -> Array:
     around, along = each.padding
-    if isinstance(each.shape, BoxShape):
+    if isinstance(each.shape, BoxShape | CellsShape):
         size = np.array(each.shape.size) / 2.0
     else:
         size = np.array([each.shape.radius, each.shape.radius, each.shape.length / 2.0])

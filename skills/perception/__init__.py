@@ -1,6 +1,7 @@
 """See: tags, clutter and where the camera is. The only home of OpenCV among the skills.
 
 Skills: look, track, snapshot, process.
+Occupied space: mapper, occupancy.
 A run: session, eye, camera, frames, head, ramp, blind.
 Where to look: aim, cover, gaze.
 Reading a picture: jobs, detectors, tags, corners, tag_pose, depth, clutter, arms, open_view, merge, rigid.

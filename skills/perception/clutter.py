@@ -73,7 +73,7 @@ def unexplained(image: RgbdImage, camera_in_base: Pose, base_in_map: Pose, known
     points = points_in(compose(base_in_map, camera_in_base), _points(image))
     points = points[(points[:, 2] > HEIGHTS[0]) & (points[:, 2] < HEIGHTS[1])]
     points = without(points, (*known.furniture, *known.items))
-    points = points[~_of_robot(points_from(base_in_map, points), known)]
+    points = points[~of_robot(points_from(base_in_map, points), known)]
     if len(points) == 0:
         return np.zeros((0, 3))
     _, index, counts = np.unique(_cell_numbers(points), return_inverse=True, return_counts=True)
@@ -124,7 +124,8 @@ def _points(image: RgbdImage) -> Matrix:
     return back_project(image.header, columns * STRIDE, rows * STRIDE, z[rows, columns])
 
 
-def _of_robot(points: Matrix, known: Known) -> NDArray[np.bool_]:
+def of_robot(points: Matrix, known: Known) -> NDArray[np.bool_]:
+    """Say which points (n, 3) in the base belong to the robot itself."""
     own = np.hypot(points[:, 0], points[:, 1]) < known.body_radius
     for start, end in known.segments:
         a, way = np.array(start), np.subtract(end, start)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -82,6 +82,7 @@ class Look:
         site: the items' tags and sizes, and the furniture.
         compute: who reads the pictures.
         detectors: what recognises items in them, by name; tags when there is none.
+        taken: is given the last picture of each view.
     """
 
     period: Final = 0.02
@@ -95,7 +96,9 @@ class Look:
         compute: Compute,
         *,
         detectors: Mapping[str, Detector] | None = None,
+        taken: Callable[[Shot], None] | None = None,
     ) -> None:
+        self._taken = taken
         self._bus, self._clocks, self._site, self._compute = bus, clocks, site, compute
         self._aim, self._arms, self._lens = Aim(description), Arms(description), description.camera
         self._eye = Eye(bus, description, site, compute, detectors=detectors)
@@ -208,6 +211,8 @@ class Look:
         # Only what every picture shows to be gone is gone.
         absent = tuple(sorted(item for item in set(missed) if missed.count(item) == pictures))
         SIGHTINGS.publish(self._bus, Sightings(stamp=looking.stamp, sightings=view, absent=absent))
+        if self._taken is not None and shot is not None:
+            self._taken(shot)
         if goal.clutter and shot is not None:
             yield from self._measure(looking, shot)
 

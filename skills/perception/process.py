@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from tandem.skills.perception.detectors import Detector
 from tandem.skills.perception.jobs import warm_up
 from tandem.skills.perception.look import Look
+from tandem.skills.perception.mapper import Mapper
 from tandem.skills.perception.snapshot import Snapshots
 from tandem.skills.perception.track import Track
 from tandem.skills.ports.bus import Bus
@@ -28,17 +29,29 @@ def nodes(
     detectors: Mapping[str, Detector] | None = None,
     charge: bool = False,
 ) -> tuple[Node, ...]:
-    """Return the servers of look and track, and the snapshots.
+    """Return the servers of look and track, the snapshots, and the mapper where the site wants one.
 
     ``compute`` reads pictures, with the ``detectors``; ``charge`` is the server's, for lockstep.
 
     The worker is started now: its first picture should not wait for OpenCV to load.
     """
     compute.submit(warm_up, 64, cost=0.0)
-    look = Look(bus, clocks, description, site, compute, detectors=detectors)
+    mapper = None
+    if site.occupancy is not None:
+        mapper = Mapper(bus, clocks, description, site, site.occupancy, compute)
+    look = Look(
+        bus,
+        clocks,
+        description,
+        site,
+        compute,
+        detectors=detectors,
+        taken=None if mapper is None else mapper.offer,
+    )
     track = Track(bus, clocks, description, site, compute, detectors=detectors)
     return (
         ActionServer(bus, clocks, look, charge=charge),
         ActionServer(bus, clocks, track, charge=charge),
         Snapshots(bus, clocks, compute, description.camera.name),
+        *(() if mapper is None else (mapper,)),
     )

@@ -7,6 +7,7 @@ from typing import Annotated
 from pydantic import Field, model_validator
 
 from tandem.skills.ports.message import HandName, Message, Vector3
+from tandem.skills.ports.occupancy import OccupancySetting
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.reflex_setting import ReflexSetting
 
@@ -106,6 +107,8 @@ class Site(Message):
     items: tuple[SiteItem, ...] = ()
     reflexes: tuple[ReflexSetting, ...] = ()
     """Reflexes with other parameters than the robot's, or switched off, at this site."""
+    occupancy: OccupancySetting | None = None
+    """Measure occupied space from depth and plan against it; None: boxes of clutter only."""
 
     @model_validator(mode="after")
     def _names_are_unique(self) -> Site:

@@ -10,6 +10,7 @@ from tandem.skills.ports.checks import misfit, strange_hands
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import Topic
 from tandem.skills.ports.message import Count, HandName, Message, RobotTime
+from tandem.skills.ports.occupancy import Occupancy
 from tandem.skills.ports.pose import FloorPose, Pose
 
 Size = Annotated[float, Field(ge=0.0)]
@@ -96,6 +97,8 @@ class PlanningScene(Message):
     stamp: RobotTime
     version: Count
     objects: tuple[SceneObject, ...]
+    occupied: Occupancy | None = None
+    """Space that nothing of this explains, where it is measured."""
 
 
 class ItemFact(Message):
@@ -168,5 +171,6 @@ def _beliefs(message: WorldState, key: str, robot: RobotDescription | None) -> s
 ROBOT_POSE: Final = Topic("world/robot", RobotPose)
 SIGHTINGS: Final = Topic("world/sightings", Sightings)
 CLUTTER: Final = Topic("world/clutter", Clutter)
+OCCUPANCY: Final = Topic("world/occupancy", Occupancy)
 SCENE: Final = Topic("world/scene", PlanningScene)
 WORLD: Final = Topic("world/state", WorldState)
