@@ -18,7 +18,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from tandem.skills.kinematics.bodies import BoxShape, Obstacle
+from tandem.skills.kinematics.bodies import BoxShape, CellsShape, Obstacle
 from tandem.skills.kinematics.transforms import Array, to_se3
 
 Values = npt.NDArray[np.float32]
@@ -77,6 +77,7 @@ class DistanceField:
         self.least: Values = np.full(self.shape, reach - HALF_DIAGONAL * cell, dtype=np.float32)
         """Metres below which the distance falls nowhere in a cell."""
         self._obstacles: dict[str, tuple[Obstacle, ...]] = {}
+        self._cells_told: tuple[Obstacle, ...] = ()
         self._occupied: Cells | None = None
         self._of_voxels: Values | None = None
 
@@ -88,16 +89,22 @@ class DistanceField:
     def set_obstacles(self, obstacles: Sequence[Obstacle]) -> int:
         """Take what stands around now, and return how many cells were measured anew.
 
-        Obstacles are told apart by name; those that are as they were cost nothing.
+        Obstacles are told apart by name; those that are as they were cost nothing. Cells of occupied space
+        among them take the place of the voxels that ``set_voxels`` was told.
         """
         now: dict[str, tuple[Obstacle, ...]] = {}
+        cells_now = tuple(each for each in obstacles if isinstance(each.shape, CellsShape))
         for each in obstacles:
-            now[each.name] = (*now.get(each.name, ()), each)
+            if each not in cells_now:
+                now[each.name] = (*now.get(each.name, ()), each)
         changed = [name for name in {**self._obstacles, **now} if self._obstacles.get(name) != now.get(name)]
         gone = [each for name in changed for each in self._obstacles.get(name, ())]
         new = [each for name in changed for each in now.get(name, ())]
         self._obstacles = now
         cells = 0
+        if cells_now != self._cells_told:
+            self._cells_told = cells_now
+            cells += self.set_voxels(*_voxels(cells_now, self.cell))
         for each in gone:
             cells += self._measure_again(self._window_of(each))
         for each in new:
@@ -316,11 +323,23 @@ def _outside(gaps: Sequence[Values]) -> Values:
     return np.asarray(np.sqrt(squares) + np.minimum(deepest, 0.0))
 
 
+def _voxels(obstacles: Sequence[Obstacle], cell: float) -> tuple[Array, float]:
+    """Return the centres (n, 3) of obstacles that are cells, and an edge that holds each as it is turned."""
+    centres, edge = [np.zeros((0, 3))], cell
+    for each in obstacles:
+        assert isinstance(each.shape, CellsShape)
+        placed = to_se3(each.pose_in_base)
+        turn = np.asarray(placed.rotation)
+        centres.append(each.shape.centres @ turn.T + np.asarray(placed.translation))
+        edge = max(edge, each.shape.resolution * float(np.abs(turn).sum(axis=1).max()))
+    return np.concatenate(centres), edge
+
+
 def _half(obstacle: Obstacle) -> Array:
     """Return the half edges (3,) of the box around an obstacle, in its own frame, padding included."""
     around, along = obstacle.padding
     shape = obstacle.shape
-    if isinstance(shape, BoxShape):
+    if isinstance(shape, BoxShape | CellsShape):
         x, y, z = shape.size
         return np.array([x / 2.0 + around, y / 2.0 + around, z / 2.0 + along])
     return np.array([shape.radius + around, shape.radius + around, shape.length / 2.0 + along])
