@@ -155,7 +155,7 @@ class Site:
         except ValidationError as error:
             raise _misshapen(error) from error
         await self.past.refresh(await self.robot.client())
-        return JSONResponse(self.past.answer(wanted))
+        return Response(self.past.answer(wanted), media_type="application/json")
 
     async def request(self, request: Request) -> Response:
         """Send a request to the executive."""

@@ -60,7 +60,7 @@ class Feed:
         self._world = Latest(bus, WORLD, depth=1)
         self._pulse = Latest(bus, TASK_PULSE, depth=1)
         self._statuses = Latest(bus, TASK_STATUS, depth=1024)
-        self._trees = Latest(bus, TREE, depth=256)
+        self._trees = Latest(bus, TREE, depth=1)
         self._reflexes = Latest(bus, reflex_state("*"), depth=4)
         self._pipelines = Latest(bus, pipeline_state("*"), depth=4)
         self._sightings = Latest(bus, SIGHTINGS, depth=16)
@@ -108,7 +108,8 @@ class Feed:
         self._plans_and_tags(update)
         for status in self._statuses.take():
             merge(update, {"tasks": {status.task: _plain(status)}})
-        for tree in self._trees.take():
+        tree = self._fresh(self._trees)  # a node's ``last`` says what happened since the one before
+        if tree is not None:
             self._tree(tree, update)
         there = self.executive_there
         if self._versions.get("executive") is not there:

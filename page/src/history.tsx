@@ -8,7 +8,12 @@ import type { TaskStatus } from "./types";
 import { root, seconds, STATE_SIGNS, summary, took, when } from "./words";
 
 type Kind = { kind: string; count: number; succeeded: number; decided: number; median: number | null };
-type Found = { tasks: TaskStatus[]; count: number; pages: number; states: Record<string, number>; failures: Record<string, number>; kinds: Kind[] };
+type Week = Kind & { week: string };
+type Node = { failure: string; where: string; count: number };
+type Found = {
+  tasks: TaskStatus[]; count: number; pages: number; states: Record<string, number>; failures: Record<string, number>; kinds: Kind[];
+  weeks: Week[]; nodes: Node[]; labels: string[];
+};
 const STATES = ["QUEUED", "RUNNING", "PAUSED", "SUCCEEDED", "FAILED", "CANCELED", "EXPIRED", "REJECTED", "INTERRUPTED"];
 const DAYS: [string, string][] = [["", "any time"], ["1", "last day"], ["7", "last 7 days"], ["30", "last 30 days"]];
 
@@ -54,12 +59,16 @@ export function History({ url }: { url: URL }) {
         <label>item <Typed value={wanted.item ?? ""} list="items" size={6} take={(value) => change("item", value)} /></label>
         <datalist id="items">{kinds?.items.map((each) => <option key={each} value={each} />)}</datalist>
         {choose("failure", any(failures))}
+        {wanted.where && choose("where", any([wanted.where]))}
+        <label>label <Typed value={wanted.label ?? ""} list="labels" size={10} take={(value) => change("label", value)} /></label>
+        <datalist id="labels">{found?.labels.map((each) => <option key={each} value={each} />)}</datalist>
         {choose("days", DAYS)}
+        {choose("week", any([...new Set([...(found?.weeks.map((each) => each.week) ?? []), ...(wanted.week ? [wanted.week] : [])])]))}
         <label>text <Typed search value={wanted.text ?? ""} take={(value) => change("text", value)} /></label>
         {url.search && <a href="/history">Clear</a>}
       </form>
       {error && <p class="failure" role="alert">{error}</p>}
-      {found && <Summary found={found} />}
+      {found && <Summary found={found} search={url.search} />}
       {found && (
         <div class="card scroll">
           <table>
@@ -101,18 +110,65 @@ function Typed({ value, take, search, ...more }: { value: string; take: (value: 
   return <input {...more} type={search ? "search" : "text"} value={typed} onInput={(event) => type(event.currentTarget.value)} onChange={() => take(typed.trim())} />;
 }
 
-function Summary({ found }: { found: Found }) {
+function Summary({ found, search }: { found: Found; search: string }) {
+  // The same filters and one more.
+  const also = (more: Record<string, string>) => {
+    const next = new URLSearchParams(search);
+    next.delete("page");
+    for (const [name, value] of Object.entries(more)) next.set(name, value);
+    return `/history?${next}`;
+  };
+  const failed = found.nodes.reduce((sum, each) => sum + each.count, 0);
   return (
-    <section class="card figures-card" aria-label="Counts">
-      <p><strong>{found.count}</strong> {found.count === 1 ? "task" : "tasks"}</p>
-      {found.kinds.map((each) => (
-        <p key={each.kind}>
-          <strong>{each.kind}</strong> {each.count}
-          {each.decided > 0 && <span class="quiet"> · {each.succeeded} of {each.decided} succeeded ({Math.round((100 * each.succeeded) / each.decided)} %)</span>}
-          {each.median !== null && <span class="quiet"> · {seconds(each.median)} median</span>}
-        </p>
-      ))}
-      {Object.entries(found.failures).map(([kind, count]) => <p key={kind}><a href={`/history?failure=${kind}`}>{kind}</a> {count}</p>)}
+    <section class="card" aria-label="Counts">
+      <p class="figures-card">
+        <span><strong>{found.count}</strong> {found.count === 1 ? "task" : "tasks"}</span>
+        {found.kinds.map((each) => <span key={each.kind}><strong>{each.kind}</strong> {each.count} <Rate of={each} /></span>)}
+      </p>
+      {found.weeks.length > 0 && (
+        <details class="scroll">
+          <summary>By week and kind</summary>
+          <table>
+            <thead><tr><th>Week</th><th>Kind</th><th class="number">Tasks</th><th class="number">Succeeded</th><th class="number">Rate</th><th class="number">Median time</th></tr></thead>
+            <tbody>{found.weeks.map((each) => (
+              <tr key={`${each.week} ${each.kind}`}>
+                <td><a href={also({ week: each.week })}>{each.week}</a></td>
+                <td><a href={also({ week: each.week, kind: each.kind })}>{each.kind}</a></td>
+                <td class="number">{each.count}</td>
+                <td class="number">{each.succeeded} of {each.decided}</td>
+                <td class="number">{each.decided ? `${percent(each)} %` : "–"}</td>
+                <td class="number">{seconds(each.median)}</td>
+              </tr>
+            ))}</tbody>
+          </table>
+        </details>
+      )}
+      {found.nodes.length > 0 && (
+        <details class="scroll">
+          <summary>Failures by kind and node <span class="count">{failed}</span></summary>
+          <table>
+            <thead><tr><th>Failure</th><th>Node or skill</th><th class="number">Tasks</th></tr></thead>
+            <tbody>{found.nodes.map((each) => (
+              <tr key={`${each.failure} ${each.where}`}>
+                <td><a href={also({ failure: each.failure })}>{each.failure}</a></td>
+                <td class="what">{each.where ? <a href={also({ failure: each.failure, where: each.where })}>{each.where}</a> : "–"}</td>
+                <td class="number">{each.count}</td>
+              </tr>
+            ))}</tbody>
+          </table>
+        </details>
+      )}
     </section>
+  );
+}
+
+const percent = (of: Kind) => Math.round((100 * of.succeeded) / of.decided);
+
+function Rate({ of }: { of: Kind }) {
+  return (
+    <span class="quiet">
+      {of.decided > 0 && ` · ${of.succeeded} of ${of.decided} succeeded (${percent(of)} %)`}
+      {of.median !== null && ` · ${seconds(of.median)} median`}
+    </span>
   );
 }

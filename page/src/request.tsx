@@ -2,6 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { may, say } from "./acting";
 import { AskError, post } from "./api";
+import { Favourites, Keep, useFavourites, type Favourite } from "./favourites";
 import { document as make, Field, fields, type Schema, type Values } from "./form";
 import { useKinds, useRobot, useSite } from "./loading";
 import { go } from "./route";
@@ -15,6 +16,8 @@ export function Request({ url }: { url: URL }) {
   const kinds = useKinds();
   const site = useSite().value;
   const robot = useRobot().value;
+  const { kept, add, remove, all } = useFavourites();
+  const [count, again] = useState(0); // another favourite of the same kind is another form
   const { task = "", ...given } = Object.fromEntries(url.searchParams);
   if (!kinds.value) return <p class="quiet">{kinds.error || "Asking which tasks there are…"}</p>;
   const kind = kinds.value.kinds.find((each) => each.name === task);
@@ -30,16 +33,17 @@ export function Request({ url }: { url: URL }) {
             </a>
           );
         })}
+        <Favourites kept={kept} remove={remove} all={all} chosen={() => again(count + 1)} />
       </nav>
-      {kind ? <Form key={task} name={task} schema={kind.request as Schema} given={given} items={kinds.value.items} site={site} robot={robot} />
+      {kind ? <Form key={`${task} ${count}`} name={task} keep={add} schema={kind.request as Schema} given={given} items={kinds.value.items} site={site} robot={robot} />
         : <p class="quiet">{task ? `There is no task ${task}.` : "Choose what the robot is to do."}</p>}
     </div>
   );
 }
 
-type Given = { name: string; schema: Schema; given: Values; items: string[]; site: Site | null; robot: RobotDescription | null };
+type Given = { name: string; keep: (one: Favourite) => void; schema: Schema; given: Values; items: string[]; site: Site | null; robot: RobotDescription | null };
 
-function Form({ name, schema, given, items, site, robot }: Given) {
+function Form({ name, keep, schema, given, items, site, robot }: Given) {
   const [values, set] = useState<Values>(given);
   const [problems, wrong] = useState<Problem[]>([]);
   const [sending, send] = useState(false);
@@ -93,6 +97,7 @@ function Form({ name, schema, given, items, site, robot }: Given) {
       </details>
       <p class="verbs">
         {may("request") ? <button class="primary" disabled={sending}>Send</button> : <span class="quiet">This key does not allow requests.</span>}
+        <Keep task={name} values={values} add={keep} />
       </p>
       <details class="same">
         <summary>The same as JSON and as a command</summary>

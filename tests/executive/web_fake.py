@@ -82,7 +82,8 @@ class FakeRobot:
     def __post_init__(self) -> None:
         self.hub = MemoryHub()
         self.bus, self.asking = self.hub.endpoint(), self.hub.endpoint()
-        self.bus.announce("executive")
+        self.presence = self.hub.endpoint()
+        self.presence.announce("executive")
         self.loop: asyncio.AbstractEventLoop | None = None
         self.endpoints = Endpoints(self.bus, time.monotonic, tuple(self.answers()))
 
@@ -117,6 +118,14 @@ class FakeRobot:
         self.reflexes[name] = state
         reflex_state(name).publish(self.bus, state)
         return state
+
+    def executive(self, *, there: bool) -> None:
+        """Have the executive's name go, as when it is killed, or come back."""
+        assert self.loop is not None
+        if there:
+            self.presence = self.hub.endpoint()
+        act = (lambda: self.presence.announce("executive")) if there else self.presence.close
+        self.loop.call_soon_threadsafe(act)
 
     def tell(self, *told: tuple[Topic[M], M]) -> None:
         """Publish from any thread, with the clock as it is."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 from starlette.testclient import TestClient
 from web_rig import Rig, of_role
@@ -164,20 +166,38 @@ def test_an_executive_that_is_gone_is_said_so(page: TestClient, rig: Rig) -> Non
 def test_the_history_is_filtered_and_counted(page: TestClient, rig: Rig) -> None:
     for item, version in ((3, 2), (4, 1), (4, 1)):
         rig.here.world(0)
-        page.post("/api/request", json={"task": "wait", "item": item})
+        page.post("/api/request", json={"task": "wait", "item": item, "labels": {"zone": f"z{item}"}})
         rig.here.world(version)
         rig.here.step(5)
 
-    def found(query: str) -> dict[str, object]:
-        answer: dict[str, object] = page.get(f"/api/history?{query}").json()
+    def found(query: str) -> dict[str, Any]:
+        answer: dict[str, Any] = page.get(f"/api/history?{query}").json()
         return answer
 
-    assert (found("")["count"], found("state=FAILED")["count"], found("item=4")["count"]) == (3, 1, 2)
+    counts = {
+        "": 3, "state=FAILED": 1, "item=4": 2, "text=wait-0002": 1, "label=zone": 3, "label=zone=z4": 2,
+        "label=z4": 0, "week=1970-W01": 3, "week=2026-W01": 0, "failure=GRASP_EMPTY": 1, "where=nowhere": 0,
+    }  # fmt: skip
+    assert {query: found(query)["count"] for query in counts} == counts
     assert found("failure=GRASP_EMPTY")["failures"] == {"GRASP_EMPTY": 1}
-    assert (
-        found("")["kinds"] == [{"kind": "wait", "count": 3, "succeeded": 2, "decided": 3, "median": None}]
-        or found("")["kinds"][0]["succeeded"] == 2
-    )  # type: ignore[index]
-    assert (found("text=wait-0002")["count"], found("page=7")["tasks"]) == (1, [])
+    every = found("")
+    (week,) = every["weeks"]
+    assert (week["week"], week["kind"], week["succeeded"], week["decided"]) == ("1970-W01", "wait", 2, 3)
+    assert [(each["failure"], each["count"]) for each in every["nodes"]] == [("GRASP_EMPTY", 1)]
+    assert every["labels"] == ["zone=z4", "zone=z3"]
+    assert (every["kinds"][0]["succeeded"], found("page=7")["tasks"]) == (2, [])
     assert page.get("/api/history?since=soon").status_code == 422
     assert page.get("/api/history?colour=red").status_code == 422
+
+
+def test_a_task_that_had_not_ended_is_asked_for_again(page: TestClient, rig: Rig) -> None:
+    for number in range(30):
+        page.post("/api/request", json={**WAIT, "id": f"n{number}"})
+
+    def states() -> list[str]:
+        return [each["state"] for each in page.get("/api/history").json()["tasks"]]
+
+    assert states() == ["QUEUED"] * 29 + ["RUNNING"]
+    rig.here.world(1)
+    rig.here.step(5)
+    assert "SUCCEEDED" in states()[20:], "the oldest, which is not on the first page of what is new"

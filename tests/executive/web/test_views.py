@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import base64
+import json
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from web_fake import FakeRobot, served
@@ -12,6 +14,7 @@ from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.reflex import PipelineState, ReflexState, pipeline_state, reflex_state
+from tandem.skills.ports.tasks import KindOfTask, TaskKinds
 from tandem.skills.ports.world import ROBOT_POSE, SIGHTINGS, RobotPose, Sighting, Sightings
 
 pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
@@ -110,3 +113,57 @@ def test_a_reflex_is_switched_where_it_is_shown_who_has_what(page: Page, robot: 
     expect(page.locator(".warn")).to_contain_text("avoid_collision is off, by anna")
     page.get_by_role("button", name="Switch avoid_collision on").click()
     expect(page.locator(".warn")).to_have_count(0)
+
+
+KIND = KindOfTask(
+    name="fetch",
+    summary="Fetch an item.",
+    request={
+        "type": "object",
+        "properties": {"task": {"const": "fetch"}, "item": {"type": "integer", "description": "which"}},
+        "required": ["task", "item"],
+    },
+)
+
+
+def test_a_form_is_kept_as_a_favourite_and_taken_along(page: Page, robot: FakeRobot, tmp_path: Path) -> None:
+    robot.kinds = TaskKinds(kinds=(KIND,))
+    page.goto("/request?task=fetch&item=29")
+    page.get_by_label("Name of the favourite").fill("the red one")
+    page.get_by_role("button", name="Keep as favourite").click()
+    page.goto("/request?task=fetch")
+    expect(page.get_by_label("item")).to_have_value("")
+    page.get_by_role("link", name="the red one").click()
+    expect(page.get_by_label("item")).to_have_value("29")
+    picture(page, "page-request")
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="Save as JSON").click()
+    file = tmp_path / "favourites.json"
+    saved.value.save_as(file)
+    assert json.loads(file.read_text("utf-8")) == [
+        {"name": "the red one", "task": "fetch", "values": {"item": "29"}}
+    ]
+    page.get_by_role("button", name="Forget the red one").click()
+    expect(page.get_by_role("link", name="the red one")).to_have_count(0)
+    page.locator("input[type=file]").set_input_files(file)
+    expect(page.get_by_role("link", name="the red one")).to_be_visible()
+
+
+def test_what_is_no_favourite_is_left_out(page: Page, robot: FakeRobot) -> None:
+    robot.kinds = TaskKinds(kinds=(KIND,))
+    page.goto("/request")
+    stored = json.dumps([{"name": 1}, 7, {"name": "good", "task": "fetch", "values": {}}])
+    page.evaluate("text => localStorage.setItem('tandem.favourites', text)", stored)
+    page.goto("/request")
+    expect(page.locator(".favourites li")).to_have_count(1)
+
+
+def test_an_executive_that_was_killed_is_waited_for(page: Page, robot: FakeRobot) -> None:
+    page.goto("/request")
+    expect(page.locator(".link")).to_contain_text("nothing heard")
+    robot.executive(there=False)
+    expect(page.locator(".link")).to_contain_text("the executive is gone; waiting for it")
+    robot.kinds = TaskKinds(kinds=(KIND,))
+    robot.executive(there=True)
+    expect(page.locator(".link")).to_contain_text("nothing heard")
+    expect(page.get_by_role("link", name="fetch")).to_be_visible()
