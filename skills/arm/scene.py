@@ -1,11 +1,15 @@
-"""The planning scene as the arm's checks need it: boxes in the base's frame."""
+"""The planning scene as the arm's checks need it: boxes and occupied cells in the base's frame."""
 
 from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from tandem.skills.geometry.poses import compose, invert, to_pose
-from tandem.skills.kinematics.bodies import BoxShape, Obstacle
+from tandem.skills.kinematics.bodies import BoxShape, CellsShape, Obstacle
+from tandem.skills.ports.lattice import centres_of
+from tandem.skills.ports.occupancy import Occupancy
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.world import PlanningScene, SceneObject
 
@@ -14,6 +18,8 @@ PADDING = {"furniture": (0.015, 0.003), "clutter": (0.01, 0.004), "item": (0.004
 
 
 NO_PADDING = (0.0, 0.0)
+OCCUPIED = "occupied_space"
+"""The name of the obstacle that cells make."""
 
 
 def obstacles(
@@ -27,7 +33,21 @@ def obstacles(
             pose = compose(map_in_base, each.box.pose)
             padding = PADDING[each.kind] if padded else NO_PADDING
             found.append(Obstacle(each.name, BoxShape(each.box.size), pose, padding))
-    return tuple(found)
+    return (*found, *_occupied(scene.occupied, base_in_map, map_in_base, reach))
+
+
+def _occupied(
+    cells: Occupancy | None, base_in_map: FloorPose, map_in_base: Pose, reach: float
+) -> tuple[Obstacle, ...]:
+    """Return the occupied cells within reach as one obstacle; their size is padding enough."""
+    if cells is None:
+        return ()
+    centres = centres_of(cells)
+    near = np.hypot(centres[:, 0] - base_in_map.x, centres[:, 1] - base_in_map.y) < reach + cells.resolution
+    if not near.any():
+        return ()
+    shape, frame = CellsShape.of(centres[near], cells.resolution)
+    return (Obstacle(OCCUPIED, shape, compose(map_in_base, Pose(position=frame))),)
 
 
 def allowed(

@@ -73,5 +73,7 @@ class MotionWatch:
         return True
 
 
-def _standing(scene: PlanningScene) -> tuple[SceneObject, ...]:
-    return tuple(each for each in scene.objects if each.attached_to is None)
+def _standing(scene: PlanningScene) -> tuple[tuple[SceneObject, ...], str]:
+    """Return what may be hit: the things that are not carried, and the cells of occupied space."""
+    cells = "" if scene.occupied is None else scene.occupied.cells
+    return tuple(each for each in scene.objects if each.attached_to is None), cells

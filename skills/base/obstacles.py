@@ -14,6 +14,7 @@ from tandem.skills.base.field import DistanceField
 from tandem.skills.base.floor import BoolArray, FloatArray, IntArray, compose, invert, points_in
 from tandem.skills.base.localiser import Localiser, PlacedScan
 from tandem.skills.base.map import SiteMap
+from tandem.skills.base.occupied import OccupiedFloor
 from tandem.skills.base.scan import ScanGeometry
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.sensors import LaserSensor
@@ -40,9 +41,25 @@ REACH: Final = 0.9
 
 
 class Obstacles:
-    """The monitor of unmapped obstacles; a ``Node`` that follows the localiser's scans."""
+    """The monitor of unmapped obstacles; a ``Node`` that follows the localiser's scans.
 
-    def __init__(self, clocks: Clocks, sensor: LaserSensor, site_map: SiteMap, localiser: Localiser) -> None:
+    Args:
+        clocks: robot time.
+        sensor: the laser.
+        site_map: what is mapped.
+        localiser: places the scans.
+        occupied: what depth shows besides.
+    """
+
+    def __init__(
+        self,
+        clocks: Clocks,
+        sensor: LaserSensor,
+        site_map: SiteMap,
+        localiser: Localiser,
+        occupied: OccupiedFloor | None = None,
+    ) -> None:
+        self._occupied = occupied
         self._clocks, self._map, self._localiser = clocks, site_map, localiser
         self._geometry = ScanGeometry(sensor, site_map.laser_in_base)
         self._cells: IntArray = np.empty(0, dtype=np.int64)
@@ -57,8 +74,9 @@ class Obstacles:
 
     @property
     def points(self) -> FloatArray:
-        """The confirmed cells' centres in the map, shape (n, 2)."""
-        return self._centres(self._cells[self._hits >= CONFIRMED])
+        """The confirmed cells' centres in the map, shape (n, 2), and what depth shows to be occupied."""
+        seen = self._centres(self._cells[self._hits >= CONFIRMED])
+        return seen if self._occupied is None else np.concatenate((seen, self._occupied.points()))
 
     def step(self) -> bool:
         """Take the localiser's newest scan, if it is new."""
@@ -73,7 +91,9 @@ class Obstacles:
         return False
 
     def close(self) -> None:
-        """Nothing to leave."""
+        """End the subscription."""
+        if self._occupied is not None:
+            self._occupied.close()
 
     def _mark(self, placed: PlacedScan, now: float) -> None:
         ranges = placed.points.ranges

@@ -15,6 +15,7 @@ from tandem.skills.base.localise import Localise
 from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.map import build_map
 from tandem.skills.base.obstacles import Obstacles
+from tandem.skills.base.occupied import OccupiedFloor
 from tandem.skills.base.reflexes.registry import SHIPPED, BaseReflex, chosen_for, reflexes
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
 from tandem.skills.base.rotate import Rotate
@@ -60,7 +61,8 @@ def assemble(
     """Return the parts, wired to each other. Takes some 0.2 s: the map is worked out."""
     site_map = build_map(site, description)
     localiser = Localiser(bus, clocks, description, site_map)
-    obstacles = Obstacles(clocks, description.laser, site_map, localiser)
+    occupied = None if site.occupancy is None else OccupiedFloor(bus, description.height, site_map.plan)
+    obstacles = Obstacles(clocks, description.laser, site_map, localiser, occupied)
     pipeline = Pipeline(BASE)
     board = BaseStatusBoard(bus, clocks, pipeline)
     guard = Guard(bus, clocks, description, localiser)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import logging
 from collections import deque
+from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
@@ -176,8 +177,7 @@ class Mapper:
         return angle_between(poses[0].orientation, poses[1].orientation) > SWINGS
 
     def _about(self, shot: Shot) -> MapJob:
-        joints, world = self._joints.newest, self._world.refresh()
-        positions = {} if joints is None else dict(zip(joints.names, joints.positions, strict=True))
+        world, positions = self._world.refresh(), self._joints.positions(header_of(shot.payload).stamp) or {}
         items = () if world is None else (*self._standing(world), *self._held(world, shot, positions))
         known = Known(
             self._furniture, items, self._arms.segments(positions) if positions else (), self._radius
@@ -193,7 +193,7 @@ class Mapper:
                 found.append(Box(size=fact.size, pose=stands))
         return tuple(found)
 
-    def _held(self, world: WorldState, shot: Shot, positions: dict[str, float]) -> tuple[Box, ...]:
+    def _held(self, world: WorldState, shot: Shot, positions: Mapping[str, float]) -> tuple[Box, ...]:
         base, hands = to_pose(shot.base_in_map), self._arms.hands(positions)
         return tuple(
             Box(size=item.size, pose=compose(compose(base, hands[held.side]), held.item_in_tool))

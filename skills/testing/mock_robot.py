@@ -77,6 +77,7 @@ from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.keys import DESCRIPTION
 from tandem.skills.ports.message import HandName, Message, RobotTime, Vector3
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.occupancy import Occupancy
 from tandem.skills.ports.pose import IDENTITY, FloorPose, Pose
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
@@ -207,6 +208,8 @@ class MockRobot:
         """Told "began" and "ended" of each goal, with action, id and goal."""
         self._ends, self._servers = ends, dict[str, _Served]()
         self._clutter: tuple[SceneObject, ...] = ()
+        self.occupied: Occupancy | None = None
+        """Space that depth shows to be occupied; told with ``tell``."""
         self._told = False
         self._serve(LOOK, LookFeedback(pictures=0, seen=()), self._look)
         base = FloorPose(x=0.0, y=0.0, yaw=0.0)
@@ -266,7 +269,9 @@ class MockRobot:
         stamp = self.now
         self.world = self.world.model_copy(update={"stamp": stamp})
         WORLD.publish(self.bus, self.world)
-        scene = PlanningScene(stamp=stamp, version=self.world.version, objects=self._clutter)
+        scene = PlanningScene(
+            stamp=stamp, version=self.world.version, objects=self._clutter, occupied=self.occupied
+        )
         SCENE.publish(self.bus, scene)
         pose = RobotPose(
             stamp=stamp,

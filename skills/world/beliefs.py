@@ -11,6 +11,7 @@ from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.geometry.poses import about, distance, rotate
 from tandem.skills.grasping.item_frames import standing_in_map, tag_of_item
 from tandem.skills.ports.message import HandName, RobotTime, Vector3
+from tandem.skills.ports.occupancy import Occupancy
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import (
@@ -76,6 +77,8 @@ class Beliefs:
         self._clutter: tuple[tuple[str, Box], ...] = kept.clutter
         self._clutter_named = 0
         self._boot = kept.boot
+        self._occupied: Occupancy | None = None
+        self._cells_for_clutter = site.occupancy is not None and site.occupancy.replaces_clutter
         self._furniture = tuple(
             SceneObject(name=f"{each.name}_{i}", kind="furniture", box=box_in_map(box))
             for each in site.furniture
@@ -217,7 +220,7 @@ class Beliefs:
         """Take in the clutter of a look; say whether it changed anything."""
         measured: list[tuple[str, Box]] = []
         standing = [*self._standing().values(), *(box for _, box in self._doubled())]
-        for box in seen.boxes:
+        for box in () if self._cells_for_clutter else seen.boxes:
             if any(clutter.contains(item, box.pose.position, clutter.ITEM_MARGIN) for item in standing):
                 continue
             measured.append((self._new_name({name for name, _ in (*self._clutter, *measured)}), box))
@@ -227,6 +230,14 @@ class Beliefs:
         if after == self._clutter and not forgotten:
             return False
         self._clutter = after
+        self.version += 1
+        return True
+
+    def occupy(self, told: Occupancy) -> bool:
+        """Take in which space is occupied; say whether that changed anything."""
+        before, self._occupied = self._occupied, told
+        if before is not None and _same_cells(before, told):
+            return False
         self.version += 1
         return True
 
@@ -252,7 +263,7 @@ class Beliefs:
         self._placed.clear()
         self._removed.clear()
         self._doubles = Doubles()
-        self._clutter, self._boot = (), boot
+        self._clutter, self._occupied, self._boot = (), None, boot
         self.version += 1
         return tuple(sorted(self._held))
 
@@ -325,7 +336,12 @@ class Beliefs:
             box = Box(size=self._size(held.item), pose=held.item_in_tool)
             name = f"item_{held.item}"
             things.append(SceneObject(name=name, kind="item", box=box, item=held.item, attached_to=side))
-        return PlanningScene(stamp=now, version=self.version, objects=(*self._furniture, *things))
+        return PlanningScene(
+            stamp=now,
+            version=self.version,
+            objects=(*self._furniture, *things),
+            occupied=self._occupied,
+        )
 
     @property
     def firm(self) -> tuple[tuple[HeldItem, ...], tuple[Placed, ...]]:
@@ -406,3 +422,12 @@ def item_box(tag_in_map: Pose, size: Vector3) -> Box:
     x, y, z = tag_in_map.position
     middle = (x + out[0], y + out[1], z + out[2])
     return Box(size=(edge, edge, edge), pose=Pose(position=middle, orientation=about((0, 0, 1), 0.0)))
+
+
+def _same_cells(one: Occupancy, other: Occupancy) -> bool:
+    return (one.origin, one.shape, one.resolution, one.cells) == (
+        other.origin,
+        other.shape,
+        other.resolution,
+        other.cells,
+    )

@@ -11,7 +11,7 @@ from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import CLUTTER, SCENE, SIGHTINGS, WORLD
+from tandem.skills.ports.world import CLUTTER, OCCUPANCY, SCENE, SIGHTINGS, WORLD
 from tandem.skills.world.beliefs import Beliefs
 from tandem.skills.world.journal import Journal
 
@@ -60,6 +60,7 @@ class Keeper:
         self.beliefs = Beliefs(site, None if journal is None else journal.remembered)
         self._sightings = Latest(bus, SIGHTINGS)
         self._clutter = Latest(bus, CLUTTER)
+        self._occupancy = Latest(bus, OCCUPANCY, depth=4)
         self._hands = {side: Latest(bus, hand_status(side)) for side in hands}
         self._attached: dict[HandName, RobotTime] = {}
         self._unsure: dict[HandName, RobotTime | None] = {}
@@ -106,6 +107,8 @@ class Keeper:
             self.beliefs.look(look)
         if self.beliefs.version != version:
             self._keep_if_possible(synced=self.beliefs.firm != firm)
+        for told in self._occupancy.take()[-1:]:
+            self.beliefs.occupy(told)  # perception keeps it, no journal
 
     def attached(self, side: HandName, now: RobotTime) -> None:
         """Note when the hand took what it holds: only later news of it count."""
@@ -180,6 +183,7 @@ class Keeper:
         """End the subscriptions."""
         self._sightings.close()
         self._clutter.close()
+        self._occupancy.close()
         for hand in self._hands.values():
             hand.close()
 

@@ -8,10 +8,11 @@ from py_trees.common import Status
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.message import HandName
-from tandem.skills.ports.pose import IDENTITY
-from tandem.skills.ports.world import HeldItem, Placed
+from tandem.skills.ports.pose import IDENTITY, Pose
+from tandem.skills.ports.world import Box, HeldItem, Placed
 from tandem.skills.site import load
 from tandem.trees.tasks.place import NAME, TASK, PlaceNotes, PlaceRequest
+from tests.fakes.occupied import occupied
 
 SITE = load("lab")
 
@@ -59,6 +60,18 @@ def test_nothing_moves_when_there_is_nothing_to_place(
     failure = run.failure()
     assert failure is not None
     assert (failure.kind, run.result(), run.robot.calls) == (kind, None, [])
+
+
+@pytest.mark.parametrize(("x", "slot"), [(0.0, 1), (0.3, 0)], ids=["in slot 0", "beside it"])
+def test_a_slot_in_which_cells_are_occupied_is_not_used(x: float, slot: int) -> None:
+    run = holding(left=29)
+    place = SITE.depots[0].slots[0].position
+    thing = Box(size=(0.05, 0.05, 0.1), pose=Pose(position=(place[0] + x, place[1], place[2] + 0.1)))
+    run.robot.occupied = occupied(run.robot.world.stamp, thing)
+    assert run.run("place", {}) is Status.SUCCESS, run.failure()
+    result = run.result()
+    assert result is not None
+    assert result["slot"] == slot
 
 
 def test_a_slot_that_is_taken_is_not_replaced_by_another() -> None:
