@@ -92,6 +92,11 @@ class Player:
             count += 1
         return count
 
+    def say_known(self) -> None:
+        """Say the last message of each key once more, to listeners that have just come."""
+        for message in self._tape.known().last.values():
+            self._say(message, task_too=True)
+
     def step(self) -> bool:
         """Answer the queries that wait; return whether more do."""
         return self._answers.step()

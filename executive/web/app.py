@@ -33,7 +33,8 @@ from tandem.executive.web.camera import Camera
 from tandem.executive.web.gate import CLOSED, Gate
 from tandem.executive.web.history import Filter, Past
 from tandem.executive.web.meshes import MEDIA, mesh, named_in
-from tandem.executive.web.robot import Robot
+from tandem.executive.web.replay import Move, Replay
+from tandem.executive.web.robot import REPLAY, Robot
 from tandem.executive.web.sockets import serve_viewer
 from tandem.executive.web.verbs import REQUESTING, VERBS, allowed
 from tandem.skills.ports.failure import KINDS
@@ -178,6 +179,17 @@ class Site:
             raise _misshapen(error) from error
         return JSONResponse({"answer": answer})
 
+    async def replay(self, request: Request) -> Response:
+        """Go to another moment of a record."""
+        if not isinstance(self.robot, Replay):
+            raise WrongError(409, "this page shows a robot, not a record")
+        try:
+            asked = Move.model_validate(await _document(request))
+        except ValidationError as error:
+            raise _misshapen(error) from error
+        self.past = Past()
+        return JSONResponse(self.robot.move(asked))
+
     async def mesh(self, request: Request) -> Response:
         """Send a file that the robot's URDF names."""
         if not self.named:
@@ -203,6 +215,8 @@ class Site:
 
     def _allow(self, name: str, key: str) -> None:
         who = self.robot.who
+        if who.role == REPLAY:
+            raise WrongError(403, "this is a record: the past takes no orders")
         if not who.may_ask(key):
             raise WrongError(403, f"the key of {who.name} ({who.role}) does not allow {name}")
 
@@ -229,6 +243,7 @@ def application(robot: Robot, audience: Audience | None = None) -> Starlette:
             Route("/api/task/{task}/picture/{number}", site.picture),
             Route("/api/request", site.request, methods=["POST"]),
             Route("/api/verb/{verb}", site.verb, methods=["POST"]),
+            Route("/api/replay", site.replay, methods=["POST"]),
             Route("/mesh/{path:path}", site.mesh),
             WebSocketRoute("/live", site.live),
             Route("/static/{name}", _static),

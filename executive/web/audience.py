@@ -38,6 +38,7 @@ class Audience:
         self._work: asyncio.Task[None] | None = None
         self._feed: Feed | None = None
         self._link: Update = {"link": ""}
+        self._heard = False
 
     @property
     def hears(self) -> bool:
@@ -83,8 +84,11 @@ class Audience:
         knowing: asyncio.Task[None] | None = None
         self._tell_link("")
         there, empty_since, turn = False, None, self._monotonic()
+        if self._heard:
+            self._tell({**self._link, **feed.whole()})  # what is known is of another end
+        self._heard = True
         try:
-            while True:
+            while not ears.over():
                 now = self._monotonic()
                 empty_since = None if self._viewers else now if empty_since is None else empty_since
                 if empty_since is not None and now - empty_since > LINGER:
@@ -92,7 +96,8 @@ class Audience:
                 came, there = feed.executive_there and not there, feed.executive_there
                 if came and (knowing is None or knowing.done()):
                     knowing = asyncio.create_task(self._know(feed))
-                self._tell(feed.poll())
+                more = ears.turn()
+                self._tell({**more, **feed.poll()})
                 turn = max(turn + TICK, now)
                 await asyncio.sleep(turn - now)
         finally:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Final, Protocol
 
 from tandem.executive.client.aio import AsyncClient
 from tandem.executive.client.errors import NotConnectedError
@@ -13,10 +13,14 @@ from tandem.executive.config.run_options import BusOptions
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity
 from tandem.executive.security.rights import Rights
+from tandem.executive.web.viewers import Update
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.match import matches
 from tandem.skills.ports.tasks import by_client
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
+
+REPLAY: Final = "replay"
+"""The role of who looks at a record."""
 
 
 @dataclass(frozen=True)
@@ -70,6 +74,10 @@ class Ears:
 
     bus: Bus
     close: Callable[[], None]
+    turn: Callable[[], Update] = dict
+    """Called before each poll; returns what else is new."""
+    over: Callable[[], bool] = lambda: False
+    """Says whether what was heard is of no use any more: listen anew."""
 
 
 class RobotOnZenoh:

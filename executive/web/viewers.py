@@ -21,6 +21,8 @@ MOST: Final = 32
 
 def merge(older: Update, newer: Mapping[str, JsonValue]) -> None:
     """Add the newer update to the older one."""
+    if "whole" in newer:
+        older.clear()  # it was of another end
     if "tree" in newer:
         older.pop("nodes", None)  # they were changes of the tree before
     for part, value in newer.items():

@@ -26,7 +26,7 @@ export function say(words: string, bad = false) {
 export async function act(doing: () => Promise<unknown>, words: string): Promise<boolean> {
   try {
     await doing();
-    say(words);
+    if (words) say(words);
     return true;
   } catch (error) {
     say(error instanceof AskError ? error.message : String(error), true);

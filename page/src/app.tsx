@@ -5,6 +5,7 @@ import { History } from "./history";
 import { Map } from "./map";
 import { NowView } from "./now";
 import { Request } from "./request";
+import { ReplayBar } from "./replay";
 import { useRoute } from "./route";
 import { useLive } from "./state";
 import { StopButton, StopBanner } from "./stop";
@@ -27,11 +28,12 @@ export function App() {
           ))}
         </nav>
         <LinkState />
-        {session && <span class="role" title={session.keys ? `the key of ${session.who}` : "nobody logs in on this host"}>{session.role}</span>}
+        {session && session.role !== "replay" && <span class="role" title={session.keys ? `the key of ${session.who}` : "nobody logs in on this host"}>{session.role}</span>}
         <StopButton />
       </header>
       <StopBanner />
       <main id="main" tabIndex={-1}>{session ? <View first={first} url={url} /> : <p class="quiet">Asking the page's server…</p>}</main>
+      <ReplayBar />
       <Said key={notice.count} words={notice.words} bad={notice.bad} />
     </>
   );
@@ -65,6 +67,7 @@ function Said({ words, bad }: { words: string; bad: boolean }) {
 function LinkState() {
   const connected = useLive((live) => live.connected);
   const link = useLive((live) => live.link);
+  const replayed = useLive((live) => live.replay !== null);
   const executive = useLive((live) => live.executive);
   const silent = useLive((live) => live.now?.silent ?? null);
   const heardAt = useLive((live) => (live.connected ? 0 : live.heardAt));
@@ -80,6 +83,7 @@ function LinkState() {
     const age = heardAt ? ` – data is ${Math.round((performance.now() - heardAt) / 1000)} s old` : "";
     [words, state] = [`no link to the page's server${age}`, "bad"];
   } else if (link) [words, state] = [link, "bad"];
+  else if (replayed) [words, state] = ["replay of a record", "good"];
   else if (executive === false) [words, state] = ["the executive is gone; waiting for it", "bad"];
   else if (silent !== null && silent > 1) [words, state] = [`the robot has been silent for ${silent.toFixed(0)} s`, "bad"];
   else if (silent === null) [words, state] = ["nothing heard of the robot yet", "wait"];

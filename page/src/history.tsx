@@ -22,6 +22,7 @@ export function History({ url }: { url: URL }) {
   const [error, fail] = useState("");
   const kinds = useKinds().value;
   const executive = useLive((live) => live.executive);
+  const moment = useLive((live) => (live.replay ? Math.floor(live.replay.at) : 0));
   const newest = useLive((live) => Object.values(live.tasks).map((each) => each.state).join());
   const wanted = Object.fromEntries(url.searchParams);
   useEffect(() => {
@@ -33,7 +34,7 @@ export function History({ url }: { url: URL }) {
       (wrong: Error) => over || fail(wrong.message),
     );
     return () => void (over = true);
-  }, [url.search, newest, executive]);
+  }, [url.search, newest, executive, moment]);
   const change = (name: string, value: string) => {
     const next = new URLSearchParams(url.search);
     if (name !== "page") next.delete("page");

@@ -9,6 +9,7 @@ export type Pose = { x: number; y: number; yaw: number; localised: boolean; movi
 export type Now = { boot: string; seconds: number | null; silent: number | null };
 export type Session = { site: string; robot: string; endpoint: string; who: string; role: string; keys: boolean; may: string[] };
 export type Tags = { stamp: RobotTime; seen: { item: number; distance: number; tag: { position: [number, number, number]; orientation: [number, number, number, number] } }[] };
+export type Replayed = { at: number; speed: number; begin: number; end: number; began: number; cause: { at: number; words: string } | null };
 export type NodeState = [NodeStatus, NodeStatus, string];
 export type Live = {
   connected: boolean;
@@ -24,6 +25,7 @@ export type Live = {
   path: [number, number][];
   plan: [number, number][];
   tags: Tags | null;
+  replay: Replayed | null;
   laser: number[];
   scene: Omit<PlanningScene, "stamp" | "version"> | null;
   world: Omit<WorldState, "stamp" | "version"> | null;
@@ -37,7 +39,7 @@ type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & {
 
 const EMPTY: Live = {
   connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, joints: {},
-  pose: null, path: [], plan: [], tags: null, laser: [], scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
+  pose: null, path: [], plan: [], tags: null, replay: null, laser: [], scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
   pipelines: {},
 };
 const PATH = 2000;
@@ -88,7 +90,9 @@ export function connected(yes: boolean) {
 }
 
 export function take(update: Update) {
-  const before = update.whole ? { ...EMPTY, connected: true, path: live.path, kept: live.kept } : live;
+  // In a replay another moment begins anew; beside a robot it is the same one, told whole once more.
+  const same = live.replay === null ? { path: live.path, kept: live.kept } : { replay: live.replay };
+  const before = update.whole ? { ...EMPTY, connected: true, ...same } : live;
   const next: Live = { ...before, ...update, heardAt: performance.now() };
   for (const part of ["tasks", "joints", "nodes", "reflexes", "pipelines"] as const) {
     if (update[part]) Object.assign(next, { [part]: { ...before[part], ...update[part] } });

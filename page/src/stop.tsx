@@ -9,6 +9,7 @@ export function StopButton() {
   const { session } = useActing();
   const [asked, ask_] = useState(false);
   if (!session) return null;
+  if (session.role === "replay") return null;
   if (!may("stop")) return <span class="quiet" title="The stop needs the key of an operator. The robot's own stop button works for everybody.">no stop with this key</span>;
   const press = async () => {
     ask_(true);

@@ -15,6 +15,7 @@ export function TaskPage({ task }: { task: string }) {
   const shownTree = useLive((all) => all.tree?.task === task);
   const [told, set] = useState<Told | null>(null);
   const [error, fail] = useState("");
+  const moment = useLive((all) => (all.replay ? Math.floor(all.replay.at) : 0));
   const running = live !== undefined && !ended(live);
   useEffect(() => {
     let over = false;
@@ -29,7 +30,7 @@ export function TaskPage({ task }: { task: string }) {
       over = true;
       clearInterval(timer);
     };
-  }, [task, running, live?.state]);
+  }, [task, running, live?.state, moment]);
   const status = live ?? told?.status;
   if (!status) return <p class="quiet" role="status">{error || "Loading…"} {error && <a href="/history">History</a>}</p>;
   const { failure } = status;

@@ -1,4 +1,5 @@
 // When which node ran: a bar for each of its runs, skills and recoveries under their phases.
+import { move } from "./replay";
 import { useLive } from "./state";
 import type { Span, TaskStatus } from "./types";
 import { seconds, STATUS_WORDS } from "./words";
@@ -8,6 +9,7 @@ type Run = { path: string; name: string; kind: string; begin: number; end: numbe
 // Times of two boots can't be compared: what was before the last one is left out, and said so.
 export function Timeline({ spans: told, status }: { spans: Span[]; status: TaskStatus }) {
   const now = useLive((live) => live.now);
+  const replayed = useLive((live) => live.replay !== null);
   const boot = told.at(-1)!.begin.boot;
   const spans: Run[] = told
     .filter((each) => each.begin.boot === boot)
@@ -21,6 +23,10 @@ export function Timeline({ spans: told, status }: { spans: Span[]; status: TaskS
   for (const each of spans) lanes.set(each.path, [...(lanes.get(each.path) ?? []), each]);
   const share = (value: number) => (100 * (value - from)) / (to - from);
   const over = status.ended !== null;
+  const seek = (event: MouseEvent) => {
+    const { left, width } = (event.currentTarget as Element).getBoundingClientRect();
+    void move({ seconds: from + ((to - from) * (event.clientX - left)) / width });
+  };
   return (
     <section class="card">
       <h2>Timeline <span class="count">{seconds(to - from)} of robot time</span></h2>
@@ -30,7 +36,8 @@ export function Timeline({ spans: told, status }: { spans: Span[]; status: TaskS
           return (
             <li key={path} class={kind}>
               <span class="name" title={path}>{name}</span>
-              <span class="lane">
+              <span class="lane" onClick={replayed ? (event) => seek(event) : undefined}>
+                {replayed && now?.boot === boot && now.seconds !== null && <span class="cursor" style={{ left: `${Math.min(100, Math.max(0, share(now.seconds)))}%` }} />}
                 {runs.map((run) => (
                   <span key={run.begin} class={`run ${run.status}`} title={`${name}: ${seconds(run.begin - from)} to ${run.end === null ? "now" : seconds(run.end - from)}, ${STATUS_WORDS[run.status] ?? run.status}${run.message && `: ${run.message}`}`}
                     style={{ left: `${share(run.begin)}%`, width: `${Math.max(0.4, share(run.end ?? to) - share(run.begin))}%` }} />

@@ -25,6 +25,10 @@ export function seconds(value: number | null | undefined): string {
   return `${Math.floor(value / 3600)} h ${Math.floor((value % 3600) / 60)} min`;
 }
 
+// Minutes, seconds and tenths, which do not jump about while they count.
+export const clock = (value: number) =>
+  `${Math.floor(Math.max(value, 0) / 60)}:${(Math.max(value, 0) % 60).toFixed(1).padStart(4, "0")}`;
+
 export function when(utc: number | string | null): string {
   return utc === null ? "–" : new Date(Number(utc) * 1000).toLocaleString();
 }

@@ -13,6 +13,7 @@ from typing import TypeVar
 from tandem.executive.client.aio import AsyncClient
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.web.options import WebOptions
+from tandem.executive.web.replay import Replay
 from tandem.executive.web.robot import Ears, Who
 from tandem.executive.web.serve import listen, serve_until
 from tandem.sim.robots.registry import robot_model
@@ -175,14 +176,15 @@ class FakeLink:
 
 
 @contextmanager
-def served(robot: FakeRobot, port: int = 0) -> Iterator[str]:
+def served(robot: FakeRobot | Replay, port: int = 0) -> Iterator[str]:
     """Serve a robot's page from a thread; yields its address."""
     listening = listen(WebOptions(robot.options, "127.0.0.1", port))
     stopped, there = threading.Event(), threading.Event()
 
     def turn() -> None:
         if not there.is_set():
-            robot.loop = asyncio.get_running_loop()
+            if isinstance(robot, FakeRobot):
+                robot.loop = asyncio.get_running_loop()
             there.set()
 
     thread = threading.Thread(target=serve_until, args=(robot, listening, stopped.is_set, turn))
@@ -193,4 +195,3 @@ def served(robot: FakeRobot, port: int = 0) -> Iterator[str]:
     finally:
         stopped.set()
         thread.join(20.0)
-        robot.loop = None
