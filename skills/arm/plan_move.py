@@ -40,6 +40,8 @@ BLENDS = (1.0, 0.6, 0.3, 0.0)
 FINE_STEP = 0.012
 """Metres (weighed) between two states of the last check of a whole motion."""
 CHECKS_AT_ONCE = 60
+CURVE = 20
+"""Units of timing one."""
 
 
 class MovePlanner:
@@ -257,7 +259,8 @@ class MovePlanner:
                 path = yield from find_path(finer, start, ends, rng, self._settings)
             if path is None:
                 break
-            plan = yield from self._timed(goal, finer, path, candidate, target)
+            timed = self._curved if self._settings.planner.optimises else self._timed
+            plan = yield from timed(goal, finer, path, candidate, target)
             if isinstance(plan, Plan):
                 return plan
             wrong = plan
@@ -308,7 +311,7 @@ class MovePlanner:
         """Time and check a retreat along a path; it ends where the path does."""
         hand = self._hand(motions.checker)
         trajectory = time_curve(through(path), self._arm.motion_limits.scaled(goal.speed))
-        yield 20
+        yield CURVE
         wrong = yield from self._check(motions, trajectory)
         return wrong or Plan(trajectory, number, hand.chain.pose(path[-1], hand.frame))
 
@@ -332,6 +335,15 @@ class MovePlanner:
                 return Plan(trajectory, candidate, target)
         assert wrong is not None
         return wrong
+
+    def _curved(
+        self, goal: MoveGoal, motions: Motions, path: Array, candidate: int, target: Pose | None
+    ) -> Generator[int, None, Plan | _Graze]:
+        """Time and check a path of many points as one curve."""
+        trajectory = time_curve(through(path), self._arm.motion_limits.scaled(goal.speed))
+        yield CURVE
+        wrong = yield from self._check(motions, trajectory)
+        return wrong or Plan(trajectory, candidate, target)
 
     def _check(
         self, motions: Motions, trajectory: Trajectory, after: float = 0.0

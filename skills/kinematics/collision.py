@@ -15,6 +15,7 @@ import pinocchio as pin
 from tandem.skills.kinematics.bodies import Carried, Obstacle
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.model import Chain
+from tandem.skills.kinematics.moving_spheres import MovingSpheres
 from tandem.skills.kinematics.pairs import Bodies
 from tandem.skills.kinematics.transforms import Array
 
@@ -95,6 +96,14 @@ class CollisionChecker:
         )
         self._resting: tuple[_Resting, ...] = ()
         self._touching = False
+        self._world = len(hulls.links) + len(carried)
+        self.obstacles = tuple(obstacles)
+
+    def spheres(self) -> MovingSpheres:
+        """Return the bodies that move, and those of the robot that they must not meet, as spheres."""
+        names = list(self.chain.model.names)[1:]
+        columns = np.array([self.joints.index(name) for name in names])
+        return MovingSpheres(self.chain.model, self._geometry, columns, self._world)
 
     def touch(self, *, allowed: bool) -> None:
         """Say whether the touchable pairs may be in contact from now on."""

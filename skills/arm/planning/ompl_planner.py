@@ -4,7 +4,7 @@ OMPL draws its seeds from one process-wide generator when a sampler is made. It 
 slice, from the plan's own generator, so that a plan is the same whatever was planned before or between.
 A planner that does not ask often whether to stop is brought to it: beyond its checks every motion counts
 as blocked, which is safe, and it comes back at once. AORRTC can't be taken up again: all its checks are one
-slice.
+slice. RRT* grows one tree; two of them race, one from either end.
 """
 
 from __future__ import annotations
@@ -86,31 +86,88 @@ def search(
         Waypoints (m, n) from the start to a goal, or None.
     """
     ou.setLogLevel(ou.LOG_NONE)
+    star = settings.planner is PlannerName.RRT_STAR
     budget = settings.improving_checks if settings.planner.improves else settings.checks
-    whole = settings.planner is PlannerName.AORRTC  # solving a second time crashes OMPL 2.0.1
-    account = _Account(motions, budget if whole else settings.slice_checks)
-    information = _information(motions, account)
-    problem = _problem(information, motions.space.weights, start, goals)
-    ou.RNG.setSeed(_seed(rng))
-    planner = _MAKERS[settings.planner](information)
-    if settings.planner in {PlannerName.RRT_CONNECT, PlannerName.RRT_STAR, PlannerName.AORRTC}:
-        planner.setRange(settings.longest_edge)
-    planner.setProblemDefinition(problem)
-    planner.setup()
-    first, idle = motions.checker.checks, 0
-    while motions.checker.checks - first < budget and idle < settings.slice_checks:
-        ou.RNG.setSeed(_seed(rng))
-        account.open()
-        before = motions.checker.checks
-        planner.solve(ob.PlannerTerminationCondition(account.spent))
-        yield motions.checker.checks - before
-        idle = idle + 1 if motions.checker.checks == before else 0
-        if whole or (problem.hasExactSolution() and not settings.planner.improves):
+    budget = settings.star_checks if star else budget
+    trees = [_Search(motions, [start], goals, rng, settings, budget)]
+    if (
+        star
+    ):  # one tree gets out of a narrow place, but hardly into it: where there is more room, nobody knows
+        trees.append(_Search(motions, goals, [start], rng, settings, budget))
+    spent = idle = 0
+    improving = False
+    while spent < budget and idle < settings.slice_checks:
+        for each in trees:
+            checks = each.go_on(rng)
+            yield checks
+            spent += checks
+            idle = 0 if checks else idle + 1
+        solved = [each for each in trees if each.solved]
+        if trees[0].whole or (solved and not settings.planner.improves):
             break
-    if not problem.hasExactSolution():
+        if star and solved and not improving:
+            trees, improving = solved[:1], True
+            budget = min(budget, spent + settings.star_after)
+    found = next((each.path() for each in trees if each.solved), None)
+    if found is None:
         return None
-    n, weights = len(start), motions.space.weights
-    return np.array([state[0:n] for state in problem.getSolutionPath().getStates()]) / weights
+    return found if np.allclose(found[0], start) else found[::-1]
+
+
+class _Search:
+    """One of OMPL's planners at work.
+
+    Args:
+        motions: what is free.
+        starts: where its tree begins, each (n,).
+        goals: where it may end, each (n,).
+        rng: its draws seed OMPL.
+        settings: which planner, and its bounds.
+        budget: checks that one that can't be taken up again may use.
+    """
+
+    def __init__(  # noqa: PLR0917 - the problem's parts, in one order everywhere
+        self,
+        motions: Motions,
+        starts: Sequence[Array],
+        goals: Sequence[Array],
+        rng: np.random.Generator,
+        settings: PlannerSettings,
+        budget: int,
+    ) -> None:
+        self.whole = settings.planner is PlannerName.AORRTC
+        """Whether all of it is one slice: solving a second time crashes OMPL 2.0.1."""
+        self._motions = motions
+        self._account = _Account(motions, budget if self.whole else settings.slice_checks)
+        information = _information(motions, self._account)
+        self._problem = _problem(information, motions.space.weights, starts, goals)
+        ou.RNG.setSeed(_seed(rng))
+        self._planner = _MAKERS[settings.planner](information)
+        if settings.planner is PlannerName.RRT_STAR:
+            self._planner.setRange(settings.star_edge)
+        elif settings.planner is not PlannerName.BIT_STAR:
+            self._planner.setRange(settings.longest_edge)
+        self._planner.setProblemDefinition(self._problem)
+        self._planner.setup()
+
+    def go_on(self, rng: np.random.Generator) -> int:
+        """Do a slice; return its checks."""
+        ou.RNG.setSeed(_seed(rng))
+        self._account.open()
+        before = self._motions.checker.checks
+        self._planner.solve(ob.PlannerTerminationCondition(self._account.spent))
+        return self._motions.checker.checks - before
+
+    @property
+    def solved(self) -> bool:
+        """Whether it has a path."""
+        return bool(self._problem.hasExactSolution())
+
+    def path(self) -> Array:
+        """Return its path as waypoints (m, n), from a start to a goal."""
+        weights = self._motions.space.weights
+        states = self._problem.getSolutionPath().getStates()
+        return np.array([state[0 : len(weights)] for state in states]) / weights
 
 
 def _seed(rng: np.random.Generator) -> int:
@@ -135,10 +192,11 @@ def _information(motions: Motions, account: _Account) -> ob.SpaceInformation:
 
 
 def _problem(
-    information: ob.SpaceInformation, weights: Array, start: Array, goals: Sequence[Array]
+    information: ob.SpaceInformation, weights: Array, starts: Sequence[Array], goals: Sequence[Array]
 ) -> ob.ProblemDefinition:
     problem = ob.ProblemDefinition(information)
-    problem.addStartState(_state(information, start * weights))
+    for start in starts:
+        problem.addStartState(_state(information, start * weights))
     targets = ob.GoalStates(information)
     for goal in goals:
         targets.addState(_state(information, goal * weights))

@@ -6,6 +6,7 @@ from collections.abc import Generator, Sequence
 
 import numpy as np
 
+from tandem.skills.arm.optimising.plan import optimised_path
 from tandem.skills.arm.planning.motions import Motions
 from tandem.skills.arm.planning.ompl_planner import search
 from tandem.skills.arm.planning.settings import PlannerSettings
@@ -22,7 +23,8 @@ def find_path(
 ) -> Generator[int, None, Array | None]:
     """Return waypoints (m, n) of a short free path to one of the goals, or None.
 
-    The straight motion to each goal is tried first, which needs no planner; then OMPL, then shortcuts.
+    OMPL finds it, and shortcuts make it shorter; or it is optimised, and then the caller drives it as a
+    curve.
 
     It is free at the motions' step; the caller checks the timed motion in finer ones.
 
@@ -38,6 +40,8 @@ def find_path(
     """
     limits = motions.space.limits
     within = np.clip(start, limits.lower, limits.upper)  # it may stand a hair beyond one
+    if settings.planner.optimises:
+        return (yield from optimised_path(motions, start, goals, rng, settings))
     path = yield from search(motions, within, goals, rng, settings)
     if path is None:
         return None
