@@ -1,4 +1,4 @@
-"""Moving an arm. ``planning/`` finds ways, ``field/`` follows what moves.
+"""Moving an arm. ``planning/`` finds ways, ``optimising/`` bends them, ``field/`` follows what moves.
 
 Skills: move, survey, process.
 From a goal to a motion: plan_move, problem, scene, far_path, curve, timing, trajectory, retreat.
