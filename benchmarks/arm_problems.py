@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 
@@ -20,13 +19,11 @@ from tandem.skills.geometry.poses import about, add, from_axes, multiply, rotate
 from tandem.skills.grasping.tag_grasps import FINGER_ROOM, PITCHES, Grasp, grasp, proximity_poses
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.hardware import JointStates, RobotDescription
-from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import Box, PlanningScene, SceneObject
 
-Side = Literal["left", "right"]
-SIDES: tuple[Side, Side] = ("left", "right")
 STAMP = RobotTime(boot="benchmark", seconds=0.0)
 ASKEW = 0.35
 """Radians (sigma) by which the tag's side looks past the place where the robot would stand."""
@@ -40,7 +37,7 @@ APART = 0.03
 class Problem:
     """One item to be picked: where it is, how it may be grasped, and what is believed."""
 
-    side: Side
+    side: HandName
     item: int
     surface: str
     moment: Moment
@@ -87,7 +84,8 @@ class Drawing:
         surfaces = self.surfaces or self.scenario.surfaces
         surface = surfaces[int(rng.integers(len(surfaces)))]
         true = self.scenario.items[int(rng.integers(len(self.scenario.items)))]
-        side = SIDES[int(rng.integers(2))]
+        sides = self.description.hands
+        side = sides[int(rng.integers(len(sides)))]
         x, y = (float(rng.uniform(a, b)) for a, b in zip(surface.lower, surface.upper, strict=True))
         yaw = surface.facing + float(np.clip(rng.normal(0.0, ASKEW), -0.78, 0.78))
         moved = replace_item(self.scenario, true.tag, surface.support, x, y, yaw)
@@ -104,7 +102,7 @@ class Drawing:
         base = next((pose for pose in stands if self._fits(pose, bodies)), None)
         if base is None:
             return None
-        moment = Moment(self._joints(), scene_of(bodies), base)
+        moment = Moment(self.at_home(), scene_of(bodies), base)
         grasps = tuple(grasp(tag, depth, pitch) for pitch in PITCHES)
         width = min(as_box(item).size[1] + 2 * FINGER_ROOM, hand.gripper.max_width)
         return Problem(side, true.tag, surface.name, moment, grasps, width)
@@ -115,7 +113,8 @@ class Drawing:
         inside = x_min + radius < base.x < x_max - radius and y_min + radius < base.y < y_max - radius
         return inside and all(_gap(base.x, base.y, as_box(body)) > radius for body in bodies)
 
-    def _joints(self) -> JointStates:
+    def at_home(self) -> JointStates:
+        """Return the joints where problems begin."""
         positions: dict[str, float] = {}
         for posture in self.description.postures:
             if posture.name == "home":
