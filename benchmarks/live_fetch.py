@@ -11,13 +11,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
-from pydantic import ValidationError
-
-from benchmarks.machine import command, descendants, memory
-from benchmarks.processes import free_endpoint
+from benchmarks.machine import memory
+from benchmarks.processes import by_role, free_endpoint
 from benchmarks.rows import Row
 from benchmarks.stillness import Stillness
-from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.system.crews import roles_of
 from tandem.sim.scenario import load_scenario
@@ -86,32 +83,9 @@ def watch(demo: subprocess.Popen[bytes], bus: ZenohBus, stillness: Stillness, be
             break
         if now - looked > MEMORY_EVERY:
             looked = now
-            for role, megabytes in memory_by_role(demo.pid).items():
+            for role, megabytes in by_role(demo.pid, memory, above="demo").items():
                 seen.memory[role] = max(megabytes, seen.memory.get(role, 0.0))
     return seen
-
-
-def memory_by_role(pid: int) -> dict[str, float]:
-    """Return the megabytes of each role's process below ``pid`` with its workers, and of ``pid`` alone."""
-    found: dict[str, float] = {}
-    below = descendants(pid)
-    roles = {each: role for each in below if (role := _role(each)) is not None}
-    for each, role in roles.items():
-        found[role] = sum(memory(part) for part in descendants(each))
-    found["demo"] = memory(pid)
-    return found
-
-
-def _role(pid: int) -> str | None:
-    arguments = command(pid)
-    if "tandem.executive.system.worker" not in arguments:
-        return None
-    try:
-        return WorkerSettings.model_validate_json(
-            arguments[arguments.index("tandem.executive.system.worker") + 1]
-        ).role
-    except (ValidationError, IndexError):
-        return None
 
 
 def _connect(options: BusOptions) -> ZenohBus:

@@ -68,6 +68,16 @@ def memory(pid: int) -> float:
     return float("nan")
 
 
+def processor_seconds(pid: int) -> float:
+    """Return the processor seconds that a process has used until now; 0 when it has ended."""
+    try:
+        text = (_PROC / str(pid) / "stat").read_text(encoding="utf-8")
+    except OSError:
+        return 0.0
+    user, system = text.rpartition(")")[2].split()[11:13]
+    return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
+
+
 def descendants(pid: int) -> list[int]:
     """Return a process and all below it."""
     below: list[int] = []

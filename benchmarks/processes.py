@@ -6,15 +6,19 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Final
 
+from pydantic import ValidationError
+
+from benchmarks.machine import command, descendants
 from tandem.executive.config.process_settings import WorkerSettings
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 PREFIX: Final = "bench/mock"
+_WORKER: Final = "tandem.executive.system.worker"
 THERE_WITHIN: Final = 20.0
 _BURN: Final = "import time\nend = time.monotonic() + {seconds}\nwhile time.monotonic() < end: pass"
 
@@ -104,11 +108,32 @@ def _hears_of(bus: ZenohBus, name: str) -> bool:
     return name in bus.alive()
 
 
+def by_role(pid: int, figure: Callable[[int], float], *, above: str) -> dict[str, float]:
+    """Return a figure of each role's process below ``pid`` with its workers, and of ``pid`` as ``above``."""
+    found: dict[str, float] = {}
+    for each in descendants(pid):
+        role = _role(each)
+        if role is not None:
+            found[role] = found.get(role, 0.0) + sum(figure(part) for part in descendants(each))
+    found[above] = figure(pid)
+    return found
+
+
+def _role(pid: int) -> str | None:
+    arguments = command(pid)
+    if _WORKER not in arguments:
+        return None
+    try:
+        return WorkerSettings.model_validate_json(arguments[arguments.index(_WORKER) + 1]).role
+    except (ValidationError, IndexError):
+        return None
+
+
 def _play(role: str, endpoint: str, site: str, data: Path | None) -> subprocess.Popen[bytes]:
     settings = WorkerSettings(
         role=role, endpoint=endpoint, prefix=PREFIX, site=site, data=None if data is None else str(data)
     )
-    return _start("tandem.executive.system.worker", settings.model_dump_json())
+    return _start(_WORKER, settings.model_dump_json())
 
 
 def _start(module: str, argument: str) -> subprocess.Popen[bytes]:

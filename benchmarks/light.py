@@ -1,0 +1,136 @@
+"""What Tandem's processes cost, standing idle and in a fetch: processor seconds and memory of each.
+
+The simulated hardware runs in real time beside them and is counted apart: a robot brings its own.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO, Final
+
+from benchmarks.machine import memory, processor_seconds
+from benchmarks.processes import by_role, free_endpoint
+from benchmarks.rows import Row
+
+_TANDEM: Final = "from tandem.executive.cli.main import run; run()"
+UP: Final = "up"
+HARDWARE: Final = "hardware"
+SETTLED_AFTER: Final = 5.0
+"""Host seconds from "ready" on in which what starts late, such as workers of planners, has come up."""
+IDLE_FOR: Final = 30.0
+FETCH_WITHIN: Final = 400.0
+
+
+@dataclass(frozen=True)
+class Robot:
+    """What is measured of a robot; the aims are in percent of a core, and in megabytes."""
+
+    scenario: str
+    request: tuple[str, ...]
+    idle: float
+    fetch: float
+    memory: float
+
+
+ROBOTS: Final = (
+    Robot("Demo", ("fetch", "--item", "29"), idle=10.0, fetch=45.0, memory=450.0),
+    Robot("Locobot", ("fetch", "--item", "5"), idle=6.0, fetch=40.0, memory=350.0),
+)
+
+
+def rows() -> Iterator[Row]:
+    """Measure."""
+    for robot in ROBOTS:
+        yield from _rows_of(robot)
+
+
+def _rows_of(robot: Robot) -> Iterator[Row]:
+    endpoint = free_endpoint()
+    with tempfile.TemporaryDirectory() as folder, _up(robot.scenario, endpoint, Path(folder)) as (pid, ready):
+        name = robot.scenario
+        yield Row(f"{name}: from `tandem up` to ready", ready, "s", aim=3.0)
+        time.sleep(SETTLED_AFTER)
+        began, before = time.monotonic(), by_role(pid, processor_seconds, above=UP)
+        time.sleep(IDLE_FOR)
+        yield from _spent(
+            f"{name}, idle", before, by_role(pid, processor_seconds, above=UP), began, robot.idle
+        )
+        yield from _memory(f"{name}, idle", by_role(pid, memory, above=UP), robot.memory)
+        began, before = time.monotonic(), by_role(pid, processor_seconds, above=UP)
+        ended = _request(robot.request, endpoint)
+        after = by_role(pid, processor_seconds, above=UP)
+        yield from _spent(f"{name}, fetch", before, after, began, robot.fetch, ended)
+        yield from _memory(f"{name}, after it", by_role(pid, memory, above=UP), robot.memory)
+
+
+def _spent(
+    what: str,
+    before: Mapping[str, float],
+    after: Mapping[str, float],
+    began: float,
+    aim: float,
+    note: str = "",
+) -> Iterator[Row]:
+    passed = time.monotonic() - began
+    shares = {role: 100.0 * (after[role] - before.get(role, 0.0)) / passed for role in after}
+    total = sum(share for role, share in shares.items() if role != HARDWARE)
+    over = f"over {passed:.0f} s{', ' if note else ''}{note}"
+    yield Row(f"{what}: all without the hardware", total, "% of a core", aim=aim, note=over)
+    for role, share in sorted(shares.items(), key=lambda each: -each[1]):
+        yield Row(f"{what}: {role}", share, "% of a core")
+
+
+def _memory(what: str, megabytes: Mapping[str, float], aim: float) -> Iterator[Row]:
+    total = sum(each for role, each in megabytes.items() if role != HARDWARE)
+    each = ", ".join(f"{role} {megabytes[role]:.0f}" for role in sorted(megabytes))
+    yield Row(
+        f"{what}: memory without the hardware", total, "MB", aim=aim, note=f"proportional share; {each}"
+    )
+
+
+@contextmanager
+def _up(scenario: str, endpoint: str, data: Path) -> Iterator[tuple[int, float]]:
+    """Start a system; yields its process, and the seconds until it was ready."""
+    argv = [
+        sys.executable,
+        "-c",
+        _TANDEM,
+        "up",
+        "--scenario",
+        scenario,
+        "--connect",
+        endpoint,
+        "--data",
+        str(data),
+    ]
+    began = time.monotonic()
+    up = subprocess.Popen(argv, stdout=subprocess.PIPE, text=True)  # noqa: S603 - our own code
+    try:
+        assert up.stdout is not None
+        _await_ready(up.stdout)
+        yield up.pid, time.monotonic() - began
+    finally:
+        up.terminate()
+        up.wait(30.0)
+
+
+def _await_ready(said: IO[str]) -> None:
+    for line in said:
+        if line.startswith("ready"):
+            return
+    raise RuntimeError("`tandem up` ended before it was ready")
+
+
+def _request(words: tuple[str, ...], endpoint: str) -> str:
+    argv = [sys.executable, "-c", _TANDEM, "request", *words, "--connect", endpoint, "--wait"]
+    done = subprocess.run(  # noqa: S603 - our own code
+        argv, capture_output=True, text=True, check=False, timeout=FETCH_WITHIN
+    )
+    return "succeeded" if done.returncode == 0 else f"exit code {done.returncode}"
