@@ -43,6 +43,12 @@ class BaseController:
         self.linear = 0.0
         self.angular = 0.0
 
+    @property
+    def stands(self) -> bool:
+        """Whether the base is told to stand, and its reference does."""
+        told = self._age <= self._drive.dead_man + 1e-9 and self._wish != (0.0, 0.0)
+        return not told and self.linear == 0.0 and self.angular == 0.0
+
     def command(self, velocity: BaseVelocity) -> None:
         """Take a command: m/s ahead and rad/s to the left, cut to the drive's limits."""
         linear = min(max(velocity.linear, -self._drive.backward), self._drive.forward)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final, Protocol
 
 from tandem.sim.parts import BasePart, Gate, GroupPart, HandPart, Part
+from tandem.sim.rest import Rest
 from tandem.skills.ports import keys
 from tandem.skills.ports.endpoint import Endpoint, answering, endpoint
 from tandem.skills.ports.fencing import Grantor
@@ -47,6 +48,7 @@ class Hardware:
         rng: source of the odometry's errors.
         sensors: what else publishes; each is stepped once a period.
         waits: say in the clock that the hardware waits for its followers.
+        resting_period: seconds between two messages of clock and states while the robot rests.
     """
 
     name = "hardware"
@@ -61,9 +63,11 @@ class Hardware:
         rng: np.random.Generator,
         sensors: Sequence[Sensor] = (),
         waits: bool = False,
+        resting_period: float | None = None,
     ) -> None:
         self._bus = bus
         self._waits = waits
+        self._resting_period = resting_period
         self._steps = 0  # counted on over a restart: the host's time, as far as rates are concerned
         self.grantor = Grantor(bus, boot)
         self._own = self._serve(
@@ -90,7 +94,7 @@ class Hardware:
         for part in self._parts:
             part.close()
         self._parts_served.close()
-        description = body.model.description
+        description = body.model.description.model_copy(update={"resting_period": self._resting_period})
         self._body = body
         self._boot = boot
         self.grantor.restart(boot)
@@ -98,6 +102,7 @@ class Hardware:
         self._period = description.period
         self.physics_steps = round(description.period / body.physics.time_step)
         self.description = description
+        self._rest = Rest(description.period, description.resting_period)
         self._description = description.model_dump_json().encode()
         self._bus.ear.know(description)
         self._sensors = tuple(sensors)
@@ -200,22 +205,25 @@ class Hardware:
 
     def _tell(self) -> None:
         now = self.now
-        readings = self._body.read(self._joints)
-        states = JointStates(
-            stamp=now,
-            names=self._joints,
-            positions=tuple(reading.position for reading in readings),
-            velocities=tuple(reading.velocity for reading in readings),
-            efforts=tuple(reading.effort for reading in readings),
-        )
-        keys.JOINT_STATES.publish(self._bus, states)
+        streams = self._rest.tells(self._tick, moving=not all(part.rests for part in self._parts))
+        if streams:
+            readings = self._body.read(self._joints)
+            states = JointStates(
+                stamp=now,
+                names=self._joints,
+                positions=tuple(reading.position for reading in readings),
+                velocities=tuple(reading.velocity for reading in readings),
+                efforts=tuple(reading.effort for reading in readings),
+            )
+            keys.JOINT_STATES.publish(self._bus, states)
         for part in self._parts:
-            part.tell(now, self._tick)
+            part.tell(now, self._tick, streams=streams)
         for sensor in self._sensors:
             sensor.step(now)
         if self._tick % STOP_EVERY == 0:
             keys.STOP_STATE.publish(self._bus, self.stop_state)
-        keys.CLOCK.publish(self._bus, Clock(stamp=now, tick=self._tick, waits=self._waits))
+        if streams:
+            keys.CLOCK.publish(self._bus, Clock(stamp=now, tick=self._tick, waits=self._waits))
 
     def close(self) -> None:
         """Bring the robot to rest, as far as one period goes, and stop serving. Closing twice is allowed."""

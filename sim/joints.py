@@ -97,6 +97,11 @@ class GroupController:
         """Who watches over the goal that runs; empty when nobody does."""
         return "" if self._run is None else self._run.goal.keeper
 
+    @property
+    def rests(self) -> bool:
+        """Whether there is nothing to do but hold, and the joints were at rest when last measured."""
+        return self._run is None and self._setpoint is None and self._settled and self.report.at_rest
+
     def keep(self, *, awake: bool, gone: bool) -> None:
         """Hear of the keeper: while it is not awake the group stands on its path; gone, the goal ends."""
         self._unkept = not awake

@@ -51,6 +51,8 @@ STATE_EVERY: Final = 2
 """Periods between two odometry, gripper and wrench messages (50 Hz)."""
 BUMPERS_EVERY: Final = 20
 """Periods between two bumper messages when nothing changes."""
+ROLLING: Final = 0.005
+"""m/s or rad/s by its wheels from which on a base moves: a pushed one does; one that stands creeps less."""
 STATUS_EVERY: Final = 100
 """Periods between two status messages when nothing changes."""
 STOPPED: Final = Answer(accepted=False, reason="the stop is set; an operator releases it")
@@ -104,8 +106,13 @@ class Part(Protocol):
         """Set the motors for the coming period."""
         ...
 
-    def tell(self, now: RobotTime, tick: int) -> None:
-        """Publish what is due after the period that ended ``now``."""
+    @property
+    def rests(self) -> bool:
+        """Whether nothing moves here, nor is to."""
+        ...
+
+    def tell(self, now: RobotTime, tick: int, *, streams: bool) -> None:
+        """Publish what is due after the period that ended ``now``; if it ``streams``, its state as well."""
         ...
 
     def close(self) -> None:
@@ -166,7 +173,12 @@ class GroupPart:
                 effort = 0.0 if self.stalled[limit.joint] else limit.effort
                 self._body.drive_velocities([limit.joint], [0.0], [effort])
 
-    def tell(self, now: RobotTime, tick: int) -> None:
+    @property
+    def rests(self) -> bool:
+        """Whether the group holds, and stands."""
+        return self.servos.controller.rests
+
+    def tell(self, now: RobotTime, tick: int, *, streams: bool) -> None:  # noqa: ARG002 - a status does not
         """Publish the status on each change and once a second."""
         report = self.servos.controller.report
         if report == self._told and tick % STATUS_EVERY:
@@ -248,12 +260,17 @@ class HandPart:
         closed = self.controller.motion is GripperMotion.AT_WIDTH and self.controller.width < CLOSED
         return closed and self._body.pad_force(self._hand) >= PRESSING
 
-    def tell(self, now: RobotTime, tick: int) -> None:
+    @property
+    def rests(self) -> bool:
+        """Whether the fingers have come to where they were told, or can't."""
+        return self.controller.motion is not GripperMotion.MOVING
+
+    def tell(self, now: RobotTime, tick: int, *, streams: bool) -> None:
         """Publish the gripper's state (also on each change) and the wrench."""
         self._sensor.update()
         controller = self.controller
         news = (controller.command_id, controller.motion)
-        due = tick % STATE_EVERY == 0
+        due = streams and tick % STATE_EVERY == 0
         if due or news != self._told:
             state = GripperState(
                 stamp=now,
@@ -316,10 +333,16 @@ class BasePart:
         speeds = self.controller.advance(period, self._angles())
         self._body.drive_velocities(self._joints, speeds, self._efforts)
 
-    def tell(self, now: RobotTime, tick: int) -> None:
+    @property
+    def rests(self) -> bool:
+        """Whether the base is told to stand, and the wheels do."""
+        rolling = max(abs(self.odometer.linear), abs(self.odometer.angular))
+        return self.controller.stands and rolling < ROLLING
+
+    def tell(self, now: RobotTime, tick: int, *, streams: bool) -> None:
         """Publish odometry, and the bumpers on each change and five times a second."""
         self.odometer.update(self._period, self._angles())
-        if tick % STATE_EVERY == 0:
+        if streams and tick % STATE_EVERY == 0:
             odometry = Odometry(
                 stamp=now,
                 base_in_odom=self.odometer.pose,

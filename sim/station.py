@@ -38,13 +38,15 @@ class StationSettings:
     """How the stand-in runs.
 
     ``boot`` names this start of the hardware; ``beside`` draws pictures in a process of their own;
-    ``waits`` has the hardware wait for its followers; ``gui`` shows pybullet's window.
+    ``waits`` has the hardware wait for its followers; ``gui`` shows pybullet's window. With a
+    ``resting_period`` (seconds) a robot that rests tells its clock and states no more often than that.
     """
 
     boot: str
     seed: int
     beside: bool = False
     waits: bool = False
+    resting_period: float | None = None
     gui: bool = False
 
 
@@ -93,6 +95,7 @@ class Station:
                 studio=self.studio,
                 setting=Setting(scenario, self.world, body, settings.boot, settings.seed),
                 waits=settings.waits,
+                resting_period=settings.resting_period,
                 reset=self.reset,
                 fault=partial(self._fault, start.name),
             )

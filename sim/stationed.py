@@ -78,6 +78,7 @@ class StationedRobot:
         studio: draws its pictures.
         setting: what it begins in.
         waits: say in the clock that the hardware waits for its followers.
+        resting_period: seconds between two messages of clock and states while the robot rests.
         reset: begins the whole sim anew.
         fault: has a fault happen to this robot, or to the one that it names.
     """
@@ -92,6 +93,7 @@ class StationedRobot:
         studio: Studio,
         setting: Setting,
         waits: bool,
+        resting_period: float | None,
         reset: Resetter,
         fault: Callable[[Fault], Answer],
     ) -> None:
@@ -109,6 +111,7 @@ class StationedRobot:
             rng=self._rng(1),
             sensors=self._sensors(setting.scenario, setting.world),
             waits=waits,
+            resting_period=resting_period,
         )
         room = Room(site, setting.world, self.body)
         self.trouble = Trouble(bus, self._link, self.hardware, room, self._faults(setting.scenario))

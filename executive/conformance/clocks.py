@@ -13,7 +13,7 @@ from tandem.skills.ports.hearing import stamp_of
 
 if TYPE_CHECKING:
     from tandem.executive.conformance.bench import Bench
-    from tandem.skills.ports.hardware import Clock
+    from tandem.skills.ports.hardware import Clock, RobotDescription
 
 LOST: Final = 0.1
 """Share of messages that the way here may lose: small ones are dropped rather than waited for."""
@@ -41,14 +41,15 @@ def _ticks(bench: Bench) -> Steps:
         if after.stamp.is_after(before.stamp) is False:
             words = f"{after.stamp.seconds:.4f} s after {before.stamp.seconds:.4f} s"
             raise Broken("a stamp that rises", words)
-    _judge_rate(clocks, bench.robot.period)
+    _judge_rate(clocks, bench.robot)
 
 
-def _judge_rate(clocks: list[Clock], period: float) -> None:
-    first, last = clocks[0], clocks[-1]
+def _judge_rate(clocks: list[Clock], robot: RobotDescription) -> None:
+    first, last, period = clocks[0], clocks[-1], robot.period
     ticks = last.tick - first.tick
-    if len(clocks) < (1.0 - LOST) * ticks:
-        raise Broken(f"{ticks} clocks for {ticks} ticks", f"{len(clocks) - 1}")
+    expected = round(ticks * period / (robot.resting_period or period))
+    if len(clocks) < (1.0 - LOST) * expected:
+        raise Broken(f"{expected} clocks for {ticks} ticks", f"{len(clocks) - 1}")
     took = last.stamp.since(first.stamp)
     if took is not None and abs(took / ticks - period) > JITTER * period:
         raise Broken(f"{period:g} s from tick to tick, as described", f"{took / ticks:.4f} s")

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from tandem.executive.conformance.bench import Bench
     from tandem.skills.ports.hardware import JointStates
 
+MOVING: Final = 0.05
+"""rad/s or m/s of a joint that moves for certain: noise and creeping are below."""
 BEYOND: Final = 0.01
 """rad or m that a joint may stand beyond its limit: encoders are noisy, and end stops give way."""
 
@@ -63,15 +65,32 @@ def _within_limits(bench: Bench) -> Steps:
 
 
 def _at_the_period(bench: Bench) -> Steps:
-    states, period = _states(bench), bench.robot.period
-    steps = [after.stamp.since(before.stamp) for before, after in pairwise(states)]
-    known = [step for step in steps if step is not None]
-    if any(step <= 0.0 for step in known):
-        raise Broken("stamps of joint states that rise", "one that does not")
-    mean = sum(known) / max(1, len(known))
-    if not known or not (1.0 - JITTER) * period <= mean <= (1.0 + JITTER) / (1.0 - LOST) * period:
-        raise Broken(f"joint states every {period:g} s", f"{len(states)}, {mean:.4f} s apart")
+    robot, states = bench.robot, _states(bench)
+    moving, all_steps = [], []
+    for before, after in pairwise(states):
+        step = after.stamp.since(before.stamp)
+        if step is None:
+            continue
+        if step <= 0.0:
+            raise Broken("stamps of joint states that rise", "one that does not")
+        all_steps.append(step)
+        if _moves(before) and _moves(after):
+            moving.append(step)
+    resting = robot.resting_period or robot.period
+    _judge_steps(all_steps, (robot.period, max(robot.period, resting)), "")
+    if moving:
+        _judge_steps(moving, (robot.period, robot.period), " while joints move")
     yield
+
+
+def _moves(state: JointStates) -> bool:
+    return any(abs(speed) > MOVING for speed in state.velocities)
+
+
+def _judge_steps(steps: list[float], periods: tuple[float, float], when: str) -> None:
+    mean, (least, most) = sum(steps) / max(1, len(steps)), periods
+    if not steps or not (1.0 - JITTER) * least <= mean <= (1.0 + JITTER) / (1.0 - LOST) * most:
+        raise Broken(f"joint states every {most:g} s{when}", f"{len(steps)} steps, {mean:.4f} s in the mean")
 
 
 CLAUSES: Final = (
@@ -95,7 +114,7 @@ CLAUSES: Final = (
     ),
     Clause(
         "joint_states_period",
-        "Joint states come once a period, with stamps that rise.",
+        "Joint states come once a period (resting: a resting period at least), with stamps that rise.",
         "interface.md#robotdescription",
         _at_the_period,
     ),

@@ -18,6 +18,15 @@ from typing import Final
 
 from tandem.skills.ports.match import matches
 
+PACED: Final = (
+    "hw/joints/state",
+    "hw/base/odometry",
+    "hw/gripper/*/state",
+    "hw/wrench/*",
+    "beat",
+)
+"""What is told steadily, before the clock of its tick: it wakes nobody, the clock does. It is sent with the
+next message that can't wait, or a millisecond later."""
 KEPT: Final = "kept/"
 """Before the key of a state: where its publisher answers with what it said last."""
 KEPT_KEYS: Final = 256
@@ -72,6 +81,12 @@ DELIVERY: Final[tuple[tuple[str, Delivery], ...]] = (
     ("sim/**", Delivery.STATE),
 )
 """The first expression that a key matches counts. One that none matches, such as a plug-in's, is a state."""
+
+
+@lru_cache(maxsize=4096)
+def paced(key: str) -> bool:
+    """Say whether what is published on the key wakes nobody."""
+    return any(matches(expression, key) for expression in PACED)
 
 
 @lru_cache(maxsize=4096)  # each message asks; keys are few, but a client's documents may name any

@@ -198,6 +198,8 @@ class RobotDescription(Message):
     postures: tuple[Posture, ...]
     period: Positive
     """Seconds between two messages of the clock and of the joints' state."""
+    resting_period: Positive | None = None
+    """The same, at the most, while the robot rests: nothing moves, nor is to. None: no difference is made."""
     reflexes: tuple[ReflexSetting, ...] = ()
     """Reflexes with other parameters than their own, or switched off."""
     arms_crossing: ArmsCrossing | None = None
@@ -260,7 +262,7 @@ class RobotDescription(Message):
 
 
 class Clock(Message):
-    """The hardware's clock, once a period.
+    """The hardware's clock, once a period; of a robot that rests, once a resting period at least.
 
     ``tick`` counts the periods. With ``waits`` the hardware continues only after all registered
     followers have finished this tick (simulated time faster than real time).

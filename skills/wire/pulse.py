@@ -32,6 +32,10 @@ class Pulse:
         self._beat_at = self._turned_at = float("-inf")
         self._listening_since = float("-inf")
 
+    def listen(self) -> None:
+        """Note that beats are heard from now on; who has not been heard yet is no sooner missed for that."""
+        self._listening_since = self._monotonic()
+
     def turn(self) -> bool:
         """Note a turn of one's own loop; return whether a beat is due."""
         now = self._monotonic()

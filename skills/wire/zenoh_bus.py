@@ -13,7 +13,7 @@ from typing import Final
 import zenoh
 
 from tandem.skills.ports.bus import Desk, Inbox, Pending
-from tandem.skills.ports.delivery import KEPT, LARGE, Delivery, delivery_of
+from tandem.skills.ports.delivery import KEPT, LARGE, Delivery, delivery_of, paced
 from tandem.skills.ports.hearing import Ear
 from tandem.skills.ports.lease import Lease
 from tandem.skills.ports.message import MAX_REQUEST_BYTES
@@ -125,7 +125,7 @@ class ZenohBus:
         self.held: Lease | None = None
         """This process's lease, once it is granted."""
         self._pulse = Pulse(time.monotonic, silent_after)
-        self._beats = self._session.declare_subscriber(f"{prefix}/{BEAT}", self._on_beat)
+        self._beats: zenoh.Subscriber[None] | None = None
         self._liveliness = self._session.liveliness().declare_subscriber(
             f"{prefix}/alive/**", self._on_liveliness, history=True
         )
@@ -211,6 +211,9 @@ class ZenohBus:
 
     def awake(self) -> frozenset[str]:
         """Return those of them whose process goes on."""
+        if self._beats is None:  # most processes never ask, and need not hear all others ten times a second
+            self._pulse.listen()
+            self._beats = self._session.declare_subscriber(f"{self._prefix}/{BEAT}", self._on_beat)
         return self._pulse.awake(self.alive())
 
     def lease(self) -> Lease | None:
@@ -258,7 +261,7 @@ class ZenohBus:
             means = MEANS[how]
             publisher = self._session.declare_publisher(
                 f"{self._prefix}/{key}",
-                express=means.express,
+                express=means.express and not paced(key),
                 congestion_control=means.congestion,
                 priority=means.priority,
             )
@@ -323,10 +326,13 @@ def _subscribed(session: zenoh.Session, prefix: str, key: str, depth: int, waker
     inbox = ZenohInbox(KeyedQueue(depth, "oldest goes"))
     start = len(prefix) + 1
 
+    wakes = not paced(key)
+
     def arrived(sample: zenoh.Sample) -> None:
         name = str(sample.key_expr)[start:]
         inbox.waiting.put(name, MemorySample(name, sample.payload.to_bytes()))
-        waker.wake()
+        if wakes:
+            waker.wake()
 
     inbox.subscriber = session.declare_subscriber(f"{prefix}/{key}", arrived)
     return inbox

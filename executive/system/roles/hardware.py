@@ -5,7 +5,7 @@ from __future__ import annotations
 import uuid
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from tandem.executive.config.extras import SIM
 from tandem.executive.security.rights import Rights
@@ -13,6 +13,11 @@ from tandem.executive.system.roles.role import Role, Stage, process_rights
 
 if TYPE_CHECKING:
     from tandem.skills.wire.zenoh_bus import ZenohBus
+
+
+RESTING_PERIOD: Final = 0.05
+"""Robot seconds between two messages of clock and states while a robot rests. Skills call it silent after
+0.3 s at the earliest, and trees are ticked as often."""
 
 
 def _play(stage: Stage) -> None:
@@ -27,6 +32,7 @@ def _play(stage: Stage) -> None:
         seed=settings.seed,
         beside=True,
         waits=settings.speed is None,
+        resting_period=None if settings.speed is None else RESTING_PERIOD,
         gui=settings.gui,
     )
     scenario = load_scenario(settings.scenario)
