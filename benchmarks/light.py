@@ -57,29 +57,36 @@ def _rows_of(robot: Robot) -> Iterator[Row]:
         name = robot.scenario
         yield Row(f"{name}: from `tandem up` to ready", ready, "s", aim=3.0)
         time.sleep(SETTLED_AFTER)
-        began, before = time.monotonic(), by_role(pid, processor_seconds, above=UP)
+        meter = Meter(pid)
         time.sleep(IDLE_FOR)
-        yield from _spent(
-            f"{name}, idle", before, by_role(pid, processor_seconds, above=UP), began, robot.idle
-        )
+        yield from _spent(f"{name}, idle", *meter.spent(), robot.idle)
         yield from _memory(f"{name}, idle", by_role(pid, memory, above=UP), robot.memory)
-        began, before = time.monotonic(), by_role(pid, processor_seconds, above=UP)
+        meter = Meter(pid)
         ended = _request(robot.request, endpoint)
-        after = by_role(pid, processor_seconds, above=UP)
-        yield from _spent(f"{name}, fetch", before, after, began, robot.fetch, ended)
+        yield from _spent(f"{name}, fetch", *meter.spent(), robot.fetch, ended)
         yield from _memory(f"{name}, after it", by_role(pid, memory, above=UP), robot.memory)
 
 
-def _spent(
-    what: str,
-    before: Mapping[str, float],
-    after: Mapping[str, float],
-    began: float,
-    aim: float,
-    note: str = "",
-) -> Iterator[Row]:
-    passed = time.monotonic() - began
-    shares = {role: 100.0 * (after[role] - before.get(role, 0.0)) / passed for role in after}
+class Meter:
+    """Counts the processor seconds of each role below a process from now on."""
+
+    def __init__(self, pid: int) -> None:
+        self._pid, self._began, self._before = pid, time.monotonic(), _seconds_of(pid)
+
+    def spent(self) -> tuple[dict[str, float], float]:
+        """Return the processor seconds of each role, and how many seconds have passed."""
+        after = _seconds_of(self._pid)
+        return {role: after[role] - self._before.get(role, 0.0) for role in after}, (
+            time.monotonic() - self._began
+        )
+
+
+def _seconds_of(pid: int) -> dict[str, float]:
+    return by_role(pid, processor_seconds, above=UP)
+
+
+def _spent(what: str, spent: Mapping[str, float], passed: float, aim: float, note: str = "") -> Iterator[Row]:
+    shares = {role: 100.0 * seconds / passed for role, seconds in spent.items()}
     total = sum(share for role, share in shares.items() if role != HARDWARE)
     over = f"over {passed:.0f} s{', ' if note else ''}{note}"
     yield Row(f"{what}: all without the hardware", total, "% of a core", aim=aim, note=over)

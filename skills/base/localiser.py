@@ -94,6 +94,7 @@ class Localiser:
         self._unconfirmed = 0.0
         self._number = 0
         self._published_at = -math.inf
+        self._told: tuple[RobotTime | None, bool, str] | None = None
         self.localised = False
         self.reason = "not initialised: localise first"
         self.placed: PlacedScan | None = None
@@ -168,7 +169,10 @@ class Localiser:
         if self._waiting is not None:
             self._try_scan(self._waiting)
         now = robot_seconds(self._clocks)
-        if now - self._published_at >= PERIOD - 1e-6:
+        last = self._buffer.last
+        told = (None if last is None else last.stamp, self.localised, self.reason)
+        if told != self._told and now - self._published_at >= PERIOD - 1e-6:
+            self._told = told
             self._publish(now)
         return False
 

@@ -10,7 +10,8 @@ from tandem.skills.ports.actions.base import BASE_STATUS, BaseState, BaseStatus
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 
-PERIOD: Final = 0.1
+PERIOD: Final = 0.5
+"""Robot seconds between two messages without a change."""
 
 
 class BaseStatusBoard:

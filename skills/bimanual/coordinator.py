@@ -26,7 +26,9 @@ from tandem.skills.ports.message import HandName, RobotTime, RobotTimer
 from tandem.skills.ports.world import SCENE
 
 PERIOD: Final = 0.05
-"""Robot seconds between two messages without a change."""
+"""Robot seconds between two messages without a change, while the arms are told what to do."""
+CLOSED_PERIOD: Final = 0.5
+"""The same while they are left to themselves: nobody asks how old that is."""
 REACTION: Final = 0.03
 """Robot seconds from a message of the joints to an arm's braking: three periods."""
 
@@ -150,7 +152,8 @@ class Coordinator:
         told = self._told
         same = told is not None and told.model_copy(update={"stamp": message.stamp}) == message
         passed = None if told is None else message.stamp.since(told.stamp)
-        if not same or passed is None or passed >= PERIOD - 1e-6:
+        period = PERIOD if message.open else CLOSED_PERIOD
+        if not same or passed is None or passed >= period - 1e-6:
             RIGHT_OF_WAY.publish(self._bus, message)
             self._told = message
 

@@ -13,7 +13,11 @@ from tandem.skills.ports.keys import Latest, gripper_state
 from tandem.skills.ports.message import RobotTimer
 
 PERIOD: Final = 0.1
+"""Robot seconds between two messages while the width or the force changes."""
+SAME_PERIOD: Final = 0.5
 """Robot seconds between two messages without a change."""
+SAME: Final = (0.0005, 0.5)
+"""Metres of width and newtons of force within which nothing has changed."""
 SURE_AFTER: Final = 0.1
 """Robot seconds for which a hand must look empty."""
 SLACK_AFTER: Final = 0.2
@@ -82,8 +86,10 @@ class HandWatch:
     def _tell(self, state: GripperState, judged: HandState) -> None:
         told, now = self._told, state.stamp
         passed = None if told is None else now.since(told.stamp)
-        if told is not None and told.state is judged and passed is not None and passed < PERIOD - 1e-6:
-            return
+        if told is not None and told.state is judged and passed is not None:
+            same = abs(state.width - told.width) < SAME[0] and abs(state.force - told.force) < SAME[1]
+            if passed < (SAME_PERIOD if same else PERIOD) - 1e-6:
+                return
         self._told = HandStatus(
             stamp=now, side=self._side, state=judged, width=state.width, force=state.force
         )

@@ -23,10 +23,11 @@ PACED: Final = (
     "hw/base/odometry",
     "hw/gripper/*/state",
     "hw/wrench/*",
+    "world/robot",
     "beat",
 )
-"""What is told steadily, before the clock of its tick: it wakes nobody, the clock does. It is sent with the
-next message that can't wait, or a millisecond later."""
+"""What is told steadily: it wakes nobody. The clock does, which comes after it or in the next tick. It is
+sent with the next message that can't wait, or a millisecond later."""
 KEPT: Final = "kept/"
 """Before the key of a state: where its publisher answers with what it said last."""
 KEPT_KEYS: Final = 256

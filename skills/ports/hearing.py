@@ -70,15 +70,25 @@ class Ear:
         """How many messages were refused since the start."""
         self._logged: dict[tuple[str, Reason], float] = {}
         self.description: RobotDescription | None = None
+        self.last_read: dict[str, tuple[Callable[[bytes], Message], bytes, Message]] = {}
+        """How the last message of a key was read, for the next one who hears it: several nodes of a process
+        listen to the joints."""
 
     def know(self, description: RobotDescription) -> None:
         """Check against this robot from now on."""
         self.description = description
+        self.last_read.clear()
 
     @property
     def refused(self) -> Mapping[tuple[str, Reason], int]:
         """How many messages were refused since the start, by key and reason."""
         return self._counts
+
+    def keep(self, key: str, decode: Callable[[bytes], Message], payload: bytes, message: Message) -> None:
+        """Note how a message that was checked was read."""
+        self.last_read[key] = (decode, payload, message)
+        if len(self.last_read) > KINDS:
+            self.last_read.pop(next(iter(self.last_read)))
 
     def refuse(self, key: str, reason: Reason, text: str) -> None:
         """Count a message that is not taken in; ``text`` says what was wrong with it."""
@@ -116,6 +126,18 @@ class Entrance(Generic[M]):
         """
         if self._said.get(key) == payload:
             return None
+        before = self._ear.last_read.get(key)
+        if before is not None and before[1] == payload and before[0] == self._decode:
+            known: M = before[2]  # type: ignore[assignment] # what this decode made of it
+            self._note_said(key, known, payload)
+            return known
+        message = self._checked(key, payload)
+        if message is not None:
+            self._ear.keep(key, self._decode, payload, message)
+            self._note_said(key, message, payload)
+        return message
+
+    def _checked(self, key: str, payload: bytes) -> M | None:
         try:
             message = self._decode(payload)
         except ValueError as error:
@@ -132,9 +154,11 @@ class Entrance(Generic[M]):
         if wrong:
             self._ear.refuse(key, Reason.MISFIT, wrong)
             return None
+        return message
+
+    def _note_said(self, key: str, message: M, payload: bytes) -> None:
         if key.startswith(ORDERED) and stamp_of(message) is not None:
             _keep(self._said, key, payload)
-        return message
 
     def is_newer(self, key: str, message: M) -> bool:
         """Say whether the message is not older than the last one of its key; from then on it is the last."""

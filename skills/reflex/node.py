@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from operator import sub
 from typing import Final
 
 from tandem.skills.ports.actions.bimanual import CROSSING, Crossing
 from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.keys import JOINT_STATES, Latest
 from tandem.skills.ports.message import RobotTime
-from tandem.skills.ports.world import SCENE
-from tandem.skills.reflex.watch import ArmsWatch
+from tandem.skills.ports.world import SCENE, PlanningScene
+from tandem.skills.reflex.watch import STILL, ArmsWatch, Seen
 
 MOVING_PERIOD: Final = 0.02
 """Robot seconds between two messages while an arm moves."""
+SAME: Final = 1e-4
+"""rad or m within which joints stand where they stood: 0.1 mm of a hand, of 3 cm that arms keep apart."""
 RESTING_PERIOD: Final = 1.0
 """Robot seconds between two messages while both stand."""
 
@@ -32,6 +36,8 @@ class CrossingReflex:
         self._joints, self._scene = Latest(bus, JOINT_STATES), Latest(bus, SCENE, depth=4)
         self._looked_at: RobotTime | None = None
         self._told: Crossing | None = None
+        self._seen: Seen | None = None
+        self._seen_in: tuple[JointStates, PlanningScene | None] | None = None
 
     def step(self) -> bool:
         """Look at the newest joints, if they are new, and tell when it is time or the verdict has changed."""
@@ -39,7 +45,9 @@ class CrossingReflex:
         if joints is None or joints.stamp == self._looked_at:
             return False
         self._looked_at = joints.stamp
-        seen = self._watch.look(joints, scene)
+        if self._seen is None or not self._same(joints, scene):
+            self._seen, self._seen_in = self._watch.look(joints, scene), (joints, scene)
+        seen = self._seen
         message = Crossing(
             stamp=joints.stamp,
             risk=seen.risk,
@@ -57,6 +65,17 @@ class CrossingReflex:
         """End the subscriptions."""
         self._joints.close()
         self._scene.close()
+
+    def _same(self, joints: JointStates, scene: PlanningScene | None) -> bool:
+        """Say whether the arms stand as they stood when they were looked at, with the same in their hands."""
+        if self._seen_in is None or self._seen_in[1] is not scene:
+            return False
+        before = self._seen_in[0]
+        return (
+            before.names == joints.names
+            and max(map(abs, joints.velocities), default=0.0) < STILL
+            and max(map(abs, map(sub, joints.positions, before.positions)), default=0.0) < SAME
+        )
 
     def _due(self, message: Crossing, *, moving: bool) -> bool:
         told = self._told

@@ -29,6 +29,7 @@ class KeyedQueue(Generic[T]):
         self._depth, self._full = depth, full
         self._order = itertools.count()
         self._waiting: dict[str, deque[tuple[int, T]]] = {}
+        self._filled = False
 
     def has_room(self, key: str) -> bool:
         """Say whether one more of this key would be kept: asked before its bytes are copied."""
@@ -38,9 +39,13 @@ class KeyedQueue(Generic[T]):
         """Keep it, unless its key's places are taken and the newest goes."""
         if self.has_room(key):
             self._of(key).append((next(self._order), item))
+            self._filled = True
 
     def drain(self) -> list[T]:
         """Take all that is there."""
+        if not self._filled:  # as it is in most turns of a loop, for most queues
+            return []
+        self._filled = False  # before it is looked: what comes meanwhile is taken now or the next time
         taken = [pair for waiting in tuple(self._waiting.values()) for pair in _emptied(waiting)]
         taken.sort(key=lambda pair: pair[0])
         return [item for _, item in taken]
