@@ -63,6 +63,7 @@ class Rig:
         friction: float | None = 0.9,
         noise: Noise | None = None,
         start: dict[str, tuple[float, ...]] | None = None,
+        resting_period: float | None = None,
     ) -> None:
         self.physics = Physics()
         self.floor = self.physics.add_floor()
@@ -84,7 +85,12 @@ class Rig:
         self.body = RobotBody(self.physics, self.model, positions=positions)
         self.bus = MemoryBus()
         self.hardware = Hardware(
-            self.bus, self.body, boot="rig", noise=noise or Noise(), rng=np.random.default_rng(1)
+            self.bus,
+            self.body,
+            boot="rig",
+            noise=noise or Noise(),
+            rng=np.random.default_rng(1),
+            resting_period=resting_period,
         )
         self._inbox = {
             group.name: keys.Latest(self.bus, keys.group_status(group.name)) for group in description.groups

@@ -249,3 +249,24 @@ def test_a_session_that_has_just_been_opened_knows_who_is_present() -> None:
     assert not first.claims("claim/executive/*", timeout=2.0)
     first.close()
     router.close()
+
+
+def test_over_zenoh_what_is_told_steadily_arrives_and_wakes_nobody() -> None:
+    endpoint = free_endpoint()
+    router = open_session(router_config(endpoint), endpoint)
+    a, b = ZenohBus(endpoint, "lab/robot"), ZenohBus(endpoint, "lab/robot")
+    inboxes = {key: a.subscribe(key) for key in ("hw/joints/state", "hw/clock")}
+    deadline = time.monotonic() + 5.0
+    while not all(b.listened(key) for key in inboxes) and time.monotonic() < deadline:
+        b.waker.wait(0.005)
+    woken = []
+    a.waker.wake = lambda: woken.append(1)  # type: ignore[method-assign]
+    b.publish("hw/joints/state", b"joints")
+    b.publish("hw/clock", b"clock")
+    got: dict[str, bytes] = {}
+    while len(got) < 2 and time.monotonic() < deadline:
+        got |= {each.key: each.payload for inbox in inboxes.values() for each in inbox.drain()}
+    for end in (a, b, router):
+        end.close()
+    assert got == {"hw/joints/state": b"joints", "hw/clock": b"clock"}
+    assert len(woken) == 1

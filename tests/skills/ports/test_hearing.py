@@ -13,6 +13,7 @@ from tandem.skills.ports.hardware import (
     JointStates,
     MotionState,
     RgbdHeader,
+    RobotDescription,
     SetPoint,
     StopState,
 )
@@ -274,3 +275,24 @@ def test_refusals_are_told_when_there_are_more_and_repeated_for_who_comes_late()
     assert teller.due("base", CHANGED_EVERY) is not None
     assert teller.due("base", CHANGED_EVERY * 3) is None
     assert teller.due("base", CHANGED_EVERY + REPEATED_EVERY) is not None
+
+
+def test_what_several_nodes_hear_is_read_once(stand: Stand, monkeypatch: pytest.MonkeyPatch) -> None:
+    read: list[bytes] = []
+    decode = Topic.decode
+    monkeypatch.setattr(Topic, "decode", lambda topic, body: read.append(body) or decode(topic, body))
+    one, other = Latest(stand.bus, JOINT_STATES), Latest(stand.bus, JOINT_STATES)
+    JOINT_STATES.publish(stand.teller, states(1.0))
+    assert one.take() == other.take() == [states(1.0)]
+    assert len(read) == 1
+
+
+def test_what_was_read_for_another_robot_is_checked_again(stand: Stand) -> None:
+    latest, later = Latest(stand.bus, JOINT_STATES), Latest(stand.bus, JOINT_STATES)
+    JOINT_STATES.publish(stand.teller, states(1.0))
+    assert latest.take()
+    other = ROBOT.model_dump(mode="json")
+    stand.bus.ear.know(
+        RobotDescription.model_validate_json(json.dumps({**other, "groups": other["groups"][:1]}))
+    )
+    assert not later.take()

@@ -76,3 +76,15 @@ def test_own_beats_come_at_their_period() -> None:
     before = here.beats
     here.let_pass(1.0)
     assert here.beats - before == pytest.approx(1.0 / BEAT_PERIOD, abs=1)
+
+
+def test_who_is_listened_to_from_now_on_is_not_missed_at_once() -> None:
+    now = [0.0]
+    pulse = Pulse(lambda: now[0])
+    pulse.hear(NAMES)
+    for _ in range(20):
+        now[0] += 0.05
+        pulse.turn()
+    assert pulse.awake(NAMES) == set()
+    pulse.listen()
+    assert pulse.awake(NAMES) == set(NAMES)
