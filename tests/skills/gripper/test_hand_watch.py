@@ -57,8 +57,13 @@ def states(told: list[HandStatus]) -> list[HandState]:
     return [each.state for each in told]
 
 
-def test_it_tells_ten_times_a_second(hand: Watched) -> None:
-    assert len(hand.tell(1.0, 0.06)) == pytest.approx(10, abs=1)
+def test_without_a_change_it_tells_twice_a_second(hand: Watched) -> None:
+    assert len(hand.tell(2.0, 0.06)) == pytest.approx(4, abs=1)
+
+
+def test_while_pads_move_it_tells_ten_times_a_second(hand: Watched) -> None:
+    told = [each for k in range(50) for each in hand.tell(PERIOD, 0.06 - 0.0002 * k, M.MOVING, 0.0)]
+    assert len(told) == pytest.approx(10 * 50 * PERIOD, abs=1)
 
 
 def test_a_drop_is_told_well_within_half_a_second(hand: Watched) -> None:
