@@ -29,10 +29,11 @@ import numpy as np
 from benchmarks.planner_problems import PlannerProblem, passages, picks, room
 from benchmarks.rows import quantile
 from tandem.skills.arm.plan_move import MovePlanner, Steps
-from tandem.skills.arm.planning.settings import PlannerName, PlannerSettings
+from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm, Plan
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.planners import PlannerName
 
 COMPARED: Final = (
     PlannerName.RRT_CONNECT,

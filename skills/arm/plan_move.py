@@ -11,7 +11,7 @@ from tandem.skills.arm.curve import through
 from tandem.skills.arm.far_path import FarJob, FarProblem, elsewhere
 from tandem.skills.arm.planning.motions import Motions, Space, halving
 from tandem.skills.arm.planning.path import find_path
-from tandem.skills.arm.planning.settings import PlannerName, PlannerSettings
+from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.planning.straight import Broken, Hand, Line, follow, foresee, line_ends
 from tandem.skills.arm.problem import Arm, Moment, Plan, words
 from tandem.skills.arm.retreat import deepest, longest_first, ways_back
@@ -24,6 +24,7 @@ from tandem.skills.kinematics.transforms import Array, to_se3
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.compute import Compute
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.planners import PlannerName
 from tandem.skills.ports.pose import Pose
 
 Steps = Generator[int, None, Plan | Failure]

@@ -2,7 +2,7 @@
 
 What a message is: message, utc, pose, image, picture_header, problems, documents, sources.
 What is said: hardware, sensors, world, whereabouts, tasks, site, action, failure; goals are in ``actions/``.
-Occupied space: occupancy, lattice.
+Occupied space: occupancy, lattice. Ways: planners.
 The table of keys: keys, match, delivery.
 Protocols: bus, forwarding_bus, clocks, compute, node, skill.
 Serving and hearing: serving, endpoint, limits, hearing, checks, refusals.

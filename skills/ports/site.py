@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from tandem.skills.ports.message import HandName, Message, Vector3
 from tandem.skills.ports.occupancy import OccupancySetting
+from tandem.skills.ports.planners import PlannerName
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.reflex_setting import ReflexSetting
 
@@ -109,6 +110,8 @@ class Site(Message):
     """Reflexes with other parameters than the robot's, or switched off, at this site."""
     occupancy: OccupancySetting | None = None
     """Measure occupied space from depth and plan against it; None: boxes of clutter only."""
+    arm_planner: PlannerName = PlannerName.RRT_CONNECT
+    """How arms find their way at this site (docs/planning.md)."""
 
     @model_validator(mode="after")
     def _names_are_unique(self) -> Site:

@@ -9,7 +9,8 @@ from benchmarks.planner_problems import passages, picks, room
 from benchmarks.planners import Outcome, line, roughness, solve
 from tandem.skills.arm.plan_move import MovePlanner
 from tandem.skills.arm.planning.motions import Motions, Space
-from tandem.skills.arm.planning.settings import PlannerName, PlannerSettings
+from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.ports.planners import PlannerName
 
 
 def test_a_straight_motion_of_least_acceleration_has_a_roughness_of_one() -> None:

@@ -13,6 +13,7 @@ from tandem.skills.ports.node import Node
 
 
 def _nodes(side: HandName, at: Surroundings) -> Sequence[Node]:
+    from tandem.skills.arm.planning.settings import PlannerSettings  # noqa: PLC0415
     from tandem.skills.arm.process import nodes as arm_nodes  # noqa: PLC0415
     from tandem.skills.gripper.process import nodes as gripper_nodes  # noqa: PLC0415
 
@@ -23,6 +24,7 @@ def _nodes(side: HandName, at: Surroundings) -> Sequence[Node]:
             at.clocks,
             at.description,
             [group],
+            settings=PlannerSettings(planner=at.site.arm_planner),
             seed=at.seed,
             charge=at.charge,
             compute=at.compute,

@@ -17,8 +17,9 @@ from tandem.skills.arm.optimising.smoothness import Smoothness, smoothness
 from tandem.skills.arm.optimising.stomp import Stomp
 from tandem.skills.arm.planning.motions import Motions
 from tandem.skills.arm.planning.ompl_planner import search
-from tandem.skills.arm.planning.settings import PlannerName, PlannerSettings
+from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.planners import PlannerName
 
 MAKING = 600
 """Units of making spheres and distance field."""

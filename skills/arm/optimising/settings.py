@@ -45,6 +45,8 @@ class StompSettings(OptimiserSettings):
 
     rollouts: Annotated[int, Field(ge=2, le=200)] = 12
     """Noisy paths of one iteration."""
+    kept: Annotated[int, Field(ge=0, le=200)] = 6
+    """The cheapest rollouts, which count in the next iteration too."""
     at_once: Few = 2
     """Rollouts that are costed between two chances to be stopped."""
     noise: Amount = 0.15

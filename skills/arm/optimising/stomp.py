@@ -19,6 +19,27 @@ from tandem.skills.arm.optimising.work import units
 from tandem.skills.kinematics.transforms import Array
 
 
+@dataclass(frozen=True)
+class _Rollouts:
+    """Noisy paths (k, N + 2, n), and the costs of their points (k, N)."""
+
+    paths: Array
+    costs: Array
+
+    def joined(self, others: _Rollouts | None) -> _Rollouts:
+        """Return these and others."""
+        if others is None:
+            return self
+        return _Rollouts(
+            np.concatenate((self.paths, others.paths)), np.concatenate((self.costs, others.costs))
+        )
+
+    def cheapest(self, count: int) -> _Rollouts:
+        """Return so many of them."""
+        best = np.argsort(self.costs.sum(axis=1), kind="stable")[:count]
+        return _Rollouts(self.paths[best], self.costs[best])
+
+
 @dataclass
 class Stomp:
     """One path under way.
@@ -39,6 +60,7 @@ class Stomp:
     settings: StompSettings
     rng: np.random.Generator
     _sigma: float = field(default=0.0, init=False)
+    _kept: _Rollouts | None = field(default=None, init=False)
 
     def __post_init__(self) -> None:
         self._sigma = self.settings.noise
@@ -46,9 +68,13 @@ class Stomp:
     def settle(self) -> None:
         """Draw less noise from now on: a way has been found, and is only to become better."""
         self._sigma *= self.settings.settled
+        self._kept = None
 
     def advance(self) -> Generator[int, None, None]:
-        """Draw rollouts, cost each of their points, and go where the cheap ones are (2011, Table I)."""
+        """Draw rollouts, cost each of their points, and go where the cheap ones are (2011, Table I).
+
+        The cheapest of earlier iterations count as well: their costs are known.
+        """
         rollouts = self._draw(self._sigma)
         self._sigma *= self.settings.decay
         costs = np.empty((len(rollouts), self.form.count))
@@ -56,8 +82,10 @@ class Stomp:
             some = rollouts[first : first + self.settings.at_once]
             costs[first : first + len(some)] = self._costs(some)
             yield units(some.shape[0] * some.shape[1])
-        share = probabilities(costs, self.settings.sensitivity)
-        away = rollouts[:, 1:-1] - self.path[1:-1]
+        known = _Rollouts(rollouts, costs).joined(self._kept)
+        self._kept = known.cheapest(self.settings.kept)
+        share = probabilities(known.costs, self.settings.sensitivity)
+        away = known.paths[:, 1:-1] - self.path[1:-1]
         moved = self.path.copy()
         moved[1:-1] += self.form.smoothing @ np.einsum("kt,ktn->tn", share, away)
         self.path = self.bounds.bring_back(moved, self.form)

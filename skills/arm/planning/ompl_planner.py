@@ -17,8 +17,9 @@ from ompl import geometric as og
 from ompl import util as ou
 
 from tandem.skills.arm.planning.motions import Motions
-from tandem.skills.arm.planning.settings import PlannerName, PlannerSettings
+from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.kinematics.transforms import Array
+from tandem.skills.ports.planners import PlannerName
 
 _MAKERS = {
     PlannerName.RRT_CONNECT: og.RRTConnect,

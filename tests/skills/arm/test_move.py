@@ -7,7 +7,7 @@ import pytest
 
 from tandem.skills.arm.move import Move
 from tandem.skills.arm.plan_move import MovePlanner
-from tandem.skills.arm.planning.settings import PlannerName, PlannerSettings
+from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import LIMIT_MARGIN, Arm, Plan
 from tandem.skills.arm.status import ArmStatusBoard
 from tandem.skills.geometry.poses import from_rpy
@@ -17,6 +17,7 @@ from tandem.skills.ports.action import GoalCommand, GoalState, GoalStatus, comma
 from tandem.skills.ports.actions.arm import ArmState, Candidate, MoveFeedback, MoveGoal, MovePhase
 from tandem.skills.ports.actions.bimanual import RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.planners import PlannerName
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.skill import Command, Slice
 from tandem.skills.ports.world import SceneObject

@@ -13,7 +13,7 @@ from tandem.skills.arm.plan_move import LOOKS, MovePlanner
 from tandem.skills.arm.planning.motions import Motions, Space, halving, weigh
 from tandem.skills.arm.planning.ompl_planner import search
 from tandem.skills.arm.planning.path import find_path
-from tandem.skills.arm.planning.settings import PlannerName, PlannerSettings
+from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.planning.straight import Broken, Hand, follow
 from tandem.skills.arm.problem import Arm, Plan
 from tandem.skills.kinematics.bodies import BoxShape, Obstacle
@@ -25,6 +25,7 @@ from tandem.skills.kinematics.model import Chain
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.planners import PlannerName
 from tandem.skills.ports.pose import Pose
 from tests.fakes.arm_rig import PANDA_HOME, ArmRig, box, drive, panda
 

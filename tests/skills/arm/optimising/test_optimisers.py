@@ -102,6 +102,22 @@ def test_cheap_rollouts_get_the_shares() -> None:
     assert np.allclose(share[:, 1], 1.0 / 3.0)
 
 
+def test_cheap_rollouts_are_remembered_until_a_way_is_found() -> None:
+    quiet = StompSettings(noise=1e-9, kept=6)
+    start = FORM.smoothest(START, END)
+    loud = Stomp(start, FORM, cost(ONE), BOUNDS, StompSettings(kept=6), np.random.default_rng(1))
+    run(loud, 1)
+    forgetful = Stomp(loud.path, FORM, cost(ONE), BOUNDS, quiet, np.random.default_rng(2))
+    loud.settings = quiet
+    before = loud.path
+    loud._sigma = forgetful._sigma
+    moved, stayed = run(loud, 1), run(forgetful, 1)
+    assert np.max(np.abs(moved - before)) > 1e-3
+    assert np.max(np.abs(stayed - before)) < 1e-6
+    loud.settle()
+    assert np.max(np.abs(run(loud, 1) - moved)) < 1e-6
+
+
 def test_a_seed_gives_one_path() -> None:
     assert np.array_equal(run(stomp(ONE), 20), run(stomp(ONE), 20))
     assert not np.array_equal(run(stomp(ONE), 20), run(stomp(ONE, seed=2), 20))

@@ -7,7 +7,7 @@ import pytest
 
 from tandem.skills.arm.optimising.settings import ChompSettings, StompSettings
 from tandem.skills.arm.plan_move import MovePlanner
-from tandem.skills.arm.planning.settings import PlannerName, PlannerSettings
+from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm, Plan
 from tandem.skills.kinematics.bodies import BoxShape, Obstacle
 from tandem.skills.kinematics.collision import CollisionChecker
@@ -16,6 +16,7 @@ from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.planners import PlannerName
 from tandem.skills.ports.pose import Pose
 from tests.fakes.arm_rig import PANDA_HOME, ArmRig, box, drive, panda
 
