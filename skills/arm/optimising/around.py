@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
+from typing import Final
 
 import numpy as np
 
@@ -12,8 +13,17 @@ from tandem.skills.kinematics.collision import CollisionChecker
 from tandem.skills.kinematics.distance_field import REACH, DistanceField
 from tandem.skills.kinematics.transforms import Array, to_se3
 
+MAKING: Final = 100
+"""Units of making the spheres."""
+AT_ONCE: Final = 1
+"""Obstacles that are measured between two chances to be stopped."""
+CELLS_A_UNIT: Final = 2_000
+"""Cells that are measured in a unit's time."""
 
-def around(checker: CollisionChecker, weights: Array, ends: Array, margin: float) -> ObstacleCost:
+
+def around(
+    checker: CollisionChecker, weights: Array, ends: Array, margin: float
+) -> Generator[int, None, ObstacleCost]:
     """Return the cost of the checker's obstacles, of the robot's other parts, and of its own links.
 
     What the spheres say of the robot itself is left out where they touch at all the ends, which are known
@@ -24,18 +34,23 @@ def around(checker: CollisionChecker, weights: Array, ends: Array, margin: float
         weights: of the joints (n,).
         ends: free joint positions (k, n): where paths begin and end.
         margin: metres from which on nearness costs something.
+
+    Yields:
+        Units of work.
     """
     spheres = checker.spheres()
     radii = spheres.radii
     low, high = spheres.box
-    robot = _field(spheres.standing, low, high)
+    yield MAKING
+    robot = yield from _field(spheres.standing, low, high)
+    field = yield from _field(checker.obstacles, low, high)
     at_ends = spheres.centres(ends)
     touch = robot.distances(at_ends.reshape(-1, 3)).reshape(len(ends), -1) < radii
     one, other = spheres.pairs
     apart = np.linalg.norm(at_ends[:, one] - at_ends[:, other], axis=-1)
     meet = np.all(apart < radii[one] + radii[other], axis=0)
     return ObstacleCost(
-        field=_field(checker.obstacles, low, high),
+        field=field,
         robot=robot,
         spheres=spheres,
         weights=weights,
@@ -45,7 +60,7 @@ def around(checker: CollisionChecker, weights: Array, ends: Array, margin: float
     )
 
 
-def _field(obstacles: Sequence[Obstacle], low: Array, high: Array) -> DistanceField:
+def _field(obstacles: Sequence[Obstacle], low: Array, high: Array) -> Generator[int, None, DistanceField]:
     """Return the distances to obstacles, as far as what moves between the corners can come near them."""
     boxes = [_box(each) for each in obstacles]
     if boxes:
@@ -54,7 +69,9 @@ def _field(obstacles: Sequence[Obstacle], low: Array, high: Array) -> DistanceFi
     if not boxes or np.any(high <= low):
         return DistanceField(low, low + REACH)
     field = DistanceField(low, high)
-    field.set_obstacles(obstacles)
+    for last in range(AT_ONCE, len(obstacles) + AT_ONCE, AT_ONCE):
+        cells = field.set_obstacles(obstacles[:last])  # those that it has already cost nothing
+        yield 1 + cells // CELLS_A_UNIT
     return field
 
 

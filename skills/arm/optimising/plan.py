@@ -21,9 +21,6 @@ from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.planners import PlannerName
 
-MAKING = 600
-"""Units of making spheres and distance field."""
-
 
 def optimised_path(
     motions: Motions,
@@ -55,8 +52,7 @@ def _optimised(
     """Return a path that began near the seed (m, n)."""
     own: OptimiserSettings = settings.stomp if settings.planner.is_stomp else settings.chomp
     space, form = motions.space, smoothness(own.points)
-    cost = around(motions.checker, space.weights, seed[[0, -1]], own.margin)
-    yield MAKING
+    cost = yield from around(motions.checker, space.weights, seed[[0, -1]], own.margin)
     bounds = Bounds(space.limits.lower * space.weights, space.limits.upper * space.weights)
     begun = _begin(seed * space.weights, form, own.follow)
     optimiser = _optimiser(begun, form, cost, bounds, rng, settings)
