@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 import typer
 
 from tandem.skills.ports.message import Count, Message
+from tandem.skills.ports.occupancy import MapEdited, Occupancy
 from tandem.skills.ports.reflex import PipelineState, ReflexState
 from tandem.skills.ports.tasks import TaskStatus, TreeSnapshot
 from tandem.skills.ports.utc import ISO, UtcSeconds
@@ -215,6 +216,9 @@ def shapes() -> Mapping[str, type[Message]]:
         "reflex list": Reflexes,
         "reflex on": ReflexState,
         "reflex off": ReflexState,
+        "map show": Occupancy,
+        "map save": MapEdited,
+        "map clear": MapEdited,
         "watch": Watched,
         "logs": LogLine,
         "why": Explained,

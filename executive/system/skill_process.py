@@ -10,6 +10,7 @@ from typing import Final
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
 from tandem.executive.system.leased_loop import run_leased
 from tandem.executive.system.roles.role import Role, Stage, Surroundings
+from tandem.skills import map_file
 from tandem.skills.goal_journal import GoalJournal
 from tandem.skills.one_boot import OneBoot
 from tandem.skills.ports.bus import Bus
@@ -58,6 +59,7 @@ def play_skills(stage: Stage, role: Role) -> None:
                     seed=settings.seed,
                     left_out=settings.left_out,
                     journal=None if settings.journal is None else Path(settings.journal),
+                    map_file=map_file.path_of(settings.site, settings.data),
                     commons=stage.bus.commons(),
                     robot=settings.prefix.rpartition("/")[2],
                 )

@@ -10,30 +10,42 @@ from __future__ import annotations
 import logging
 from collections import deque
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Final
 
 import numpy as np
 
+from tandem.skills import map_file
 from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.geometry.poses import angle_between, compose, to_pose
 from tandem.skills.grasping.item_frames import standing_in_map
 from tandem.skills.perception.arms import Arms
-from tandem.skills.perception.clutter import HEIGHTS, Known
+from tandem.skills.perception.clutter import Known
 from tandem.skills.perception.frames import CameraMount, JointHistory, RobotPoseHistory
 from tandem.skills.perception.jobs import Shot
 from tandem.skills.perception.occupancy import COST, MapJob, Mapped, read_picture
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.compute import Compute, Job
+from tandem.skills.ports.endpoint import Problems, endpoint
 from tandem.skills.ports.hardware import RgbdHeader, RobotDescription
 from tandem.skills.ports.hearing import Heard
 from tandem.skills.ports.image import header_of
 from tandem.skills.ports.keys import Latest, rgbd
 from tandem.skills.ports.lattice import Lattice, Numbers, packed
 from tandem.skills.ports.message import RobotTime
-from tandem.skills.ports.occupancy import Occupancy, OccupancySetting
+from tandem.skills.ports.occupancy import (
+    EditMap,
+    MapEdit,
+    MapEdited,
+    Occupancy,
+    OccupancySetting,
+    SavedMap,
+)
+from tandem.skills.ports.problems import in_words
+from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import OCCUPANCY, WORLD, Box, WorldState
+from tandem.skills.ports.world import OCCUPANCY, OCCUPANCY_EDIT, OCCUPANCY_NOW, WORLD, Box, WorldState
 
 KEEPS_LISTENING: Final = 4.0
 """Pictures a second from which on the camera is listened to all the time: it gives five."""
@@ -60,7 +72,10 @@ class Mapper:
         site: its furniture, items and bounds.
         setting: how often, how finely and how far.
         compute: who reads the pictures.
-        start: cells that are occupied at the start, as a saved map has them.
+        saved: the file of the saved map, which is read now if there is one; None: it is saved nowhere.
+
+    Raises:
+        DocumentError: when that file is wrong.
     """
 
     name: Final = "perception/mapper"
@@ -73,14 +88,14 @@ class Mapper:
         site: Site,
         setting: OccupancySetting,
         compute: Compute,
-        start: Numbers | None = None,
+        saved: Path | None = None,
     ) -> None:
         self._bus, self._clocks, self._site, self._setting = bus, clocks, site, setting
         self._compute, self._radius = compute, description.footprint_radius
         self._lens = description.camera
         self._mount, self._arms = CameraMount(description), Arms(description)
         self._furniture = tuple(box_in_map(box) for each in site.furniture for box in each.boxes)
-        self._lattice = Lattice.over(site.bounds, HEIGHTS[1], setting.resolution)
+        self._lattice = Lattice.of_site(site, setting)
         self._joints, self._robot = JointHistory(bus), RobotPoseHistory(bus)
         self._world = Latest(bus, WORLD, depth=4)
         self._inbox: Heard[RgbdHeader] | None = None
@@ -88,9 +103,19 @@ class Mapper:
         self._offers: deque[Shot] = deque(maxlen=OFFERED)
         self._job: Job[Mapped] | None = None
         self._after: RobotTime | None = None
+        self._saved = saved
+        start = None if saved is None else map_file.load(saved, site.name, self._lattice)
         self._occupied: Numbers = np.zeros(0, np.int64) if start is None else start
         self._problem, self._version, self._told = "", 1, 0
         self._there = frozenset[str]()
+        self._endpoints = Endpoints(
+            bus,
+            clocks.monotonic,
+            (
+                endpoint(OCCUPANCY_NOW, lambda _: self._now()),
+                endpoint(OCCUPANCY_EDIT, lambda call: self._edit(call.document), refuse=_refused),
+            ),
+        )
 
     @property
     def occupied(self) -> Numbers:
@@ -113,11 +138,11 @@ class Mapper:
 
     def step(self) -> bool:
         """Take a picture when it is time, have it read, and tell what has changed."""
-        now = self._clocks.robot()
+        now, more = self._clocks.robot(), self._endpoints.step()
         self._joints.refresh()
         self._robot.refresh()
         if now is None:
-            return False
+            return more
         if self._job is not None and self._job.done():
             self._adopt(self._job.result())
             self._job = None
@@ -127,7 +152,7 @@ class Mapper:
             if shot is not None:
                 self._job = self._compute.submit(read_picture, self._about(shot), cost=COST)
         self._tell(now)
-        return False
+        return more
 
     def close(self) -> None:
         """End the subscriptions."""
@@ -135,6 +160,7 @@ class Mapper:
         self._joints.close()
         self._robot.close()
         self._world.close()
+        self._endpoints.close()
 
     def _listen(self, now: RobotTime) -> None:
         """Listen to the camera while a picture is due, and keep the newest."""
@@ -214,7 +240,10 @@ class Mapper:
         if self._version == self._told and not came:
             return
         self._told = self._version
-        message = Occupancy(
+        OCCUPANCY.publish(self._bus, self._message(now))
+
+    def _message(self, now: RobotTime) -> Occupancy:
+        return Occupancy(
             stamp=now,
             version=self._version,
             origin=self._lattice.origin,
@@ -223,9 +252,32 @@ class Mapper:
             cells=packed(self._occupied),
             problem=self._problem,
         )
-        OCCUPANCY.publish(self._bus, message)
+
+    def _now(self) -> Occupancy | None:
+        now = self._clocks.robot()
+        return None if now is None else self._message(now)
+
+    def _edit(self, asked: EditMap) -> MapEdited:
+        now, cells, path = self._clocks.robot(), len(self._occupied), self._saved
+        log.warning("map of occupied space: %s by %s", asked.edit, asked.by)
+        if asked.edit is not MapEdit.SAVE:
+            self.clear()
+        try:
+            if asked.edit is MapEdit.SAVE:
+                if path is None or now is None:
+                    return MapEdited(done=False, reason="this robot keeps no files (no --data)")
+                map_file.save(path, SavedMap(site=self._site.name, occupancy=self._message(now)))
+            elif asked.edit is MapEdit.CLEAR_SAVED and path is not None:
+                path.unlink(missing_ok=True)
+        except OSError as error:
+            return MapEdited(done=False, path=str(path), reason=str(error))
+        return MapEdited(done=True, cells=cells, path="" if path is None else str(path))
 
     def _hush(self) -> None:
         if self._inbox is not None:
             self._inbox.close()
             self._inbox = None
+
+
+def _refused(problems: Problems) -> MapEdited:
+    return MapEdited(done=False, reason=in_words(problems))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 
 from tandem.skills.perception.detectors import Detector
 from tandem.skills.perception.jobs import warm_up
@@ -28,17 +29,19 @@ def nodes(
     *,
     detectors: Mapping[str, Detector] | None = None,
     charge: bool = False,
+    map_file: Path | None = None,
 ) -> tuple[Node, ...]:
     """Return the servers of look and track, the snapshots, and the mapper where the site wants one.
 
-    ``compute`` reads pictures, with the ``detectors``; ``charge`` is the server's, for lockstep.
+    ``compute`` reads pictures, with the ``detectors``; ``charge`` is the server's, for lockstep;
+    ``map_file`` is where the map of occupied space is saved.
 
     The worker is started now: its first picture should not wait for OpenCV to load.
     """
     compute.submit(warm_up, 64, cost=0.0)
     mapper = None
     if site.occupancy is not None:
-        mapper = Mapper(bus, clocks, description, site, site.occupancy, compute)
+        mapper = Mapper(bus, clocks, description, site, site.occupancy, compute, map_file)
     look = Look(
         bus,
         clocks,

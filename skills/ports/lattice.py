@@ -11,10 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tandem.skills.ports.message import Vector3
-from tandem.skills.ports.occupancy import LARGEST, Occupancy
+from tandem.skills.ports.occupancy import LARGEST, Occupancy, OccupancySetting
+from tandem.skills.ports.site import Site
 
 Numbers = NDArray[np.int64]
 Matrix = NDArray[np.float64]
+TOP: Final = 1.7
+"""Metres above the floor up to which space is mapped: higher than the robots are."""
 OUTSIDE: Final = -1
 U32: Final = np.dtype("<u4")
 
@@ -47,6 +50,11 @@ class Lattice:
                 f"a resolution of {resolution:g} m makes {nx * ny * nz} cells; expected a larger one"
             )
         return cls((x_min, y_min, 0.0), (nx, ny, nz), resolution)
+
+    @classmethod
+    def of_site(cls, site: Site, setting: OccupancySetting) -> Lattice:
+        """Return the cells of a site."""
+        return cls.over(site.bounds, TOP, setting.resolution)
 
     @classmethod
     def of(cls, message: Occupancy) -> Lattice:

@@ -13,6 +13,7 @@ import binascii
 import sys
 from array import array
 from collections.abc import Iterable
+from enum import StrEnum
 from typing import Annotated, Final, Literal
 
 from pydantic import Field, model_validator
@@ -93,6 +94,44 @@ class Occupancy(Message):
             rest, x = divmod(number, nx)
             z, y = divmod(rest, ny)
             yield x0 + x * self.resolution, y0 + y * self.resolution, z0 + z * self.resolution
+
+
+class MapEdit(StrEnum):
+    """What becomes of the map of occupied space."""
+
+    SAVE = "SAVE"
+    """It is written beside the site file, and read from there at each start."""
+    CLEAR = "CLEAR"
+    """It is empty; what stands there is seen again."""
+    CLEAR_SAVED = "CLEAR_SAVED"
+    """Likewise, and the saved file is deleted."""
+
+
+class EditMap(Message):
+    """Save or clear the map of occupied space; ``by`` names the client."""
+
+    edit: MapEdit
+    by: Annotated[str, Field(max_length=200)]
+
+
+class MapEdited(Message):
+    """What came of an edit."""
+
+    done: bool
+    cells: Count = 0
+    """Occupied cells before it."""
+    path: str = ""
+    """The file, on the robot's computer; empty: there is none."""
+    reason: str = ""
+    """Why it was not done."""
+
+
+class SavedMap(Message):
+    """The file of a saved map."""
+
+    site: str
+    """Name of the site that it is a map of."""
+    occupancy: Occupancy
 
 
 def pack(numbers: Iterable[int]) -> str:

@@ -8,9 +8,9 @@ from pydantic import Field
 
 from tandem.skills.ports.checks import misfit, strange_hands
 from tandem.skills.ports.hardware import RobotDescription
-from tandem.skills.ports.keys import Topic
+from tandem.skills.ports.keys import Nothing, Service, Topic
 from tandem.skills.ports.message import Count, HandName, Message, RobotTime
-from tandem.skills.ports.occupancy import Occupancy
+from tandem.skills.ports.occupancy import EditMap, MapEdited, Occupancy
 from tandem.skills.ports.pose import FloorPose, Pose
 
 Size = Annotated[float, Field(ge=0.0)]
@@ -172,5 +172,7 @@ ROBOT_POSE: Final = Topic("world/robot", RobotPose)
 SIGHTINGS: Final = Topic("world/sightings", Sightings)
 CLUTTER: Final = Topic("world/clutter", Clutter)
 OCCUPANCY: Final = Topic("world/occupancy", Occupancy)
+OCCUPANCY_NOW: Final = Service("world/occupancy/now", Nothing, Occupancy, reads=True)
+OCCUPANCY_EDIT: Final = Service("world/occupancy/edit", EditMap, MapEdited)
 SCENE: Final = Topic("world/scene", PlanningScene)
 WORLD: Final = Topic("world/state", WorldState)

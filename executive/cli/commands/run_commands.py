@@ -280,9 +280,18 @@ def up(
         only=roles,
         broken=broken,
     )
+    _check_map(options)
     from tandem.executive.cli.running_system import run_up  # noqa: PLC0415 - loads the whole system
 
     raise typer.Exit(run_up(options))
+
+
+def _check_map(options: RunOptions) -> None:
+    """Raise DocumentError when the saved map of the site is wrong."""
+    from tandem.executive.cli.commands.scenario_commands import checked  # noqa: PLC0415
+    from tandem.skills.map_file import check  # noqa: PLC0415
+
+    check(checked(options.scenario, options.site).site, None if options.data is None else str(options.data))
 
 
 def _by_environment(context: typer.Context) -> bool:

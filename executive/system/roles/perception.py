@@ -15,7 +15,16 @@ def _nodes(at: Surroundings) -> Sequence[Node]:
     from tandem.skills.perception.process import nodes  # noqa: PLC0415
 
     seen_by = detectors(at.left_out)
-    return nodes(at.bus, at.clocks, at.description, at.site, at.compute, detectors=seen_by, charge=at.charge)
+    return nodes(
+        at.bus,
+        at.clocks,
+        at.description,
+        at.site,
+        at.compute,
+        detectors=seen_by,
+        charge=at.charge,
+        map_file=at.map_file,
+    )
 
 
 def _needed(description: RobotDescription) -> bool:

@@ -1,6 +1,7 @@
 """The node that keeps the map, over the bus in memory, with a camera that paints what is there."""
 
 from contextlib import suppress
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,10 +17,10 @@ from tandem.skills.ports.image import RgbdImage, encode
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.lattice import centres_of
 from tandem.skills.ports.message import RobotTime
-from tandem.skills.ports.occupancy import Occupancy, OccupancySetting
+from tandem.skills.ports.occupancy import EditMap, MapEdit, MapEdited, Occupancy, OccupancySetting
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.skill import Command
-from tandem.skills.ports.world import OCCUPANCY, Box
+from tandem.skills.ports.world import OCCUPANCY, OCCUPANCY_EDIT, Box
 from tandem.skills.wire.memory import MemoryBus
 from tandem.skills.wire.workers import InlineCompute
 from tests.skills.perception.pictures import header
@@ -49,12 +50,14 @@ class Room:
         return RgbdImage(header(now.seconds), image.colour, depth)
 
 
-def mapped(room: Room, rate: float = 1.0) -> tuple[Stage, Mapper, Latest[Occupancy]]:
+def mapped(
+    room: Room, rate: float = 1.0, saved: Path | None = None
+) -> tuple[Stage, Mapper, Latest[Occupancy]]:
     stage = Stage(room.paint, base_in_map=ROBOT)
     stage.head = np.array([0.0, -0.3])
     heard = Latest(stage.bus, OCCUPANCY)
     setting = OccupancySetting(rate=rate)
-    mapper = Mapper(stage.bus, stage.clocks, DESCRIPTION, LAB, setting, InlineCompute(stage.clocks))
+    mapper = Mapper(stage.bus, stage.clocks, DESCRIPTION, LAB, setting, InlineCompute(stage.clocks), saved)
     return stage, mapper, heard
 
 
@@ -140,12 +143,31 @@ def test_only_a_site_that_wants_it_has_a_mapper() -> None:
         assert sum(isinstance(each, Mapper) for each in made) == many
 
 
-def test_cells_are_cleared_on_request() -> None:
-    stage, mapper, heard = mapped(Room(STRANGE), rate=0.2)
+def edited(stage: Stage, mapper: Mapper, edit: MapEdit) -> MapEdited:
+    pending = OCCUPANCY_EDIT.query(stage.bus, EditMap(edit=edit, by="a test"))
+    go_on(stage, mapper, 0.05)
+    payload = pending.poll()
+    assert payload is not None
+    return OCCUPANCY_EDIT.decode_answer(payload)
+
+
+def test_the_map_is_saved_read_at_the_next_start_and_cleared(tmp_path: Path) -> None:
+    file = tmp_path / "lab.map.json"
+    stage, mapper, heard = mapped(Room(STRANGE), rate=0.2, saved=file)
     go_on(stage, mapper, 1.0)
-    mapper.clear()
-    go_on(stage, mapper, 0.1)
-    assert [len(each.numbers()) for each in heard.take()][-1] == 0
+    before = mapper.occupied
+    assert edited(stage, mapper, MapEdit.SAVE) == MapEdited(done=True, cells=len(before), path=str(file))
+    _, again, _ = mapped(Room(), saved=file)
+    assert again.occupied.tolist() == before.tolist()
+    heard.take()
+    assert edited(stage, mapper, MapEdit.CLEAR_SAVED).cells == len(before)
+    assert [len(each.numbers()) for each in heard.take()] == [0]
+    assert not file.exists()
+
+
+def test_without_a_place_for_files_nothing_is_saved() -> None:
+    stage, mapper, _ = mapped(Room(), rate=0.2)
+    assert "keeps no files" in edited(stage, mapper, MapEdit.SAVE).reason
 
 
 def test_a_picture_of_a_look_counts_at_once() -> None:
