@@ -25,7 +25,7 @@ from tandem.skills.ports.world import (
     Sighting,
     WorldState,
 )
-from tandem.skills.world import clutter, recorder
+from tandem.skills.world import clutter, occupied, recorder
 from tandem.skills.world.doubles import Doubles, matched
 from tandem.skills.world.journal import Remembered
 
@@ -340,8 +340,15 @@ class Beliefs:
             stamp=now,
             version=self.version,
             objects=(*self._furniture, *things),
-            occupied=self._occupied,
+            occupied=self._still_occupied(),
         )
+
+    def _still_occupied(self) -> Occupancy | None:
+        """Return the occupied cells that no item explains, be it recognised since they were measured."""
+        if self._occupied is None:
+            return None
+        things = (*self._standing().values(), *(box for _, box in self._doubled()))
+        return occupied.without(self._occupied, things)
 
     @property
     def firm(self) -> tuple[tuple[HeldItem, ...], tuple[Placed, ...]]:

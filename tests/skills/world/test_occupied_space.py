@@ -11,7 +11,7 @@ from tandem.skills.wire.memory import MemoryBus
 from tandem.skills.world.beliefs import Beliefs
 from tandem.skills.world.keeper import Keeper
 from tests.fakes.occupied import occupied
-from tests.skills.world.facts import at, cube
+from tests.skills.world.facts import at, cube, sighting, tag
 
 LAB = site.load("lab")
 
@@ -42,6 +42,18 @@ def test_cells_take_the_place_of_clutter_where_the_site_says_so(*, replaces: boo
     beliefs = Beliefs(wanted)
     beliefs.look(Clutter(stamp=at(1.0), boxes=(cube(1.0, 0.5),)))
     assert sum(each.kind == "clutter" for each in beliefs.scene(at(1.0)).objects) == boxes
+
+
+def test_an_item_takes_its_cells_out_of_the_scene_as_soon_as_it_is_known() -> None:
+    beliefs, thing, other = Beliefs(LAB), cube(0.63, 0.5, 0.75, 0.06), cube(0.63, 0.9, 0.75, 0.06)
+    beliefs.occupy(occupied(at(1.0), thing, other))
+    before = beliefs.scene(at(1.0)).occupied
+    beliefs.see(sighting(29, tag(0.6, 0.5), 1.0))
+    after = beliefs.scene(at(1.0)).occupied
+    assert before is not None
+    assert after is not None
+    assert list(after.numbers()) == list(occupied(at(1.0), other).numbers())
+    assert len(after.numbers()) < len(before.numbers())
 
 
 def test_after_a_new_boot_nothing_is_known_to_be_occupied() -> None:
