@@ -42,14 +42,14 @@ class Surroundings:
     charge: bool = False
     """Whether computations cost their declared robot time (lockstep)."""
     journal: Path | None = None
-    map_file: Path | None = None
-    """Where the map of occupied space is saved, and read from at the start; None: nowhere."""
     left_out: Mapping[str, str] | None = None
     """Plug-ins that are known not to load; None: all plug-ins are left out."""
     commons: Commons | None = None
     """What all robots of the site share (``tandem.skills.ports.whereabouts``)."""
     robot: str = ""
     """The robot's name among them."""
+    map_file: Path | None = None
+    """Where the map of occupied space is saved, and read from at the start; None: nowhere."""
 
 
 @dataclass(frozen=True)
