@@ -51,6 +51,9 @@ KEEPS_LISTENING: Final = 4.0
 """Pictures a second from which on the camera is listened to all the time: it gives five."""
 PLACED_WITHIN: Final = 1.0
 """Robot seconds after a picture within which joints and pose of its moment must be heard."""
+NOT_PLACED: Final = (
+    "it is not known where the camera was: the robot is not localised, or its joints are silent"
+)
 SWINGS: Final = 0.03
 """Radians that the camera may turn in ``BEFORE`` seconds: the picture is off by 3 mm a metre then."""
 BEFORE: Final = 0.1
@@ -186,6 +189,7 @@ class Mapper:
         if positions is None or base is None:
             if not stamp.is_fresh(now, PLACED_WITHIN):
                 self._picture = None
+                self._adopt(Mapped(self._occupied, NOT_PLACED))
             return None
         self._picture = None
         if self._swings(stamp):

@@ -10,7 +10,7 @@ from tandem.skills import site
 from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.perception.jobs import Shot
 from tandem.skills.perception.look import Look
-from tandem.skills.perception.mapper import Mapper
+from tandem.skills.perception.mapper import NOT_PLACED, Mapper
 from tandem.skills.perception.process import nodes
 from tandem.skills.ports.actions.perception import LookGoal
 from tandem.skills.ports.image import RgbdImage, encode
@@ -99,6 +99,17 @@ def test_a_dark_depth_image_changes_nothing_and_is_told_until_one_is_good() -> N
     room.dark = False
     go_on(stage, mapper, 1.2)
     assert [(len(each.numbers()), each.problem) for each in heard.take()] == [(0, "")]
+
+
+def test_a_picture_from_nobody_knows_where_changes_nothing_and_is_told() -> None:
+    stage, mapper, heard = mapped(Room(STRANGE))
+    stage.localised = False
+    go_on(stage, mapper, 2.5)
+    assert [(each.cells, each.problem) for each in heard.take()] == [("", ""), ("", NOT_PLACED)]
+    stage.localised = True
+    go_on(stage, mapper, 1.5)
+    told = heard.take()[-1]
+    assert (len(told.numbers()) > 0, told.problem) == (True, "")
 
 
 def test_whoever_comes_later_is_told_too() -> None:
