@@ -1,7 +1,7 @@
 """The project's own certificate authority: makes keys and certificates for mutual TLS, with ``cryptography``.
 
-The only module that imports it. Keys are on the curve P-256. A client's certificate is for clients only; the
-router's is for servers too, so that nobody else's passes for the router's.
+With ``links`` the only module that imports it. Keys are on the curve P-256. A client's certificate is for
+clients only; the router's is for servers too, so that nobody else's passes for the router's.
 """
 
 from __future__ import annotations

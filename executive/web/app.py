@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import logging
 from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
@@ -28,15 +29,17 @@ from tandem.executive.client.errors import (
     UnknownTaskError,
 )
 from tandem.executive.render.failure_words import explain, what_next
+from tandem.executive.security.links import LinkError
 from tandem.executive.web.audience import Audience, FullError
 from tandem.executive.web.camera import Camera
-from tandem.executive.web.gate import CLOSED, Gate
+from tandem.executive.web.gate import CLOSED, Gate, cookie_of
 from tandem.executive.web.history import Filter, Past
 from tandem.executive.web.meshes import MEDIA, mesh, named_in
 from tandem.executive.web.replay import Move, Replay
-from tandem.executive.web.robot import REPLAY, Robot
+from tandem.executive.web.robot import REPLAY, Robot, Who
+from tandem.executive.web.sessions import COOKIE, LONGEST, Sessions
 from tandem.executive.web.sockets import serve_viewer
-from tandem.executive.web.verbs import REQUESTING, VERBS, allowed
+from tandem.executive.web.verbs import REQUESTING, VERBS, allowed, in_the_name_of
 from tandem.skills.ports.failure import KINDS
 from tandem.skills.ports.message import MAX_REQUEST_BYTES
 from tandem.skills.ports.problems import problems_of
@@ -52,6 +55,7 @@ STATUS: Final[Mapping[type[ClientError], int]] = MappingProxyType(
     }
 )
 """What each error is in HTTP; any other is of another version (502)."""
+_LOG = logging.getLogger(__name__)
 BUNDLE: Final = {"app.js": "text/javascript", "app.css": "text/css", "LICENSES.txt": "text/plain"}
 
 
@@ -71,14 +75,15 @@ class Site:
     audience: Audience
     past: Past = field(default_factory=Past)
     eye: Camera = field(default_factory=Camera)
+    sessions: Sessions | None = None
+    """Who has logged in; None: on this host nobody logs in."""
     named: frozenset[str] = frozenset()
     """Files of the robot's URDF."""
 
     async def session(self, request: Request) -> Response:
         """Tell where the robot is, who asks, and which verbs are allowed."""
-        del request
-        where, who = self.robot.options, self.robot.who
-        may: list[JsonValue] = [*allowed(who)]
+        where, who, own = self.robot.options, self._who(request), allowed(self.robot.who)
+        may: list[JsonValue] = [each for each in allowed(who) if each in own]
         return JSONResponse(
             {
                 "site": where.site,
@@ -87,6 +92,7 @@ class Site:
                 "who": who.name,
                 "role": who.role,
                 "keys": who.rights is not None,
+                "login": self.sessions is not None,
                 "may": may,
             }
         )
@@ -161,8 +167,8 @@ class Site:
     async def request(self, request: Request) -> Response:
         """Send a request to the executive."""
         document = await _document(request)
-        self._allow(REQUESTING, REQUEST)
-        task = await (await self.robot.client()).submit(document)
+        who = self._allow(request, REQUESTING, REQUEST)
+        task = await (await self.robot.client()).submit(in_the_name_of(who, document))
         return JSONResponse({"task": task})
 
     async def verb(self, request: Request) -> Response:
@@ -172,9 +178,9 @@ class Site:
         if verb is None:
             raise WrongError(404, f"expected one of {', '.join(VERBS)}; found {name!r}")
         document = await _document(request)
-        self._allow(name, verb.key)
+        who = self._allow(request, name, verb.key)
         try:
-            answer = await verb.ask(await self.robot.client(), self.robot.who, document)
+            answer = await verb.ask(await self.robot.client(), who, document)
         except ValidationError as error:
             raise _misshapen(error) from error
         return JSONResponse({"answer": answer})
@@ -208,22 +214,57 @@ class Site:
         except FullError as error:
             await socket.close(CLOSED, str(error))
             return
+        sessions, secret = self.sessions, cookie_of(socket.headers)
         try:
-            await serve_viewer(socket, viewer)
+            await serve_viewer(
+                socket, viewer, lambda: sessions is None or sessions.who(secret, uses=False) is not None
+            )
         finally:
             self.audience.leave(viewer)
 
-    def _allow(self, name: str, key: str) -> None:
-        who = self.robot.who
+    async def log_in(self, request: Request) -> Response:
+        """Begin a session with a word of ``tandem keys link``."""
+        document = await _document(request)
+        if self.sessions is None:
+            raise WrongError(409, "on this host nobody logs in")
+        try:
+            secret, who = self.sessions.log_in(str(document.get("word", "")))
+        except LinkError as error:
+            raise WrongError(401, str(error)) from error
+        _LOG.info("%s (%s) has logged in", who.name, who.role)
+        answer = JSONResponse({"who": who.name, "role": who.role})
+        answer.set_cookie(
+            COOKIE, secret, max_age=int(LONGEST), path="/", secure=True, httponly=True, samesite="strict"
+        )
+        return answer
+
+    async def log_out(self, request: Request) -> Response:
+        """End a session."""
+        if self.sessions is not None:
+            self.sessions.log_out(cookie_of(request.headers))
+        answer = JSONResponse({})
+        answer.delete_cookie(COOKIE, path="/", secure=True, httponly=True, samesite="strict")
+        return answer
+
+    def _who(self, request: Request) -> Who:
+        found: Who | None = request.scope.get("who")
+        return self.robot.who if found is None else found
+
+    def _allow(self, request: Request, name: str, key: str) -> Who:
+        who = self._who(request)
         if who.role == REPLAY:
             raise WrongError(403, "this is a record: the past takes no orders")
-        if not who.may_ask(key):
-            raise WrongError(403, f"the key of {who.name} ({who.role}) does not allow {name}")
+        for each in (who, self.robot.who):
+            if not each.may_ask(key):
+                raise WrongError(403, f"the key of {each.name} ({each.role}) does not allow {name}")
+        return who
 
 
-def application(robot: Robot, audience: Audience | None = None) -> Starlette:
-    """Return the server for a robot."""
-    site = Site(robot, Audience(robot) if audience is None else audience)
+def application(
+    robot: Robot, audience: Audience | None = None, sessions: Sessions | None = None
+) -> Starlette:
+    """Return the server for a robot; with ``sessions`` every viewer logs in."""
+    site = Site(robot, Audience(robot) if audience is None else audience, sessions=sessions)
 
     @asynccontextmanager
     async def living(_: Starlette) -> AsyncIterator[None]:
@@ -243,13 +284,15 @@ def application(robot: Robot, audience: Audience | None = None) -> Starlette:
             Route("/api/task/{task}/picture/{number}", site.picture),
             Route("/api/request", site.request, methods=["POST"]),
             Route("/api/verb/{verb}", site.verb, methods=["POST"]),
+            Route("/api/login", site.log_in, methods=["POST"]),
+            Route("/api/logout", site.log_out, methods=["POST"]),
             Route("/api/replay", site.replay, methods=["POST"]),
             Route("/mesh/{path:path}", site.mesh),
             WebSocketRoute("/live", site.live),
             Route("/static/{name}", _static),
             Route("/{page:path}", _page),
         ],
-        middleware=[Middleware(Gate), Middleware(GZipMiddleware, minimum_size=1024)],
+        middleware=[Middleware(Gate, sessions=sessions), Middleware(GZipMiddleware, minimum_size=1024)],
         exception_handlers={ClientError: _tell_client, WrongError: _tell_wrong},
         lifespan=living,
     )

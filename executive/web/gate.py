@@ -1,4 +1,4 @@
-"""Who may speak to the page's server: this page alone, opened at this server's own address.
+"""Who may speak to the page's server: this page alone, at this server's own address, for who has logged in.
 
 A page from elsewhere, open in the same browser, can send requests to a loopback address. So the host that is
 named must be ours (a name that was turned to 127.0.0.1 is not), what changes something must come from our own
@@ -13,10 +13,12 @@ from typing import Final
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers, MutableHeaders
+from starlette.requests import cookie_parser
 from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from tandem.executive.web.options import is_loopback
+from tandem.executive.web.sessions import COOKIE, Sessions
 
 POLICY: Final = "; ".join(  # noqa: FLY002 - one a line
     (
@@ -42,6 +44,13 @@ HEADERS: Final[Mapping[str, str]] = MappingProxyType(
 )
 LOOKS: Final = frozenset({"GET", "HEAD"})
 FORBIDDEN: Final = 403
+UNKNOWN: Final = 401
+STRANGE: Final = 4401
+"""Code with which a socket is closed whose opener has not logged in, or whose session has ended."""
+NOT_IN: Final = "you are not logged in; `tandem keys link NAME --page ADDRESS` makes a log-in"
+LOGIN: Final = "/api/login"
+CLOSED_TO_STRANGERS: Final = ("/api/", "/mesh/", "/live")
+"""What needs a session. The page itself says nothing of the robot."""
 CLOSED: Final = 4403
 """Code with which a socket is closed that is not for its opener."""
 
@@ -51,54 +60,81 @@ class Gate:
 
     Args:
         app: the one behind.
+        sessions: who has logged in; None: on this host nobody logs in.
     """
 
-    def __init__(self, app: ASGIApp) -> None:
-        self._app = app
+    def __init__(self, app: ASGIApp, sessions: Sessions | None = None) -> None:
+        self._app, self._sessions = app, sessions
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Let it pass, or say why not."""
         if scope["type"] not in {"http", "websocket"}:
             await self._app(scope, receive, send)
             return
-        why = refusal(scope["type"], scope.get("method", ""), Headers(scope=scope))
+        headers, sessions = Headers(scope=scope), self._sessions
+        origin = "" if sessions is None else sessions.origin
+        why = refusal(scope["type"], scope.get("method", ""), headers, origin)
+        if not why and sessions is not None and scope["path"].startswith(CLOSED_TO_STRANGERS):
+            who = sessions.who(cookie_of(headers), uses=scope.get("method") not in LOOKS)
+            if who is None and scope["path"] != LOGIN:
+                await _turn_away(scope, receive, send)
+                return
+            scope["who"] = who
         if why and scope["type"] == "websocket":
             await receive()
             await send({"type": "websocket.close", "code": CLOSED, "reason": why})
         elif why:
             await JSONResponse({"error": why}, FORBIDDEN, HEADERS)(scope, receive, send)
         else:
-            await self._app(scope, receive, _guarded(send))
+            await self._app(scope, receive, _guarded(send, secure=bool(origin)))
 
 
-def refusal(kind: str, method: str, headers: Headers) -> str:
+def cookie_of(headers: Headers) -> str:
+    """Return the session's secret; empty when there is none."""
+    return cookie_parser(headers.get("cookie", "")).get(COOKIE, "")
+
+
+async def _turn_away(scope: Scope, receive: Receive, send: Send) -> None:
+    if scope["type"] == "websocket":
+        await receive()
+        await send({"type": "websocket.close", "code": STRANGE, "reason": NOT_IN})
+    else:
+        await JSONResponse({"error": NOT_IN, "login": True}, UNKNOWN, HEADERS)(scope, receive, send)
+
+
+def refusal(kind: str, method: str, headers: Headers, origin: str = "") -> str:
     """Return why it may not pass; empty when it may.
 
     Args:
         kind: ``http`` or ``websocket``.
         method: of http.
         headers: as they came.
+        origin: of a page that is served beyond this host; empty: it is this host's own.
     """
     host = headers.get("host", "")
-    if not is_loopback(urlsplit(f"//{host}").hostname or ""):
+    if origin and host != urlsplit(origin).netloc:
+        return f"expected the page's own address, {origin}; found {host!r}"
+    if not origin and not is_loopback(urlsplit(f"//{host}").hostname or ""):
         return f"expected this host's own address, such as http://127.0.0.1; found {host!r}"
     if kind == "http" and method in LOOKS:
         return ""
-    origin = headers.get("origin", "")
-    if origin != f"http://{host}":
-        return f"expected to be asked by the page at http://{host}; found {origin!r}"
+    expected, found = origin or f"http://{host}", headers.get("origin", "")
+    if found != expected:
+        return f"expected to be asked by the page at {expected}; found {found!r}"
     media = headers.get("content-type", "").partition(";")[0].strip()
     if kind == "http" and media != "application/json":
         return f"expected application/json; found {media!r}"
     return ""
 
 
-def _guarded(send: Send) -> Send:
+def _guarded(send: Send, *, secure: bool) -> Send:
     async def sending(message: Message) -> None:
         if message["type"] == "http.response.start":
             headers = MutableHeaders(scope=message)
             for name, value in HEADERS.items():
                 headers.setdefault(name, value)
+            if secure:
+                headers["Strict-Transport-Security"] = "max-age=31536000"
         await send(message)
 
     return sending

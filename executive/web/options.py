@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ipaddress
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Final
 
 from tandem.executive.config.run_options import BusOptions
@@ -26,8 +27,20 @@ class WebOptions:
     """0: any that is free."""
 
 
-def checked_address(text: str) -> tuple[str, int]:
-    """Return host and port out of ``HOST:PORT``, both on this host.
+@dataclass(frozen=True)
+class Secure:
+    """What a page needs that is served beyond this host."""
+
+    origin: str
+    """The one address at which it may be opened, such as ``https://robot.example:8447``."""
+    certificate: Path
+    key: Path
+    keys: Path
+    """Folder with the authority's certificate and the list of holders, by which log-ins are checked."""
+
+
+def checked_address(text: str, *, secure: bool = False) -> tuple[str, int]:
+    """Return host and port out of ``HOST:PORT``, on this host unless it is ``secure``.
 
     Raises:
         AddressError: for what is none, and for one beyond loopback: who reaches the page may move the robot.
@@ -36,9 +49,10 @@ def checked_address(text: str) -> tuple[str, int]:
     if not colon or not host or not port.isdecimal() or int(port) > LAST_PORT:
         raise AddressError(f"expected a host and a port such as {DEFAULT_ADDRESS}; found {text!r}")
     host = host.strip("[]")
-    if not is_loopback(host):
+    if not is_loopback(host) and not secure:
         raise AddressError(
-            f"{text}: anyone who can reach the page could move the robot, and the page has no log-in yet; "
+            f"{text}: anyone who can reach the page could move the robot; beyond this host it takes keys "
+            "(`tandem web --keys DIR --as NAME`, see docs/web.md), or "
             f"serve it at {DEFAULT_ADDRESS} and reach it through a tunnel: "
             f"ssh -L {port}:127.0.0.1:{port} {host if host not in {'0.0.0.0', '::'} else 'ROBOT'}"  # noqa: S104
         )

@@ -33,6 +33,8 @@ class Who:
     """As on the bus: without keys everybody on this host may do everything."""
     rights: Rights | None = None
     """What the key allows; None: everything."""
+    remote: bool = False
+    """Whether the page's own key asks for them: they have logged in, and are named in what they request."""
 
     def may_ask(self, key: str) -> bool:
         """Say whether a question at the key is allowed, in the holder's own name or in nobody's."""

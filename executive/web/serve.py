@@ -12,8 +12,9 @@ import uvicorn
 from starlette.types import ASGIApp
 
 from tandem.executive.web.app import application
-from tandem.executive.web.options import AddressError, WebOptions
+from tandem.executive.web.options import AddressError, Secure, WebOptions
 from tandem.executive.web.robot import Robot
+from tandem.executive.web.sessions import Sessions
 
 LARGEST: Final = 64 * 1024
 """Bytes of what a page may say at once."""
@@ -52,13 +53,22 @@ def listen(options: WebOptions) -> Listening:
     return Listening(made, f"http://{shown}:{made.getsockname()[1]}/")
 
 
-def serve(robot: Robot, listening: Listening) -> None:
-    """Serve the page until Ctrl-C or SIGTERM."""
-    _server(application(robot)).run(sockets=[listening.socket])
+def serve(robot: Robot, listening: Listening, secure: Secure | None = None) -> None:
+    """Serve the page until Ctrl-C or SIGTERM; ``secure``: over TLS, to who has logged in."""
+    _made(robot, secure).run(sockets=[listening.socket])
+
+
+def _made(robot: Robot, secure: Secure | None) -> uvicorn.Server:
+    sessions = None if secure is None else Sessions(secure.keys, secure.origin)
+    return _server(application(robot, sessions=sessions), secure)
 
 
 def serve_until(
-    robot: Robot, listening: Listening, stopped: Callable[[], bool], turn: Callable[[], None]
+    robot: Robot,
+    listening: Listening,
+    stopped: Callable[[], bool],
+    turn: Callable[[], None],
+    secure: Secure | None = None,
 ) -> None:
     """Serve the page as a process of the robot.
 
@@ -67,8 +77,9 @@ def serve_until(
         listening: where.
         stopped: says when to end.
         turn: called a few times a second, as long as the loop goes on.
+        secure: over TLS, to who has logged in.
     """
-    asyncio.run(_serving(_server(application(robot)), listening, stopped, turn))
+    asyncio.run(_serving(_made(robot, secure), listening, stopped, turn))
 
 
 async def _serving(
@@ -82,7 +93,7 @@ async def _serving(
         server.should_exit = True
 
 
-def _server(app: ASGIApp) -> uvicorn.Server:
+def _server(app: ASGIApp, secure: Secure | None = None) -> uvicorn.Server:
     return uvicorn.Server(
         uvicorn.Config(
             app,
@@ -94,6 +105,8 @@ def _server(app: ASGIApp) -> uvicorn.Server:
             ws_ping_interval=10.0,
             ws_ping_timeout=20.0,
             server_header=False,
+            ssl_certfile=None if secure is None else secure.certificate,
+            ssl_keyfile=None if secure is None else secure.key,
             timeout_graceful_shutdown=1,
         )
     )

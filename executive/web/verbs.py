@@ -40,6 +40,9 @@ from tandem.skills.ports.tasks import (
 )
 
 A = TypeVar("A", bound=Message)
+REQUESTER: Final = "requester"
+ASKED_BY: Final = "asked_by"
+"""Label of a request that somebody sent who had logged in to the page."""
 OF_THE_FIRST: Final = ("id", "by", "not_before", "expires", "retry_of")
 """Fields of a request that belong to that one request: who sent it, and the times that it was meant for."""
 
@@ -83,8 +86,15 @@ async def _release(client: AsyncClient, who: Who, asked: Why) -> JsonValue:
 
 
 async def _retry(client: AsyncClient, who: Who, asked: NameTask) -> JsonValue:
-    del who
-    return await client.submit(document_of(await client.status(asked.task)))
+    return await client.submit(in_the_name_of(who, document_of(await client.status(asked.task))))
+
+
+def in_the_name_of(who: Who, document: dict[str, JsonValue]) -> dict[str, JsonValue]:
+    """Return a request that says who asked, if that is not who shows the key to the router."""
+    labels = document.get("labels") or {}
+    if not who.remote or not isinstance(labels, dict):
+        return document
+    return {**document, "labels": {**labels, ASKED_BY: who.name}}
 
 
 def document_of(status: TaskStatus) -> dict[str, JsonValue]:
@@ -115,7 +125,10 @@ async def _abandon(client: AsyncClient, who: Who, asked: NameTask) -> JsonValue:
 
 
 async def _cancel(client: AsyncClient, who: Who, asked: CancelTask) -> JsonValue:
-    del who
+    if who.remote and who.role == REQUESTER:
+        labels = (await client.status(asked.task)).request.get("labels")
+        if not isinstance(labels, dict) or labels.get(ASKED_BY) != who.name:
+            raise RefusedError("cancel", asked.task, f"it is not {who.name}'s; an operator may cancel it")
     return await client.cancel(asked.task)
 
 

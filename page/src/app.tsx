@@ -1,7 +1,8 @@
 // The frame: where one is, how old the data is, the stop, and the view that the address names.
 import { useEffect, useState } from "preact/hooks";
-import { useActing } from "./acting";
+import { logOut, useActing } from "./acting";
 import { History } from "./history";
+import { Login } from "./login";
 import { Map } from "./map";
 import { NowView } from "./now";
 import { Request } from "./request";
@@ -15,7 +16,7 @@ const VIEWS: [string, string][] = [["/", "Now"], ["/map", "Map"], ["/request", "
 
 export function App() {
   const url = useRoute();
-  const { session, notice } = useActing();
+  const { session, notice, strange } = useActing();
   const [first = ""] = url.pathname.slice(1).split("/");
   return (
     <>
@@ -27,12 +28,13 @@ export function App() {
             <a key={path} href={path} aria-current={path === `/${first}` ? "page" : undefined}>{name}</a>
           ))}
         </nav>
-        <LinkState />
+        {session ? <LinkState /> : <span class="link" />}
         {session && session.role !== "replay" && <span class="role" title={session.keys ? `the key of ${session.who}` : "nobody logs in on this host"}>{session.role}</span>}
+        {session?.login && <button class="small" title={`${session.who} is logged in`} onClick={logOut}>Log out</button>}
         <StopButton />
       </header>
       <StopBanner />
-      <main id="main" tabIndex={-1}>{session ? <View first={first} url={url} /> : <p class="quiet">Asking the page's server…</p>}</main>
+      <main id="main" tabIndex={-1}>{session ? <View first={first} url={url} /> : strange ? <Login /> : <p class="quiet">Asking the page's server…</p>}</main>
       <ReplayBar />
       <Said key={notice.count} words={notice.words} bad={notice.bad} />
     </>
@@ -43,6 +45,7 @@ function View({ first, url }: { first: string; url: URL }) {
   if (first === "") return <NowView />;
   if (first === "map") return <Map url={url} />;
   if (first === "request") return <Request url={url} />;
+  if (first === "login") return <NowView />;
   if (first === "history") return <History url={url} />;
   if (first === "task") return <TaskPage task={decodeURIComponent(url.pathname.split("/")[2] ?? "")} />;
   return <p class="quiet">There is nothing at this address. <a href="/">Now</a></p>;

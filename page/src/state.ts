@@ -7,7 +7,7 @@ import type {
 
 export type Pose = { x: number; y: number; yaw: number; localised: boolean; moving: boolean; reason: string; position_sigma: number };
 export type Now = { boot: string; seconds: number | null; silent: number | null };
-export type Session = { site: string; robot: string; endpoint: string; who: string; role: string; keys: boolean; may: string[] };
+export type Session = { site: string; robot: string; endpoint: string; who: string; role: string; keys: boolean; login: boolean; may: string[] };
 export type Tags = { stamp: RobotTime; seen: { item: number; distance: number; tag: { position: [number, number, number]; orientation: [number, number, number, number] } }[] };
 export type Replayed = { at: number; speed: number; begin: number; end: number; began: number; cause: { at: number; words: string } | null };
 export type NodeState = [NodeStatus, NodeStatus, string];

@@ -8,11 +8,12 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TypeVar
 
 from tandem.executive.client.aio import AsyncClient
 from tandem.executive.config.run_options import BusOptions
-from tandem.executive.web.options import WebOptions
+from tandem.executive.web.options import Secure, WebOptions
 from tandem.executive.web.replay import Replay
 from tandem.executive.web.robot import Ears, Who
 from tandem.executive.web.serve import listen, serve_until
@@ -176,9 +177,13 @@ class FakeLink:
 
 
 @contextmanager
-def served(robot: FakeRobot | Replay, port: int = 0) -> Iterator[str]:
-    """Serve a robot's page from a thread; yields its address."""
-    listening = listen(WebOptions(robot.options, "127.0.0.1", port))
+def served(robot: FakeRobot | Replay, keys: Path | None = None) -> Iterator[str]:
+    """Serve a robot's page from a thread; yields its address. With a folder of keys: TLS, and a login."""
+    listening = listen(WebOptions(robot.options, "127.0.0.1", 0))
+    address, secure = listening.address.rstrip("/"), None
+    if keys is not None:
+        address = address.replace("http://127.0.0.1", "https://localhost")
+        secure = Secure(address, keys / "r1.router.pem", keys / "r1.router.key", keys)
     stopped, there = threading.Event(), threading.Event()
 
     def turn() -> None:
@@ -187,11 +192,11 @@ def served(robot: FakeRobot | Replay, port: int = 0) -> Iterator[str]:
                 robot.loop = asyncio.get_running_loop()
             there.set()
 
-    thread = threading.Thread(target=serve_until, args=(robot, listening, stopped.is_set, turn))
+    thread = threading.Thread(target=serve_until, args=(robot, listening, stopped.is_set, turn, secure))
     thread.start()
     there.wait(20.0)
     try:
-        yield listening.address.rstrip("/")
+        yield address
     finally:
         stopped.set()
         thread.join(20.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime as dt
+import re
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -29,6 +30,7 @@ def add_to(app: typer.Typer) -> None:
     group.command("new")(new)
     group.command("list")(list_keys)
     group.command("revoke")(revoke)
+    group.command("link")(link)
     app.add_typer(group, name="keys")
 
 
@@ -84,6 +86,29 @@ def revoke(name: Name, folder: Folder = DEFAULT_FOLDER) -> None:
         gone = authority.revoke(folder, name)
     for holder in gone:
         typer.echo(f"{holder.common_name} is revoked")
+
+
+def link(
+    name: Name,
+    page: Annotated[
+        str, typer.Option("--page", metavar="ADDRESS", help="Address of the page: https://HOST:PORT.")
+    ],
+    folder: Folder = DEFAULT_FOLDER,
+    *,
+    word: Annotated[
+        bool, typer.Option("--word", help="Print the word alone, to paste it into the page.")
+    ] = False,
+) -> None:
+    """Create a log-in to a page beyond this host, in the name of a key. It opens once, within ten minutes."""
+    from tandem.executive.security.identity import Identity  # noqa: PLC0415 - loads a library
+    from tandem.executive.security.links import make  # noqa: PLC0415
+
+    origin = page.rstrip("/")
+    if not re.fullmatch(r"https://[^/?#@\s]+", origin):
+        raise CommandError(f"--page: expected an address such as https://robot.example:8447; found {page!r}")
+    with _said():
+        made = make(Identity(folder, name), origin, _now().timestamp())
+    typer.echo(made if word else f"{origin}/login#{made}")
 
 
 def _print(holders: Iterable[Holder]) -> None:

@@ -14,6 +14,7 @@ from tandem.executive.config.extras import WEB, words_on
 from tandem.executive.config.run_options import BusOptions
 
 if TYPE_CHECKING:
+    from tandem.executive.web.options import Secure
     from tandem.executive.web.robot import Robot
 
 Address = Annotated[
@@ -21,7 +22,7 @@ Address = Annotated[
     typer.Option(
         "--at",
         metavar="HOST:PORT",
-        help="Address of the page, on this host only. Port 0: any that is free.",
+        help="Address of the page. Beyond this host it takes --keys. Port 0: any that is free.",
     ),
 ]
 
@@ -37,7 +38,30 @@ Record = Annotated[
 ]
 
 
-def web(*, at: Address = "127.0.0.1:8447", record: Record = None, bus: BusOptions) -> None:
+Host = Annotated[
+    str,
+    typer.Option("--name", metavar="HOST", help="Name by which browsers reach it. Default: that of --at."),
+]
+Certificate = Annotated[
+    Path | None,
+    typer.Option(
+        "--certificate", metavar="FILE", help="TLS certificate (PEM). Default: the router's in --keys."
+    ),
+]
+PrivateKey = Annotated[
+    Path | None, typer.Option("--private-key", metavar="FILE", help="Key of --certificate (PEM).")
+]
+
+
+def web(
+    *,
+    at: Address = "127.0.0.1:8447",
+    record: Record = None,
+    name: Host = "",
+    certificate: Certificate = None,
+    private_key: PrivateKey = None,
+    bus: BusOptions,
+) -> None:
     """Serve the page: the robot, its tree, its tasks and the stop in a browser, until Ctrl-C."""
     lacks = words_on(WEB, "tandem web")
     if lacks:
@@ -46,18 +70,66 @@ def web(*, at: Address = "127.0.0.1:8447", record: Record = None, bus: BusOption
         show_record(record, at)
         return
     from tandem.executive.cli.connection import Connection  # noqa: PLC0415 - as `--help` is quick
-    from tandem.executive.web.options import AddressError, WebOptions, checked_address  # noqa: PLC0415
+    from tandem.executive.web.options import (  # noqa: PLC0415
+        AddressError,
+        WebOptions,
+        checked_address,
+        is_loopback,
+    )
     from tandem.executive.web.serve import listen, serve  # noqa: PLC0415
 
     try:
-        host, port = checked_address(at)
+        host, port = checked_address(at, secure=bus.keys is not None)
+        secure = None
+        if not is_loopback(host):
+            secure = _secured(bus, name or host, port, certificate, private_key)
         with Connection(bus) as connection:  # says who is not there, or whose key is not
             named = connection.options
         listening = listen(WebOptions(named, host, port))
     except AddressError as error:
         raise CommandError(f"--at: {error}") from error
-    typer.echo(f"the page of {named.prefix} is at {listening.address}\npress Ctrl-C to stop")
-    serve(_robot(named), listening)
+    address = listening.address if secure is None else f"{secure.origin}/"
+    typer.echo(f"the page of {named.prefix} is at {address}\npress Ctrl-C to stop")
+    if secure is not None:
+        typer.echo(f"a log-in: tandem keys link NAME --page {secure.origin}")
+    serve(_robot(named), listening, secure)
+
+
+def _secured(
+    bus: BusOptions, name: str, port: int, certificate: Path | None, private_key: Path | None
+) -> Secure:
+    from tandem.executive.security.authority import hosts_of  # noqa: PLC0415 - loads a library
+    from tandem.executive.security.holders import KeysError, read_holders  # noqa: PLC0415
+    from tandem.executive.security.identity import robot_in  # noqa: PLC0415
+    from tandem.executive.web.options import AddressError, Secure  # noqa: PLC0415
+
+    assert bus.keys is not None
+    if name in {"0.0.0.0", "::"}:  # noqa: S104 - compared, not bound
+        raise AddressError(
+            f"{name} is no address to open; say with --name by which name browsers reach the page"
+        )
+    if port == 0:
+        raise AddressError("beyond this host the page needs a port that is known before; found 0")
+    if (certificate is None) is not (private_key is None):
+        raise AddressError("expected --certificate and --private-key together")
+    try:
+        read_holders(bus.keys)
+        if certificate is None or private_key is None:
+            files = robot_in(bus.keys).part("router")
+            certificate, private_key = files.certificate, files.key
+            known = sorted(hosts_of(certificate))
+            if name not in known:
+                raise AddressError(
+                    f"{certificate} is for {', '.join(known)}, and not for {name}; make one with "
+                    f"`tandem keys new --role robot NAME --host {name}`, or give --certificate"
+                )
+    except KeysError as error:
+        raise CommandError(str(error)) from error
+    for file in (certificate, private_key):
+        if not file.is_file():
+            raise AddressError(f"{file}: no such file")
+    shown = f"[{name}]" if ":" in name else name
+    return Secure(f"https://{shown}:{port}", certificate, private_key, bus.keys)
 
 
 def show_record(record: Path, at: str) -> None:

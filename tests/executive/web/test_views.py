@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import datetime as dt
 import json
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,6 +11,9 @@ from pathlib import Path
 import pytest
 from web_fake import FakeRobot, served
 
+from tandem.executive.security.authority import Wanted, begin, issue
+from tandem.executive.security.identity import Identity
+from tandem.executive.security.links import make
 from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback
 from tandem.skills.ports.pose import FloorPose, Pose
@@ -167,3 +171,25 @@ def test_an_executive_that_was_killed_is_waited_for(page: Page, robot: FakeRobot
     robot.executive(there=True)
     expect(page.locator(".link")).to_contain_text("nothing heard")
     expect(page.get_by_role("link", name="fetch")).to_be_visible()
+
+
+def test_beyond_the_host_one_logs_in_by_a_link(browser: Browser, robot: FakeRobot, tmp_path: Path) -> None:
+    now = dt.datetime.now(dt.UTC)
+    begin(tmp_path, now)
+    issue(tmp_path, Wanted("robot", "r1"), now)
+    issue(tmp_path, Wanted("viewer", "vera"), now)
+    with served(robot, tmp_path) as address, opened(browser, address) as page:
+        page.goto("/history")
+        expect(page.get_by_role("heading", name="Log in")).to_be_visible()
+        picture(page, "page-login")
+        page.get_by_label("Word").fill("guess")
+        page.get_by_role("button", name="Log in").click()
+        expect(page.get_by_role("alert")).to_contain_text("tandem keys link")
+        word = make(Identity(tmp_path, "vera"), address, dt.datetime.now(dt.UTC).timestamp())
+        page.goto("about:blank")
+        page.goto(f"/login#{word}")
+        expect(page.locator(".role")).to_have_text("viewer")
+        expect(page).to_have_url(f"{address}/")
+        assert page.get_by_role("button", name="STOP").count() == 0
+        page.get_by_role("button", name="Log out").click()
+        expect(page.get_by_role("heading", name="Log in")).to_be_visible()
