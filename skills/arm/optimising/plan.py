@@ -18,6 +18,7 @@ from tandem.skills.arm.optimising.stomp import Stomp
 from tandem.skills.arm.planning.motions import Motions
 from tandem.skills.arm.planning.ompl_planner import search
 from tandem.skills.arm.planning.settings import PlannerSettings
+from tandem.skills.arm.planning.shortcut import shorten
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.planners import PlannerName
 
@@ -36,7 +37,9 @@ def optimised_path(
     if settings.planner.seeded:
         seeding = settings.model_copy(update={"planner": PlannerName.RRT_STAR})
         found = yield from search(motions, start, goals, rng, seeding)
-        seeds = [] if found is None else [found]
+        if found is None:
+            return None
+        seeds = [(yield from shorten(motions, found, rng, settings))]
     else:
         seeds = [np.array([start, goal]) for goal in goals]
     for seed in seeds:
