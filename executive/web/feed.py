@@ -7,10 +7,11 @@ from typing import Final, TypeVar
 
 from pydantic import JsonValue
 
+from tandem.executive.web.others import Others
 from tandem.executive.web.viewers import Update, merge
 from tandem.skills.ports.action import GoalState, status_topic
 from tandem.skills.ports.actions.base import DRIVE
-from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.bus import Bus, Commons
 from tandem.skills.ports.hardware import Clock, JointStates, RobotDescription
 from tandem.skills.ports.keys import CLOCK, JOINT_STATES, STOP_STATE, Latest, laser
 from tandem.skills.ports.message import Message
@@ -48,10 +49,15 @@ class Feed:
     Args:
         bus: an end of its own, closed by its owner.
         monotonic: seconds of the host.
+        commons: where the robots of the site tell where they are; None: there is no such place.
+        own: the robot's own name among them.
     """
 
-    def __init__(self, bus: Bus, monotonic: Callable[[], float]) -> None:
+    def __init__(
+        self, bus: Bus, monotonic: Callable[[], float], commons: Commons | None = None, own: str = ""
+    ) -> None:
         self._bus, self._monotonic = bus, monotonic
+        self._others = Others(commons, monotonic, own)
         self._clock = Latest(bus, CLOCK, depth=1)
         self._joints = Latest(bus, JOINT_STATES, depth=1)
         self._pose = Latest(bus, ROBOT_POSE, depth=1)
@@ -106,6 +112,8 @@ class Feed:
         self._motion(update)
         self._beliefs(update)
         self._plans_and_tags(update)
+        for name, told in self._others.take().items():
+            self._if_new_of("robots", name, told, update)
         for status in self._statuses.take():
             merge(update, {"tasks": {status.task: _plain(status)}})
         tree = self._fresh(self._trees)  # a node's ``last`` says what happened since the one before
@@ -127,6 +135,7 @@ class Feed:
         ):  # fmt: skip
             if heard is not None:
                 heard.close()
+        self._others.close()
 
     def _time(self, update: Update) -> None:
         clock: Clock | None = self._fresh(self._clock)

@@ -14,7 +14,7 @@ from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity
 from tandem.executive.security.rights import Rights
 from tandem.executive.web.viewers import Update
-from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.bus import Bus, Commons
 from tandem.skills.ports.match import matches
 from tandem.skills.ports.tasks import by_client
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
@@ -76,6 +76,8 @@ class Ears:
 
     bus: Bus
     close: Callable[[], None]
+    commons: Commons | None = None
+    """Where the robots of the site tell where they are."""
     turn: Callable[[], Update] = dict
     """Called before each poll; returns what else is new."""
     over: Callable[[], bool] = lambda: False
@@ -125,7 +127,7 @@ class RobotOnZenoh:
             bus = await asyncio.to_thread(ZenohBus, where.endpoint, where.prefix, credentials=shown)
         except (BusError, KeysError) as error:
             raise NotConnectedError(str(error)) from error
-        return Ears(bus, bus.close)
+        return Ears(bus, bus.close, bus.commons())
 
     async def close(self) -> None:
         """Leave."""

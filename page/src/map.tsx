@@ -5,6 +5,7 @@ import { useKinds, useRobot, useSite, type Kinds } from "./loading";
 import { go } from "./route";
 import { useLive } from "./state";
 import type { Site } from "./types";
+import { Others } from "./others";
 import { KeyedList } from "./keyed";
 
 type Chosen = { item?: string; depot?: string; x?: string; y?: string };
@@ -21,6 +22,7 @@ export function Map({ url }: { url: URL }) {
       <div class="side">
         <Offers site={site.value} kinds={kinds.value} chosen={chosen} />
         <Believed />
+        <Others />
       </div>
     </div>
   );
@@ -29,6 +31,7 @@ export function Map({ url }: { url: URL }) {
 function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: number }) {
   const pose = useLive((live) => live.pose);
   const path = useLive((live) => live.path);
+  const robots = useLive((live) => live.robots);
   const scene = useLive((live) => live.scene);
   const [x0, y0, x1, y1] = site.bounds;
   const things = (scene?.objects ?? []).filter((each) => each.kind !== "furniture" && !each.attached_to);
@@ -71,6 +74,12 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
           </g>
         );
       })}
+      {Object.entries(robots).map(([name, told]) => told.at && (
+        <g key={name} class={`other ${told.silent ? "lost" : ""}`} transform={turned(...told.at)} aria-label={`robot ${name}`}>
+          <circle r={radius} /><path d={`M${radius * 0.45} ${-radius * 0.4} L${radius * 0.92} 0 L${radius * 0.45} ${radius * 0.4} Z`} />
+          <text transform={`rotate(${(told.at[2] * 180) / Math.PI})`} y={-radius - 0.06}>{name}</text>
+        </g>
+      ))}
       {pose && (
         <g class={`me ${pose.localised ? "" : "lost"}`} transform={turned(pose.x, pose.y, pose.yaw)}>
           <circle r={radius} /><path d={`M${radius * 0.45} ${-radius * 0.4} L${radius * 0.92} 0 L${radius * 0.45} ${radius * 0.4} Z`} />

@@ -1,5 +1,6 @@
 // What happens now: the robot in its room, the task at work with its tree, and what waits.
 import { TaskCard } from "./card";
+import { Others } from "./others";
 import { Overridden, Resources } from "./reflexes";
 import { at, atWork, ended, queued, useLive } from "./state";
 import { LiveTree } from "./tree";
@@ -20,6 +21,7 @@ export function NowView() {
         <Overridden />
         <Queue />
         <Resources />
+        <Others />
         <section class="card grow"><h2>Tree</h2><LiveTree failed={shown?.state === "FAILED"} /></section>
       </div>
     </div>

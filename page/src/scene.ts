@@ -19,6 +19,7 @@ export class RobotScene {
   private base = new THREE.Group();
   private room = new THREE.Group();
   private things = new THREE.Group();
+  private others = new THREE.Group();
   private held: THREE.Object3D[] = [];
   private path = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x2f8f6f }));
   private plan = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineDashedMaterial({ color: 0x1257c8, dashSize: 0.1, gapSize: 0.06 }));
@@ -39,7 +40,7 @@ export class RobotScene {
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.maxPolarAngle = Math.PI / 2;
     this.controls.addEventListener("change", () => this.touch());
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a80, 2.2), this.base, this.room, this.things, this.path, this.plan, this.scan);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a80, 2.2), this.base, this.room, this.things, this.others, this.path, this.plan, this.scan);
     const sun = new THREE.DirectionalLight(0xffffff, 1.6);
     sun.position.set(2, -3, 6);
     this.scene.add(sun);
@@ -180,8 +181,30 @@ export class RobotScene {
       this.plan.computeLineDistances();
       this.box.dataset.plan = String(live.plan.length);
     }
+    if (live.robots !== this.shown.robots) this.placeOthers(live.robots);
     if (live.laser !== this.shown.laser) this.beams(live.laser);
     this.shown = live;
+  }
+
+  // Of another robot only its place is told: a drum with its name, and a nose that says where it looks.
+  private placeOthers(robots: Live["robots"]) {
+    unlabel(this.others);
+    this.others.clear();
+    for (const [name, { at, silent }] of Object.entries(robots)) {
+      if (!at) continue;
+      const colour = new THREE.MeshLambertMaterial({ color: 0x8a6fb0, transparent: true, opacity: silent ? 0.3 : 0.75 });
+      const drum = new THREE.Mesh(new THREE.CylinderGeometry(0.27, 0.27, 0.5, 32), colour);
+      const nose = new THREE.Mesh(new THREE.BoxGeometry(0.2, 0.06, 0.06), colour);
+      drum.rotation.x = Math.PI / 2;
+      drum.position.z = 0.25;
+      nose.position.set(0.3, 0, 0.4);
+      const robot = new THREE.Group();
+      robot.add(drum, nose, label(silent ? `${name} · silent` : name, silent ? "old" : "item", 0, 0, 0.65));
+      robot.position.set(at[0], at[1], 0);
+      robot.rotation.z = at[2];
+      this.others.add(robot);
+    }
+    this.touch();
   }
 
   private draw(line: THREE.Line, corners: [number, number][], height: number) {

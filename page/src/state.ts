@@ -10,6 +10,7 @@ export type Now = { boot: string; seconds: number | null; silent: number | null 
 export type Session = { site: string; robot: string; endpoint: string; who: string; role: string; keys: boolean; login: boolean; may: string[] };
 export type Tags = { stamp: RobotTime; seen: { item: number; distance: number; tag: { position: [number, number, number]; orientation: [number, number, number, number] } }[] };
 export type Replayed = { at: number; speed: number; begin: number; end: number; began: number; cause: { at: number; words: string } | null };
+export type Other = { at: [number, number, number] | null; task: string; kind: string; phase: string; silent: boolean };
 export type NodeState = [NodeStatus, NodeStatus, string];
 export type Live = {
   connected: boolean;
@@ -26,6 +27,7 @@ export type Live = {
   plan: [number, number][];
   tags: Tags | null;
   replay: Replayed | null;
+  robots: Record<string, Other>; // the others of the site
   laser: number[];
   scene: Omit<PlanningScene, "stamp" | "version"> | null;
   world: Omit<WorldState, "stamp" | "version"> | null;
@@ -39,7 +41,7 @@ type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & {
 
 const EMPTY: Live = {
   connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, joints: {},
-  pose: null, path: [], plan: [], tags: null, replay: null, laser: [], scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
+  pose: null, path: [], plan: [], tags: null, replay: null, robots: {}, laser: [], scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
   pipelines: {},
 };
 const PATH = 2000;
@@ -94,7 +96,7 @@ export function take(update: Update) {
   const same = live.replay === null ? { path: live.path, kept: live.kept } : { replay: live.replay };
   const before = update.whole ? { ...EMPTY, connected: true, ...same } : live;
   const next: Live = { ...before, ...update, heardAt: performance.now() };
-  for (const part of ["tasks", "joints", "nodes", "reflexes", "pipelines"] as const) {
+  for (const part of ["tasks", "joints", "nodes", "reflexes", "pipelines", "robots"] as const) {
     if (update[part]) Object.assign(next, { [part]: { ...before[part], ...update[part] } });
   }
   if (update.tree) {

@@ -54,6 +54,7 @@ from tandem.skills.ports.tasks import (
     TreeNode,
     TreeSnapshot,
 )
+from tandem.skills.ports.whereabouts import RobotWhereabouts, whereabouts
 from tandem.skills.site import load
 from tandem.skills.wire.memory import MemoryHub
 
@@ -82,7 +83,7 @@ class FakeRobot:
     seconds: float = 1.0
 
     def __post_init__(self) -> None:
-        self.hub = MemoryHub()
+        self.hub, self.commons = MemoryHub(), MemoryHub()
         self.bus, self.asking = self.hub.endpoint(), self.hub.endpoint()
         self.presence = self.hub.endpoint()
         self.presence.announce("executive")
@@ -142,6 +143,12 @@ class FakeRobot:
         else:
             self.loop.call_soon_threadsafe(publish)
 
+    def tell_site(self, name: str, told: RobotWhereabouts) -> None:
+        """Publish where another robot is."""
+        assert self.loop is not None
+        end = self.commons.endpoint()
+        self.loop.call_soon_threadsafe(lambda: whereabouts(name).publish(end, told))
+
     @property
     def now(self) -> RobotTime:
         return RobotTime(boot="fake", seconds=self.seconds)
@@ -151,7 +158,7 @@ class FakeRobot:
 
     async def listen(self) -> Ears:
         bus = self.hub.endpoint()
-        return Ears(bus, bus.close)
+        return Ears(bus, bus.close, self.commons.endpoint())
 
     async def close(self) -> None:
         pass

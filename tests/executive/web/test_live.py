@@ -19,6 +19,7 @@ from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.keys import JOINT_STATES
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.whereabouts import RobotWhereabouts, whereabouts
 from tandem.skills.ports.world import SIGHTINGS, Sighting, Sightings
 from tandem.skills.wire.memory import MemoryHub
 
@@ -155,3 +156,18 @@ def test_the_last_tags_seen_are_told() -> None:
         SIGHTINGS.publish(bus, Sightings(stamp=RobotTime(boot="b", seconds=seconds), sightings=tags))
     told: Any = feed.poll()["tags"]
     assert (told["stamp"]["seconds"], [each["item"] for each in told["seen"]]) == (1.0, [29])
+
+
+def test_other_robots_are_told_by_their_own_names_and_when_they_fall_silent() -> None:
+    hub, now = MemoryHub(), [0.0]
+    commons = hub.endpoint()
+    feed = Feed(MemoryHub().endpoint(), lambda: now[0], hub.endpoint(), "r1")
+    for key, name in (("r1", "r1"), ("r2", "r2"), ("r3", "r2")):
+        told = RobotWhereabouts(name=name, start="s", sequence=1, kind="patrol")
+        whereabouts(key).publish(commons, told)
+    robots: Any = feed.poll()["robots"]
+    assert {name: each["silent"] for name, each in robots.items()} == {"r2": False}
+    assert "robots" not in feed.poll()
+    now[0] = 10.0
+    robots = feed.poll()["robots"]
+    assert robots["r2"]["silent"]

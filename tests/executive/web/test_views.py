@@ -19,6 +19,7 @@ from tandem.skills.ports.actions.base import DRIVE, DriveFeedback
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.reflex import PipelineState, ReflexState, pipeline_state, reflex_state
 from tandem.skills.ports.tasks import KindOfTask, TaskKinds
+from tandem.skills.ports.whereabouts import RobotWhereabouts
 from tandem.skills.ports.world import ROBOT_POSE, SIGHTINGS, RobotPose, Sighting, Sightings
 
 pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
@@ -193,3 +194,17 @@ def test_beyond_the_host_one_logs_in_by_a_link(browser: Browser, robot: FakeRobo
         assert page.get_by_role("button", name="STOP").count() == 0
         page.get_by_role("button", name="Log out").click()
         expect(page.get_by_role("heading", name="Log in")).to_be_visible()
+
+
+def test_the_other_robots_of_the_site_are_on_the_map(page: Page, robot: FakeRobot) -> None:
+    page.goto("/map")
+    expect(page.locator(".link")).to_contain_text("nothing heard")
+    told = RobotWhereabouts(
+        name="r2", start="s", sequence=1, base_in_map=HERE, kind="patrol", phase="corner 2"
+    )
+    robot.tell_site("r2", told)
+    expect(page.get_by_label("robot r2")).to_contain_text("r2")
+    expect(page.locator(".others li")).to_have_text("r2 patrol: corner 2 · at 0.30, 0.20")
+    page.goto("/")
+    expect(page.locator(".view3d .label", has_text="r2")).to_be_visible()
+    picture(page, "page-robots")
