@@ -15,6 +15,7 @@ from pydantic import JsonValue
 from rich.console import Console
 
 from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.lockstep_run import lockstep_of
 from tandem.executive.cli.sending import describe_problems
 from tandem.executive.cli.task_lines import TaskLines
 from tandem.executive.config.fault_file import check_faults
@@ -106,6 +107,8 @@ def run_up(options: RunOptions) -> ExitCode:
             console.print(f"in another terminal: {hint(asked, scenario, site)}", markup=False)
             if options.web:
                 console.print(f"the page: http://{options.web}/", markup=False)
+            if options.record is not None:
+                console.print(f"recording into {options.record}", markup=False)
             console.print("press Ctrl-C to stop")
             tasks = _task_lines(system, robots, console)
             if options.report is None:
@@ -226,11 +229,8 @@ def _system(
     for each in options.broken:
         say(str(each))
     if options.lockstep:
-        lockstep = LockstepSystem(scenario, options.seed, bus_faults=bus_faults, left_out=options.left_out)
-        try:
+        with lockstep_of(options, scenario, bus_faults) as lockstep:
             yield lockstep
-        finally:
-            lockstep.close()
         return
 
     with ProcessSystem(options, say=say, first=first) as processes:

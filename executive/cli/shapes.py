@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING, Final
 
 import typer
 
+from tandem.executive.records.exporting import KeyCount
+from tandem.executive.records.moments import Moment
+from tandem.executive.records.recording import Facts
 from tandem.skills.ports.message import Count, Message
 from tandem.skills.ports.occupancy import MapEdited, Occupancy
 from tandem.skills.ports.reflex import PipelineState, ReflexState
@@ -55,6 +58,8 @@ class Explained(Message):
     """The explanation for people."""
     picture: str = ""
     """File with the picture of the failure, with ``--picture``."""
+    record: str = ""
+    """File with the last minute before the failure, on the host of the recorder; empty if there is none."""
 
 
 class Watched(Message):
@@ -199,6 +204,34 @@ class Reflexes(Message):
     reflexes: tuple[ReflexState, ...]
 
 
+class LogInfo(Message):
+    """What is in a record of a robot."""
+
+    facts: Facts
+    begin: float
+    """From when on it is whole, in robot seconds since its recorder began."""
+    end: float
+    size: Count
+    """Bytes of the file."""
+    keys: tuple[KeyCount, ...]
+    pictures: Count
+    attachments: tuple[str, ...]
+
+
+class Replayed(Message):
+    """A record, or a moment of it."""
+
+    moments: tuple[Moment, ...] = ()
+    """What happened in it, without ``--at`` and ``--task``."""
+    at: float | None = None
+    """The moment, in robot seconds since the recorder began."""
+    status: TaskStatus | None = None
+    """The task at work then, or the one asked for."""
+    tree: TreeSnapshot | None = None
+    words: str = ""
+    """The explanation for people, as of ``tandem why``."""
+
+
 def shapes() -> Mapping[str, type[Message]]:
     """Return the shape of each command that has ``--json``, by the command's words."""
     from tandem.executive.system.plugin_probe import Fared  # noqa: PLC0415
@@ -221,6 +254,8 @@ def shapes() -> Mapping[str, type[Message]]:
         "map clear": MapEdited,
         "watch": Watched,
         "logs": LogLine,
+        "log info": LogInfo,
+        "replay": Replayed,
         "why": Explained,
         "tree list": TaskKindList,
         "tree coverage": Covered,

@@ -63,6 +63,12 @@ class WorkerSettings(Message):
     """The page's: host and port where it is served."""
     person: str = ""
     """The page's: in whose name it asks."""
+    record: str = ""
+    """The recorder's: folder of MCAP recordings; empty: nothing is recorded but the last minute."""
+    record_pictures: bool = True
+    """Whether camera pictures are recorded."""
+    commit: Annotated[str, Field(pattern="^[0-9a-f]{0,64}$")] = ""
+    """Of the checkout that the program runs from; empty: not known."""
     silent_after: float = SILENT_AFTER
     """Host seconds without a beat after which another process is said not to go on."""
     listen: tuple[str, ...] = ()

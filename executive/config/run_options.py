@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -79,6 +80,18 @@ class RunOptions:
     """Address of a collector of OpenTelemetry traces; empty: none."""
     web: str = ""
     """Host and port where the page is served; empty: nowhere."""
+    black_box: bool = False
+    """Keep the last minute of each robot, and write it down when something goes wrong."""
+    record: Path | None = None
+    """Folder of MCAP recordings; None: nothing is recorded but the last minute."""
+    record_pictures: bool = True
+    """Whether camera pictures are recorded."""
+    again: Path | None = None
+    """Record of a run in lockstep that this one is held to, message by message."""
+    again_until: float = math.inf
+    """Robot seconds at which that is enough."""
+    commit: str = ""
+    """Of the checkout that the program runs from; empty: not known."""
     person: str = ""
     """Who started it, in whose name the page asks."""
     silent_after: float = SILENT_AFTER

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from types import ModuleType
 
 from tandem.sim import controls
-from tandem.skills.ports import action, actions, keys, reflex, tasks, world
+from tandem.skills.ports import action, actions, keys, records, reflex, tasks, world
 from tandem.skills.ports.keys import Service, Topic
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.skill import ActionType
@@ -50,7 +50,7 @@ def _called(module: ModuleType, function: Callable[..., object]) -> object:
 
 def task_entries() -> list[Entry]:
     """Return the keys of the executive."""
-    return [*entries_of(tasks), Topic("task/<id>/status", tasks.TaskStatus)]
+    return [*entries_of(tasks), *entries_of(records), Topic("task/<id>/status", tasks.TaskStatus)]
 
 
 def _action_modules() -> Iterator[ModuleType]:

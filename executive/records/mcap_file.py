@@ -7,6 +7,7 @@ add to a robot time of that boot to get ``at`` (``recording.Recorded``).
 
 from __future__ import annotations
 
+import gzip
 import json
 import math
 from bisect import bisect_right
@@ -46,6 +47,8 @@ BOOT: Final = "boot"
 """Metadata: the ``boot`` of what follows (empty: none heard yet), and ``offset`` in seconds."""
 OURS: Final = "tandem"
 """In a channel's metadata: ``json`` or ``bytes`` for what was put on the bus, ``jpeg`` for pictures."""
+PACKED: Final = "+gzip"
+"""At the end of an attachment's type: MCAP compresses messages, not these."""
 NANO: Final = 1_000_000_000
 _PICTURE_DATA: Final = 2
 """Number of the field ``data`` in foxglove's CompressedImage."""
@@ -102,7 +105,7 @@ class McapRecording:
         self._channels = summary.channels
         self._parts = _parts(summary.chunk_indexes, self._boots(summary.metadata_indexes))
         self.attachments = tuple(
-            Attachment(each.name, each.log_time / NANO, each.data, each.media_type)
+            Attachment(each.name, each.log_time / NANO, *unpacked(each.data, each.media_type))
             for each in self._reader.iter_attachments()
         )
         self.span = Span(begin, max((each.end for each in self._parts), default=begin))
@@ -202,6 +205,19 @@ def _recorded(message: Message, channel: Channel, boot: _Boot) -> Recorded | Non
     payload = picture_in(message.data) if kind == "jpeg" else message.data
     key = channel.metadata.get("key", channel.topic)
     return Recorded(key, round(boot.offset + seconds, 9), stamp, message.publish_time, payload, encoding)
+
+
+def packed(data: bytes, media: str) -> tuple[bytes, str]:
+    """Return an attachment as it stands in a file: compressed if that is worth it, which its type says."""
+    small = gzip.compress(data, mtime=0)
+    return (small, f"{media}{PACKED}") if len(small) < len(data) else (data, media)
+
+
+def unpacked(data: bytes, media: str) -> tuple[bytes, str]:
+    """Return an attachment as it was, and its type."""
+    if not media.endswith(PACKED):
+        return data, media
+    return gzip.decompress(data), media.removesuffix(PACKED)
 
 
 def picture_in(message: bytes) -> bytes:

@@ -11,7 +11,7 @@ from typing import IO, Final
 
 from mcap.writer import CompressionType, Writer
 
-from tandem.executive.records.mcap_file import BOOT, FACTS, NANO, OURS
+from tandem.executive.records.mcap_file import BOOT, FACTS, NANO, OURS, packed
 from tandem.executive.records.recording import LAYOUT, Attachment, Facts, Recorded
 from tandem.skills.ports.message import RobotTime
 
@@ -88,7 +88,8 @@ class McapFile:
         """Write a document beside the messages."""
         at = max(0, round(attachment.at * NANO))
         self._writer.flush()
-        self._writer.add_attachment(at, at, attachment.name, attachment.media, attachment.data)
+        data, media = packed(attachment.data, attachment.media)
+        self._writer.add_attachment(at, at, attachment.name, media, data)
 
     def flush(self) -> None:
         """Hand what was written to the system."""

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Final, Literal, Protocol
 
 from tandem.skills.ports.message import Count, Message, RobotTime
+from tandem.skills.ports.records import Cause
 from tandem.skills.ports.sources import DocumentError
 
 LAYOUT: Final = 1
@@ -60,21 +61,6 @@ class Attachment:
     media: str = JSON
 
 
-class Cause(Message):
-    """Why a black box was kept."""
-
-    kind: Literal["task", "stop", "death", "asked"]
-    """A task failed; a stop was set; a process died; somebody asked for it."""
-    words: str
-    """What happened, in a line."""
-    task: str = ""
-    """The task that failed or ran; empty: none."""
-    at: float = 0.0
-    """Robot seconds since the recorder began."""
-    stamp: RobotTime | None = None
-    """The robot's time of it."""
-
-
 class Facts(Message):
     """What a record is of."""
 
@@ -86,16 +72,21 @@ class Facts(Message):
     seed: Count = 0
     lockstep: bool = False
     """Whether the run can be repeated from scenario and seed."""
-    command: str = ""
-    """What repeats it, in lockstep."""
+    request: str = ""
+    """Of `tandem run` in lockstep: what was asked for, as a JSON document; empty: the scenario's demo."""
     release: str
     """Version of the Tandem that wrote it."""
     commit: str = ""
     """Of its checkout; empty: not known."""
     began: float
     """UTC seconds, when the recorder began."""
-    cause: Cause | None = None
-    """Of a black box."""
+    causes: tuple[Cause, ...] = ()
+    """Of a black box: why it was kept, in order."""
+
+    @property
+    def cause(self) -> Cause | None:
+        """The first of them; None of a recording."""
+        return next(iter(self.causes), None)
 
 
 @dataclass(frozen=True)

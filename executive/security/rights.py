@@ -47,7 +47,8 @@ class Rights(Message):
     def also(self, more: Rights) -> Rights:
         """Return these and those."""
         mine, others = self.model_dump(), more.model_dump()
-        return Rights.model_validate({verb: (*mine[verb], *others[verb]) for verb in mine})
+        both = {verb: dict.fromkeys((*mine[verb], *others[verb])) for verb in mine}
+        return Rights.model_validate({verb: tuple(keys) for verb, keys in both.items()})
 
 
 @cache
@@ -62,11 +63,14 @@ def rights_of(role: Role, part: Part | None = None, parts: Mapping[Part, Rights]
     Args:
         role: what the key was made for.
         part: of the robot.
-        parts: what the parts that are processes may do.
+        parts: what the parts that are processes may do, besides what the file says of them.
 
     Raises:
         KeyError: when the file has no such entry.
     """
     if role == "robot":
-        return parts[part] if parts and part is not None and part in parts else _table()[f"robot.{part}"]
+        told = [parts[part]] if parts and part is not None and part in parts else []
+        own = f"robot.{part}"
+        told += [_table()[own]] if own in _table() or not told else []
+        return told[0] if len(told) == 1 else told[0].also(told[1])
     return _table()[_FOR_ALL_CLIENTS].also(_table()[role])

@@ -20,6 +20,7 @@ from tandem.executive.system.free_endpoint import TakenError, require_vacant
 from tandem.executive.system.hung_processes import HUNG_AFTER
 from tandem.executive.system.processes import RESTARTED, Death, Supervisor
 from tandem.executive.system.roles.observer import NAME as OBSERVER
+from tandem.executive.system.roles.recorder import NAME as RECORDER
 from tandem.executive.system.roles.registry import plugged
 from tandem.executive.system.roles.web import NAME as WEB
 from tandem.executive.system.systems import (
@@ -276,6 +277,9 @@ class ProcessSystem:
             traces=options.traces if role == OBSERVER else "",
             web=options.web if role == WEB else "",
             person=options.person if role == WEB else "",
+            record=_record_of(options, crew.robot) if role == RECORDER else "",
+            record_pictures=options.record_pictures,
+            commit=options.commit,
             silent_after=options.silent_after,
             listen=options.listen if role == "router" else (),
             left_out=options.left_out,
@@ -299,6 +303,9 @@ class ProcessSystem:
             elif self._ready and death.role == WEB:
                 self.supervisor.give_up(death.role)
                 self._say(f"{death.head()} too often; there is no page from now on")
+            elif self._ready and death.role.rpartition("/")[2] == RECORDER:
+                self.supervisor.give_up(death.role)
+                self._say(f"{death.head()} too often; there are no black boxes from now on")
             else:
                 fatal.append(death)
         if fatal:
@@ -347,6 +354,11 @@ def _log_folder(data: Path | None, otherwise: Path) -> Path:
             (data / LOGS).mkdir(parents=True, exist_ok=True)
             return data / LOGS
     return otherwise / LOGS
+
+
+def _record_of(options: RunOptions, robot: str) -> str:
+    """Return the folder of a robot's recordings: of several robots one each."""
+    return "" if options.record is None else str((options.record / robot).absolute())
 
 
 def _to_stderr(line: str) -> None:

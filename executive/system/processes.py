@@ -32,11 +32,11 @@ FOLLOWERS_END_WITHIN: Final = 1.5
 """Seconds in which what a process had started ends by itself, once the process has."""
 LAST_WORDS: Final = 12
 """Lines of a dead process's log that are shown."""
-RESTARTED: Final[frozenset[Kind]] = frozenset(("skills", "hardware", "executive", "observer"))
+RESTARTED: Final[frozenset[Kind]] = frozenset(("skills", "hardware", "executive", "observer", "recorder"))
 """Those that are started again: what they do is taken up. Simulated hardware begins
 at its scenario's start."""
-ENDS: Final[tuple[Kind, ...]] = ("executive", "skills", "observer", "hardware", "router")
-"""The order in which they are told to end."""
+ENDS: Final[tuple[Kind, ...]] = ("recorder", "executive", "skills", "observer", "hardware", "router")
+"""The order in which they are told to end. To a recorder, a process that goes has died: it goes first."""
 NO_USE: Final = (REFUSED, UNKEPT)
 """Exit codes that say that another start would end the same way."""
 RESTARTS: Final = 3

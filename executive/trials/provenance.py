@@ -62,7 +62,7 @@ def provenance(words: Sequence[str], utc: float) -> Provenance:
         words: the command line, the program's path first.
         utc: now, in seconds.
     """
-    commit, changed = _commit(Path(__file__).resolve().parents[2])
+    commit, changed = checkout()
     return Provenance(
         command=" ".join((Path(words[0]).name, *words[1:])),
         commit=commit,
@@ -98,8 +98,9 @@ def processor() -> str:
     return found[1] if found else platform.processor()
 
 
-def _commit(folder: Path) -> tuple[str, bool]:
-    """Return a checkout's commit and whether files differ from it; ("", False) where there is none."""
+def checkout() -> tuple[str, bool]:
+    """Return our checkout's commit and whether files differ from it; ("", False) where there is none."""
+    folder = Path(__file__).resolve().parents[2]
     try:
         commit = _git(folder, "rev-parse", "HEAD")
         return commit, bool(_git(folder, "status", "--porcelain", "--untracked-files=no"))

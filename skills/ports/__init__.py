@@ -8,5 +8,5 @@ Protocols: bus, forwarding_bus, clocks, compute, node, skill.
 Serving and hearing: serving, endpoint, limits, hearing, checks, refusals.
 Who commands: lease, fencing; reflex, reflex_setting.
 Robot descriptions: packages, urdf_check.
-What other packages add: plugins.
+What other packages add: plugins. What is kept: records.
 """

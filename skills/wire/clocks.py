@@ -43,6 +43,26 @@ class ProcessClocks:
         return time.time()
 
 
+class HostClocks:
+    """The host's clocks, for who hears the robot's in another way; robot time is not known here."""
+
+    def robot(self) -> RobotTime | None:
+        """Return None."""
+        return None
+
+    def passed(self) -> float:
+        """Return 0: no robot time passes here."""
+        return 0.0
+
+    def monotonic(self) -> float:
+        """Return seconds of the host's monotonic clock."""
+        return time.monotonic()
+
+    def utc(self) -> float:
+        """Return seconds since 1970."""
+        return time.time()
+
+
 class SteppedClocks:
     """All three clocks count the simulated time that ``advance`` adds: lockstep, and tests."""
 

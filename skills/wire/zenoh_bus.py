@@ -142,6 +142,13 @@ class ZenohBus:
         """Receive what is put on the key expression from now on."""
         return _subscribed(self._session, self._prefix, key, depth, self.waker)
 
+    def gather(self, keys: Sequence[str], *, depth: int) -> Gathered:
+        """Receive what is put on any of several key expressions, in the order in which it arrives.
+
+        It wakes nobody: who gathers looks now and then. Of each key ``depth`` are kept until they are taken.
+        """
+        return Gathered(self._session, self._prefix, keys, depth)
+
     def commons(self) -> ZenohCommons:
         """Return the end, on the same session, of what all robots of the site share."""
         return ZenohCommons(self._session, self._prefix.partition("/")[0], self.ear, self.waker)
@@ -282,6 +289,46 @@ class ZenohBus:
     def _on_beat(self, sample: zenoh.Sample) -> None:
         # Wakes nobody: who asks for it looks every turn.
         self._pulse.hear(sample.payload.to_string().split("\n"))
+
+
+@dataclass(frozen=True)
+class Arrival:
+    """One message, and when it arrived."""
+
+    key: str
+    payload: bytes
+    monotonic: int
+    """Nanoseconds of the host's monotonic clock."""
+
+
+class Gathered:
+    """What was put on several key expressions, in one order; see ``ZenohBus.gather``.
+
+    Args:
+        session: it ends with its owner.
+        prefix: put before every key.
+        keys: expressions; a message that two of them stand for comes twice.
+        depth: how many of each key are kept.
+    """
+
+    def __init__(self, session: zenoh.Session, prefix: str, keys: Sequence[str], depth: int) -> None:
+        self._waiting: KeyedQueue[Arrival] = KeyedQueue(depth, "oldest goes")
+        start = len(prefix) + 1
+
+        def arrived(sample: zenoh.Sample) -> None:
+            key = str(sample.key_expr)[start:]
+            self._waiting.put(key, Arrival(key, sample.payload.to_bytes(), time.monotonic_ns()))
+
+        self._subscribers = [session.declare_subscriber(f"{prefix}/{key}", arrived) for key in keys]
+
+    def drain(self) -> list[Arrival]:
+        """Take all that has arrived."""
+        return self._waiting.drain()
+
+    def close(self) -> None:
+        """End the subscriptions. Closing twice is allowed."""
+        while self._subscribers:
+            self._subscribers.pop().undeclare()  # type: ignore[no-untyped-call]
 
 
 class ZenohCommons:

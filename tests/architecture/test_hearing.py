@@ -20,6 +20,7 @@ MAY_SUBSCRIBE: Final = {
     "sim/faulty_link.py": "a bus around a bus",
     "executive/conformance/recording.py": "the hardware check: it tells what is wrong with a message",
     "executive/trials/campaigns/crash_points.py": "a bus around a bus",
+    "executive/records/pictures.py": "a recorder: what is no picture is not written",
     "skills/ports/serving.py": "documents that are put instead of asked: served, so checked as questions are",
 }
 

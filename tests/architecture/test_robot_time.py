@@ -24,6 +24,8 @@ EXCEPTIONS = {
     "executive/trials/campaigns/crash_physics.py": "orders what was told in a run: one start of the hardware",
     "executive/trials/experiments/witness.py": "notes when two bodies touched, for a report",
     "executive/trials/rocs/run.py": "notes when two bodies touched, for a report",
+    "executive/records/foxglove_view.py": "written down, for a viewer that knows one boot",
+    "executive/records/moments.py": "what a person typed is looked for in each boot by itself",
     "executive/records/lines_file.py": "written down with its boot",
     "executive/records/mcap_writing.py": "written down with its boot, and with what makes it one over boots",
     "executive/telemetry/traces.py": "an attribute of a span, for people",

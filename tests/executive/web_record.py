@@ -83,7 +83,7 @@ class Run:
             Attachment(TASK_SITE.key, 0.0, self.site.model_dump_json().encode()),
         )
         cause = Cause(kind="asked", words="a test asked for it", at=3.0)
-        facts = Facts(site="lab", robot="tiago", release="0.1.0", began=1_764_250_000.0, cause=cause)
+        facts = Facts(site="lab", robot="tiago", release="0.1.0", began=1_764_250_000.0, causes=(cause,))
         write_lines(path, facts, Span(0.0, self.clocks.seconds), attached, self.messages)
 
 

@@ -67,6 +67,11 @@ STARTS_A_SYSTEM: Final = {"ros", "up"}
 SERVES: Final = {"web"}
 """Runs until it is ended: a test of its own."""
 CONNECTS_NOWHERE: Final = {
+    "log info",
+    "log cut",
+    "log export",
+    "log recover",
+    "replay",
     "demo",
     "new",
     "plugins",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import inspect
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Annotated, cast, get_args, get_type_hints
 
@@ -24,6 +24,7 @@ from tandem.executive.cli.commands.stop_commands import person
 from tandem.executive.cli.completing import scenarios
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.logs import LogOptions
+from tandem.executive.config.extras import RECORD, WEB, words_on
 from tandem.executive.config.on_restart import OnRestart as Restart
 from tandem.executive.config.run_options import (
     DEFAULT_ENDPOINT,
@@ -80,6 +81,20 @@ Page = Annotated[
 PageAt = Annotated[
     str,
     typer.Option("--web-at", metavar="HOST:PORT", help="Address of the page, on this host only."),
+]
+Record = Annotated[
+    bool, typer.Option("--record", help="Record everything that is said on the bus, as MCAP files.")
+]
+RecordTo = Annotated[
+    Path | None,
+    typer.Option("--record-to", metavar="DIR", help="Folder of the recordings. Default: records in --data."),
+]
+RunRecord = Annotated[
+    Path | None,
+    typer.Option("--record-to", metavar="DIR", help="With --lockstep: record the run into this folder."),
+]
+RecordPictures = Annotated[
+    bool, typer.Option("--record-pictures/--no-record-pictures", help="Record camera pictures, 5 a second.")
 ]
 Data = Annotated[
     Path | None,
@@ -183,6 +198,7 @@ def _whole_system(
     lockstep: Lockstep = False,
     report: ReportFile = None,
     picture: Picture = None,
+    record_to: RunRecord = None,
     connect: OwnEndpoint = DEFAULT_ENDPOINT,
     site_key: OwnSite = DEFAULT_SITE,
     robot: OwnRobot = DEFAULT_ROBOT,
@@ -206,6 +222,7 @@ def _whole_system(
         report=report,
         broken=broken_plugins(),
         picture=picture,
+        record=_recorded_run(record_to, lockstep=lockstep),
         log=logs.file,
         verbose=logs.verbose,
         log_format=logs.format,
@@ -227,6 +244,9 @@ def up(
     traces: TracesTo = "",
     web: Page = False,
     web_at: PageAt = "127.0.0.1:8447",
+    record: Record = False,
+    record_to: RecordTo = None,
+    record_pictures: RecordPictures = True,
     data: Data = None,
     on_restart: OnRestart = "resume",
     listen: Listen = None,
@@ -243,6 +263,7 @@ def up(
         refuse_without_extras,
     )
     from tandem.executive.system.plugin_probe import broken as broken_plugins  # noqa: PLC0415
+    from tandem.executive.trials.provenance import checkout  # noqa: PLC0415
 
     logs = _logs(context)
     if lockstep:
@@ -272,6 +293,10 @@ def up(
         metrics=_metrics(metrics),
         traces=_traces(traces),
         web=_page(web_at, bus) if web else "",
+        black_box=True,
+        record=_recordings(record_to, data or default_data(bus, os.environ), roles) if record else None,
+        record_pictures=record_pictures,
+        commit=checkout()[0],
         person=person(bus),
         silent_after=silent_after,
         listen=checked_endpoints(bus, listen or (), insecure=insecure)
@@ -344,8 +369,6 @@ def _metrics(text: str) -> str:
 
 
 def _page(text: str, bus: BusOptions) -> str:
-    from tandem.executive.config.extras import WEB, words_on  # noqa: PLC0415
-
     lacks = words_on(WEB, "up --web")
     if lacks:
         raise CommandError(lacks)
@@ -363,6 +386,32 @@ def _page(text: str, bus: BusOptions) -> str:
     if port == 0:
         raise CommandError("--web-at: expected a port other than 0, so that it can be told")
     return text
+
+
+def _recorded_run(folder: Path | None, *, lockstep: bool) -> Path | None:
+    if folder is None:
+        return None
+    if not lockstep:
+        advice = "add --lockstep, or use `tandem up --record`"
+        raise CommandError(f"--record-to: only a run in lockstep is recorded here; {advice}")
+    return _recordings(folder, folder, ())
+
+
+def _recordings(folder: Path | None, data: Path, roles: Sequence[str]) -> Path:
+    from tandem.executive.records.boxes import FOLDER  # noqa: PLC0415
+    from tandem.executive.system.roles.recorder import NAME  # noqa: PLC0415
+
+    lacks = words_on(RECORD, "a recording")
+    if lacks:
+        raise CommandError(lacks)
+    if roles and NAME not in roles:
+        raise CommandError(f"up --record: expected {NAME} among the roles of --only; found {','.join(roles)}")
+    chosen = folder or data / FOLDER
+    try:
+        chosen.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise CommandError(f"--record-to {chosen}: {error.strerror}") from error
+    return chosen
 
 
 def _traces(text: str) -> str:

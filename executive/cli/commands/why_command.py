@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
@@ -11,12 +12,16 @@ from tandem.executive.cli.arguments import Json, connects
 from tandem.executive.cli.completing import tasks
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
-from tandem.executive.config.run_options import BusOptions
+from tandem.executive.config.run_options import BusOptions, default_data
 
 if TYPE_CHECKING:
     from tandem.executive.cli.connection import Connection
     from tandem.executive.cli.shapes import Explained
     from tandem.skills.ports.tasks import TaskStatus
+
+
+ROBOT_WITHIN: Final = 0.5
+"""Host seconds in which a recorder must answer; an idle one takes 0.1."""
 
 
 def add_to(app: typer.Typer) -> None:
@@ -72,10 +77,14 @@ def why(
             _picture(connection, status, picture)
         saved = str(picture.resolve()) if picture.exists() else ""
     words = explain(status)
-    _tell(words, Explained(status=status, words=words, picture=saved), as_json=as_json)
+    kept = record_of(bus, data, status)
+    _tell(words, Explained(status=status, words=words, picture=saved, record=kept), as_json=as_json)
     if as_json:
         return
     typer.echo("")
+    if kept:
+        typer.echo(f"the last minute before it: {kept}")
+        typer.echo(f"  to look at it: tandem replay {kept} --task {status.task}")
     if not last_picture(status):
         typer.echo("no picture of the failure was taken")
         return
@@ -85,6 +94,27 @@ def why(
     # It is kept by the skills, not in the ledger: only this part needs a robot.
     with Connection(bus) as connection:
         typer.echo(_picture(connection, status, picture))
+
+
+def record_of(bus: BusOptions, data: Path | None, status: TaskStatus) -> str:
+    """Return the black box of a task, out of the folder of data on this host, else as its recorder says."""
+    from tandem.executive.cli.connection import Connection  # noqa: PLC0415
+    from tandem.executive.records.boxes import FOLDER, Boxes  # noqa: PLC0415
+    from tandem.skills.ports.records import TASK_RECORDS, AskRecords  # noqa: PLC0415
+
+    if status.failure is None:
+        return ""
+    found = Boxes((data or default_data(bus, os.environ)) / FOLDER).known(status.task)
+    if not found and data is None:
+        try:
+            with Connection(bus, within=ROBOT_WITHIN) as connection:
+                if not connection.allows(TASK_RECORDS.key):
+                    return ""
+                asked = AskRecords(task=status.task)
+                found = connection.ask(TASK_RECORDS, asked, of="recorder").boxes
+        except CommandError:
+            return ""  # no recorder, or no robot: what is known of the task is told all the same
+    return found[0].file if found else ""
 
 
 def _tell(words: str, facts: Explained, *, as_json: bool) -> None:

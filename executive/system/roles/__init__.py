@@ -3,5 +3,5 @@
 What a role is, and how it is found: role, skill_type, registry.
 The robot: hardware, or ros instead of it.
 Skills: arm, base, bimanual, keeper, perception.
-The rest: executive, observer, router, web.
+The rest: executive, observer, recorder, router, web.
 """

@@ -27,6 +27,7 @@ _PART: Final[Mapping[Kind, Part]] = MappingProxyType(
         "hardware": "hardware",
         "skills": "skills",
         "observer": "skills",
+        "recorder": "supervisor",
         "executive": "executive",
     }
 )

@@ -25,8 +25,9 @@ if TYPE_CHECKING:
     from tandem.skills.wire.presence import Presence
     from tandem.skills.wire.zenoh_bus import ZenohBus
 
-Kind = Literal["router", "hardware", "skills", "executive", "observer"]
-"""Whose certificate a role shows, where keys are used; an observer shows that of the skills."""
+Kind = Literal["router", "hardware", "skills", "executive", "observer", "recorder"]
+"""Whose certificate a role shows, where keys are used: an observer that of the skills, a recorder that of the
+supervisor, which hears everything too."""
 
 
 @dataclass(frozen=True)

@@ -38,7 +38,7 @@ PUTS = [
     ("hw/group/arm_left/setpoint", "hardware", {"hardware", "skills"}),
     ("sim/follow", "hardware", {"skills", "executive"}),
     ("sim/faults", "supervisor", {"hardware"}),
-    ("beat", "skills", ROBOT),
+    ("beat", "skills", {*ROBOT, "supervisor"}),
 ]
 QUERIES = [
     # key, who answers there, who may ask there
@@ -51,7 +51,7 @@ QUERIES = [
     ("task/resume", "executive", {"operator"}),
     ("task/step", "executive", {"operator"}),
     ("task/list", "executive", {*READERS, "supervisor"}),
-    ("task/kinds", "executive", READERS),
+    ("task/kinds", "executive", {*READERS, "supervisor"}),
     ("task/info", "executive", {*READERS, "supervisor"}),
     ("tree/now", "executive", {*READERS, "supervisor"}),
     ("skill/base/drive/goal", "skills", {"executive"}),
@@ -201,10 +201,11 @@ def test_only_the_robot_announces_itself(bus: Secured) -> None:
     for who in EVERYBODY:
         bus.sessions[who].announce(f"test/{who}")
     watching = bus.sessions["viewer"]
-    bus.until(lambda: {f"test/{who}" for who in ROBOT} <= watching.alive())
+    robot = {*ROBOT, "supervisor"}
+    bus.until(lambda: {f"test/{who}" for who in robot} <= watching.alive())
     fence(bus)
     seen = {name for name in bus.sessions["operator"].alive() if name.startswith("test/")}
-    assert seen - {"test/operator"} == {f"test/{who}" for who in ROBOT}
+    assert seen - {"test/operator"} == {f"test/{who}" for who in robot}
 
 
 def test_all_that_there_is_can_be_asked_for_by_nobody(bus: Secured) -> None:

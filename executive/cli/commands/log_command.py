@@ -1,0 +1,176 @@
+"""``tandem log``: records of a robot as files: what is in one, a part of one, as text, and mended."""
+
+from __future__ import annotations
+
+import sys
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from tandem.executive.cli.arguments import Json, Output
+from tandem.executive.cli.errors import CommandError
+
+if TYPE_CHECKING:
+    from tandem.executive.cli.shapes import LogInfo
+    from tandem.executive.records.recording import Recording, Span
+
+File = Annotated[Path, typer.Argument(metavar="FILE", help="A recording (.mcap) or a black box (.jsonl.gz).")]
+To = Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE", help="Name of the new file.")]
+LINES_OF_KEYS = 12
+"""Keys that are listed with their sizes, the largest; a robot has about a hundred."""
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the commands."""
+    group = typer.Typer(
+        help="Look into a record of a robot: a recording, or a black box.", no_args_is_help=True
+    )
+    group.command("info")(info)
+    group.command("cut")(cut)
+    group.command("export")(export)
+    group.command("recover")(recover)
+    app.add_typer(group, name="log")
+
+
+def info(file: File, *, as_json: Json = False) -> None:
+    """Show what a record is of, why it was kept, what it spans and what is in it."""
+    from tandem.executive.cli.shapes import LogInfo, print_json  # noqa: PLC0415
+    from tandem.executive.records.exporting import counts  # noqa: PLC0415
+    from tandem.executive.records.recording import open_recording  # noqa: PLC0415
+
+    record = open_recording(file)
+    try:
+        told = LogInfo(
+            facts=record.facts,
+            begin=record.span.begin,
+            end=record.span.end,
+            size=file.stat().st_size,
+            keys=counts(record),
+            pictures=sum(1 for _ in record.pictures()),
+            attachments=tuple(each.name for each in record.attachments),
+        )
+    finally:
+        record.close()
+    if as_json:
+        print_json(told)
+    else:
+        typer.echo(_words(file, told))
+
+
+def cut(
+    file: File,
+    *,
+    since: Annotated[
+        float | None, typer.Option("--from", help="Robot time in seconds at which the part begins.")
+    ] = None,
+    until: Annotated[
+        float | None, typer.Option("--to", help="Robot time in seconds at which it ends.")
+    ] = None,
+    task: Annotated[str, typer.Option("--task", metavar="ID", help="The part in which this task ran.")] = "",
+    output: To = None,
+) -> None:
+    """Write a part of a record into another file, by robot time or by task."""
+    from tandem.executive.records.cutting import cut as cut_out  # noqa: PLC0415
+    from tandem.executive.records.recording import Span, open_recording  # noqa: PLC0415
+
+    if not task and since is None and until is None:
+        raise CommandError("log cut: expected --task ID, or --from and --to in seconds of robot time")
+    record = open_recording(file)
+    try:
+        part = _part_of(record, task) if task else record.span
+        begin = part.begin if since is None else _at(record, since)
+        end = part.end if until is None else _at(record, until)
+        target = output or _beside(file, task or "part")
+        count = cut_out(record, target, Span(begin, end))
+    except OSError as error:
+        raise _unwritten(error, output or file) from error
+    finally:
+        record.close()
+    typer.echo(f"{target}: {count} messages, {max(0.0, end - begin):.1f} s")
+
+
+def export(
+    file: File,
+    *,
+    key: Annotated[
+        str, typer.Option("--key", metavar="KEY", help="Only messages of this key; * and ** as on the bus.")
+    ] = "**",
+    output: Output = None,
+) -> None:
+    """Print a record as JSON lines, a message each."""
+    from tandem.executive.records.exporting import exported  # noqa: PLC0415
+    from tandem.executive.records.recording import open_recording  # noqa: PLC0415
+
+    record = open_recording(file)
+    try:
+        if output is None:
+            for line in exported(record, key):
+                sys.stdout.write(f"{line}\n")
+        else:
+            with output.open("w", encoding="utf-8") as made:
+                made.writelines(f"{line}\n" for line in exported(record, key))
+    except BrokenPipeError:
+        raise  # whoever read the output has seen enough
+    except OSError as error:
+        raise _unwritten(error, output or file) from error
+    finally:
+        record.close()
+
+
+def recover(file: File, *, output: To = None) -> None:
+    """Write what can be read of a record that was cut into another file."""
+    from tandem.executive.records.recovering import recover as mend  # noqa: PLC0415
+    from tandem.executive.records.recovering import recovered_name  # noqa: PLC0415
+
+    target = output or recovered_name(file)
+    try:
+        count = mend(file, target)
+    except OSError as error:
+        raise _unwritten(error, target) from error
+    typer.echo(f"{target}: {count} messages recovered")
+
+
+def _words(file: Path, told: LogInfo) -> str:
+    facts = told.facts
+    began = f"{datetime.fromtimestamp(facts.began, UTC):%Y-%m-%d %H:%M:%S} UTC"
+    lines = [
+        f"{file}: {told.size / 1e6:.1f} MB of {facts.site}/{facts.robot}",
+        f"  written by Tandem {facts.release}" + (f", commit {facts.commit[:10]}" if facts.commit else ""),
+        f"  scenario {facts.scenario or 'unknown'}, seed {facts.seed}; recorder began {began}",
+        f"  spans {told.end - told.begin:.1f} s: {told.begin:.1f} to {told.end:.1f} s of its robot seconds",
+    ]
+    lines += [f"  kept because {cause.words} at {cause.at:.1f} s" for cause in facts.causes]
+    total = sum(each.messages for each in told.keys)
+    lines.append(f"  {total} messages of {len(told.keys)} keys, {told.pictures} pictures; the largest keys:")
+    largest = sorted(told.keys, key=lambda each: -each.size)[:LINES_OF_KEYS]
+    lines += [f"    {each.key:<36} {each.messages:>8}  {each.size / 1e3:>10.1f} kB" for each in largest]
+    lines.append(f"  attachments: {', '.join(told.attachments) or 'none'}")
+    return "\n".join(lines)
+
+
+def _part_of(record: Recording, task: str) -> Span:
+    from tandem.executive.records.moments import span_of  # noqa: PLC0415
+
+    found = span_of(record, task)
+    if found is None:
+        raise CommandError(
+            f"{record.path}: no task {task!r} in it; `tandem replay {record.path}` lists those"
+        )
+    return found
+
+
+def _at(record: Recording, seconds: float) -> float:
+    from tandem.executive.records.moments import at_of  # noqa: PLC0415
+
+    return at_of(record, seconds)
+
+
+def _beside(file: Path, word: str) -> Path:
+    suffix = ".mcap" if file.suffix == ".mcap" else ".jsonl.gz"
+    return file.with_name(f"{file.name.removesuffix(suffix)}.{word}{suffix}")
+
+
+def _unwritten(error: OSError, path: Path) -> CommandError:
+    return CommandError(f"{error.filename or path}: {error.strerror or error}")

@@ -1,0 +1,107 @@
+"""What happened in a record, and when: tasks that began and ended, stops, processes that died."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+from tandem.executive.records.incidents import Incidents
+from tandem.executive.records.known import ALIVE, Alive, names_task
+from tandem.executive.records.recording import Recorded, Recording, Span
+from tandem.skills.ports.message import Message, RobotTime, read_leniently
+from tandem.skills.ports.tasks import TaskState, TaskStatus
+
+
+class Moment(Message):
+    """Something that happened."""
+
+    at: float
+    """Robot seconds since the recorder began."""
+    stamp: RobotTime | None
+    """The robot's time."""
+    kind: Literal["accepted", "started", "ended", "failed", "stop", "death"]
+    words: str
+    task: str = ""
+
+
+def moments(record: Recording) -> tuple[Moment, ...]:
+    """Return what happened, in order; what a record begins with happened before it."""
+    return tuple(_Seeing(record.span).through(record))
+
+
+def span_of(record: Recording, task: str) -> Span | None:
+    """Return from when to when a task is in a record; None if it is not."""
+    found = [each.at for each in record.messages() if each.key == f"task/{task}/status"]
+    if not found:
+        return None
+    own = [each for each in moments(record) if each.task == task]
+    ends = [each.at for each in own if each.kind in {"ended", "failed"}]
+    return Span(found[0], ends[-1] if ends else record.span.end)
+
+
+def at_of(record: Recording, seconds: float) -> float:
+    """Return ``at`` of a robot time, as `tandem why` shows it: in the last boot that has it.
+
+    Of a time that no boot has, the nearest within the record.
+    """
+    offsets: dict[str, tuple[float, float, float]] = {}
+    for message in record.messages(record.span.begin):
+        stamp = message.stamp
+        if stamp is not None:
+            told = stamp.seconds
+            first, _, offset = offsets.get(stamp.boot, (told, told, message.at - told))
+            offsets[stamp.boot] = (first, told, offset)
+    within = [offset for first, last, offset in offsets.values() if first <= seconds <= last]
+    offset = within[-1] if within else next(iter(offsets.values()), (0.0, 0.0, 0.0))[2]
+    return record.span.clipped(seconds + offset)
+
+
+@dataclass
+class _Seeing:
+    span: Span
+
+    def __post_init__(self) -> None:
+        self._incidents = Incidents()
+        self._states: dict[str, TaskState] = {}
+
+    def through(self, record: Recording) -> Iterator[Moment]:
+        for message in record.messages(-math.inf):
+            for moment in self._of(message):
+                if message.at >= self.span.begin:
+                    yield moment
+
+    def _of(self, message: Recorded) -> Iterator[Moment]:
+        if names_task(message.key):
+            yield from self._task(message, read_leniently(TaskStatus, message.payload))
+            return
+        if message.key == ALIVE:
+            names = frozenset(read_leniently(Alive, message.payload).names)
+            cause = self._incidents.look(names, message)
+        else:
+            cause = self._incidents.hear(message)
+        if cause is not None and cause.kind in {"stop", "death"}:
+            kind: Literal["stop", "death"] = "stop" if cause.kind == "stop" else "death"
+            yield Moment(at=message.at, stamp=message.stamp, kind=kind, words=cause.words, task=cause.task)
+
+    def _task(self, message: Recorded, status: TaskStatus) -> Iterator[Moment]:
+        self._incidents.hear(message)
+        task, before = status.task, self._states.get(status.task)
+        self._states[task] = status.state
+        if before is not None and (before is status.state or before.terminal):
+            return
+        if status.state.terminal:
+            why = "" if status.failure is None else f": {status.failure.kind}: {status.failure.message}"
+            kind: Literal["ended", "failed"] = "ended" if status.failure is None else "failed"
+            yield _moment(message, kind, f"{task} {status.state}{why}", task)
+        elif status.started is not None and (before is None or before is TaskState.QUEUED):
+            yield _moment(message, "started", f"{task} started", task)
+        elif before is None:
+            yield _moment(message, "accepted", f"{task} accepted: {status.kind}", task)
+
+
+def _moment(
+    message: Recorded, kind: Literal["accepted", "started", "ended", "failed"], words: str, task: str
+) -> Moment:
+    return Moment(at=message.at, stamp=message.stamp, kind=kind, words=words, task=task)

@@ -1,0 +1,63 @@
+"""What the recorder tells of itself: which black boxes there are, and whether it records."""
+
+from __future__ import annotations
+
+from typing import Final, Literal
+
+from tandem.skills.ports.keys import Service, Topic
+from tandem.skills.ports.message import Count, Message, RobotTime
+
+
+class Cause(Message):
+    """Why a black box was kept."""
+
+    kind: Literal["task", "stop", "death", "asked"]
+    """A task failed, a stop was set, a process died, or somebody asked for it."""
+    words: str
+    """What happened, in a line."""
+    task: str = ""
+    """The task that failed or ran; empty if none did."""
+    at: float = 0.0
+    """Robot seconds since the recorder began."""
+    stamp: RobotTime | None = None
+    """The robot's time."""
+
+
+class BlackBox(Message):
+    """A black box: a file of the last minute before something went wrong."""
+
+    file: str
+    """Its path, on the recorder's host."""
+    size: Count
+    """Its size in bytes."""
+    began: float
+    """UTC seconds at which its recorder began."""
+    causes: tuple[Cause, ...] = ()
+    """What went wrong, in order."""
+
+
+class AskRecords(Message):
+    """Query the black boxes that are kept."""
+
+    task: str = ""
+    """Only those that name this task; empty: all."""
+
+
+class Records(Message):
+    """The black boxes that are kept, oldest first."""
+
+    boxes: tuple[BlackBox, ...]
+
+
+class RecordingState(Message):
+    """Whether the robot is recorded; published when it changes."""
+
+    recording: bool
+    file: str = ""
+    """The file that is written, on the recorder's host."""
+    reason: str = ""
+    """Why recording stopped, such as a full disk; empty while it records."""
+
+
+TASK_RECORDS: Final = Service("task/records", AskRecords, Records, reads=True)
+TASK_RECORDING: Final = Topic("task/recording", RecordingState)
