@@ -30,7 +30,7 @@ from tandem.skills.ports.compute import Compute
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.keys import JOINT_STATES, Latest
 from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
-from tandem.skills.ports.world import ROBOT_POSE, SCENE
+from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
 
 UNIT_COST: Final = 25e-6
 """Robot seconds that lockstep charges for one collision check or iteration."""
@@ -172,8 +172,8 @@ class Move:
                 if value is None
             ]
             if joints is not None and scene is not None and pose is not None:
-                if goal.candidates and goal.frame == "map" and not pose.localised:
-                    return self._failure(FailureKind.NOT_LOCALISED, "a pose in the map needs the robot's own")
+                if not pose.localised and (lost := _needs_the_map(goal, scene)):
+                    return self._failure(FailureKind.NOT_LOCALISED, lost)
                 return Moment(joints, scene, pose.base_in_map)
             if robot_seconds(self._clocks) > until:
                 return self._failure(FailureKind.NOT_READY, f"not heard: {', '.join(missing)}")
@@ -352,3 +352,13 @@ def _graver(before: Command, now: Command) -> Command:
     if before is Command.CANCEL or now is Command.GO_ON:
         return before
     return now
+
+
+def _needs_the_map(goal: MoveGoal, scene: PlanningScene) -> str:
+    """Say for what a motion needs to know where the robot is; nothing when it does not."""
+    if goal.candidates and goal.frame == "map":
+        return "a pose in the map needs the robot's own"
+    around = [each for each in scene.objects if each.attached_to is None]
+    if around or scene.occupied is not None:
+        return "where the robot is is not known, nor therefore where from it things stand"
+    return ""

@@ -244,11 +244,11 @@ class ArmRig:
         """Tell a scene."""
         SCENE.publish(self.bus, PlanningScene(stamp=self.hardware.stamp, version=version, objects=objects))
 
-    def tell_pose(self) -> None:
-        """Tell that the robot stands at the map's origin."""
+    def tell_pose(self, *, localised: bool = True) -> None:
+        """Tell that the robot stands at the map's origin, or believes to."""
         pose = RobotPose(
             stamp=self.hardware.stamp,
-            localised=True,
+            localised=localised,
             base_in_map=FloorPose(x=0.0, y=0.0, yaw=0.0),
             odom_in_map=FloorPose(x=0.0, y=0.0, yaw=0.0),
             position_sigma=0.0,

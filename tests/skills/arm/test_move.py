@@ -78,6 +78,15 @@ def test_what_follows_must_be_reachable_as_well(rig: ArmRig) -> None:
     assert rig.result(rig.run(MoveGoal(candidates=(beyond, pose(0.45, 0.2, 0.4))))).candidate == 1
 
 
+def test_a_robot_that_does_not_know_where_it_is_moves_only_where_nothing_stands(rig: ArmRig) -> None:
+    rig.tell_pose(localised=False)
+    assert rig.run(MoveGoal(posture="home")).state is GoalState.SUCCEEDED
+    rig.set_scene(box("crate", (0.2, 0.2, 0.2), (1.5, 1.0, 0.35)), version=2)
+    lost = rig.run(MoveGoal(posture="home"), "b")
+    assert lost.failure is not None
+    assert lost.failure.kind is FailureKind.NOT_LOCALISED
+
+
 def test_out_of_reach_is_no_ik_with_the_distance(rig: ArmRig) -> None:
     status = rig.run(MoveGoal(candidates=(pose(2.0, 0.0, 0.4),)))
     assert status.failure is not None
