@@ -33,6 +33,7 @@ class Robot:
     """What is measured of a robot; the aims are in percent of a core, and in megabytes."""
 
     scenario: str
+    processes: str
     request: tuple[str, ...]
     idle: float
     fetch: float
@@ -40,8 +41,10 @@ class Robot:
 
 
 ROBOTS: Final = (
-    Robot("Demo", ("fetch", "--item", "29"), idle=10.0, fetch=45.0, memory=450.0),
-    Robot("Locobot", ("fetch", "--item", "5"), idle=6.0, fetch=40.0, memory=350.0),
+    Robot("Demo", "many", ("fetch", "--item", "29"), idle=10.0, fetch=45.0, memory=450.0),
+    Robot("Demo", "few", ("fetch", "--item", "29"), idle=10.0, fetch=45.0, memory=450.0),
+    Robot("Locobot", "many", ("fetch", "--item", "5"), idle=6.0, fetch=40.0, memory=350.0),
+    Robot("Locobot", "few", ("fetch", "--item", "5"), idle=6.0, fetch=40.0, memory=350.0),
 )
 
 
@@ -53,8 +56,8 @@ def rows() -> Iterator[Row]:
 
 def _rows_of(robot: Robot) -> Iterator[Row]:
     endpoint = free_endpoint()
-    with tempfile.TemporaryDirectory() as folder, _up(robot.scenario, endpoint, Path(folder)) as (pid, ready):
-        name = robot.scenario
+    with tempfile.TemporaryDirectory() as folder, _up(robot, endpoint, Path(folder)) as (pid, ready):
+        name = f"{robot.scenario}, {robot.processes} processes"
         yield Row(f"{name}: from `tandem up` to ready", ready, "s", aim=3.0)
         time.sleep(SETTLED_AFTER)
         meter = Meter(pid)
@@ -103,20 +106,11 @@ def _memory(what: str, megabytes: Mapping[str, float], aim: float) -> Iterator[R
 
 
 @contextmanager
-def _up(scenario: str, endpoint: str, data: Path) -> Iterator[tuple[int, float]]:
+def _up(robot: Robot, endpoint: str, data: Path) -> Iterator[tuple[int, float]]:
     """Start a system; yields its process, and the seconds until it was ready."""
-    argv = [
-        sys.executable,
-        "-c",
-        _TANDEM,
-        "up",
-        "--scenario",
-        scenario,
-        "--connect",
-        endpoint,
-        "--data",
-        str(data),
-    ]
+    given = {"scenario": robot.scenario, "processes": robot.processes, "connect": endpoint, "data": str(data)}
+    words = [word for name, value in given.items() for word in (f"--{name}", value)]
+    argv = [sys.executable, "-c", _TANDEM, "up", *words]
     began = time.monotonic()
     up = subprocess.Popen(argv, stdout=subprocess.PIPE, text=True)  # noqa: S603 - our own code
     try:

@@ -311,6 +311,9 @@ class Reflexes:
             self._told_at = now
         for pipeline in self._pipelines:
             has = pipeline.override
+            has_it = (pipeline.holder, "" if has is None else has.reflex, pipeline.doing)
+            if not (self._news(pipeline.resource, has_it) or due):
+                continue
             state = PipelineState(
                 stamp=stamp,
                 resource=pipeline.resource,
@@ -320,13 +323,13 @@ class Reflexes:
                 doing=pipeline.doing,
                 overridden=pipeline.overridden,
             )
-            has_it = (state.holder, state.reflex, state.doing)
-            if self._news(pipeline.resource, has_it) or due:
-                pipeline_state(pipeline.resource).publish(self._bus, state)
+            pipeline_state(pipeline.resource).publish(self._bus, state)
         for each in self._reflexes:
-            told = self._state(each)
-            if self._news(f"reflex {each.name}", told) or due:
-                reflex_state(each.name).publish(self._bus, told)
+            if (
+                self._news(f"reflex {each.name}", (each.on, each.by, each.holds, each.fired, each.about))
+                or due
+            ):
+                reflex_state(each.name).publish(self._bus, self._state(each))
 
     def _news(self, what: str, state: object) -> bool:
         news = self._told.get(what) != state

@@ -6,13 +6,14 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Final, Literal
 
 from tandem.executive.config.log_format import LogFormat
 from tandem.executive.config.on_restart import OnRestart
 from tandem.skills.ports.plugins import Broken
 from tandem.skills.wire.pulse import SILENT_AFTER
 
+Processes = Literal["few", "many"]
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 DEFAULT_SITE: Final = "lab"
 DEFAULT_ROBOT: Final = "tiago"
@@ -98,6 +99,8 @@ class RunOptions:
     """Host seconds without a beat after which a process is said not to go on."""
     listen: tuple[str, ...] = ()
     """Endpoints at which the router listens besides that of ``bus``."""
+    processes: Processes = "many"
+    """Whether the skills that ship have a process each, or share one."""
     only: tuple[str, ...] = ()
     """Roles that are started here; empty: all."""
     data: Path | None = None

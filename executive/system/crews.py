@@ -14,6 +14,7 @@ from tandem.executive.system.hung_processes import Hung
 from tandem.executive.system.roles.observer import NAME as OBSERVER
 from tandem.executive.system.roles.recorder import NAME as RECORDER
 from tandem.executive.system.roles.registry import names
+from tandem.executive.system.roles.skills import gathered
 from tandem.executive.system.roles.web import NAME as WEB
 from tandem.sim.scenario import Scenario
 from tandem.skills.ports.hardware import StopState
@@ -120,13 +121,14 @@ def crews_of(
     observed: tuple[str, ...] = (OBSERVER,) if options.metrics or options.traces else ()
     observed += (WEB,) if options.web else ()
     recorded = (RECORDER,) if options.black_box and not chosen else ()
+    shared = gathered if options.processes == "few" else tuple[str, ...]
     if not scenario.robots_on_the_bus:
-        needed = chosen or roles_of(scenario, options.left_out)
+        needed = shared(chosen or roles_of(scenario, options.left_out))
         hung = Hung(time.monotonic, hung_after)
         return (Crew("", options.bus.prefix, needed + recorded + observed, options.data, hung),)
     found: list[Crew] = []
     for name in scenario.robots_on_the_bus:
-        needed = chosen or _roles_of(scenario.robots_by_name[name], options.left_out)
+        needed = shared(chosen or _roles_of(scenario.robots_by_name[name], options.left_out))
         needed += recorded
         own = needed + observed if not found else tuple(role for role in needed if role not in ONCE)
         data = data_of(options, name)

@@ -22,6 +22,7 @@ from tandem.executive.system.processes import RESTARTED, Death, Supervisor
 from tandem.executive.system.roles.observer import NAME as OBSERVER
 from tandem.executive.system.roles.recorder import NAME as RECORDER
 from tandem.executive.system.roles.registry import plugged
+from tandem.executive.system.roles.skills import NAME as SKILLS
 from tandem.executive.system.roles.web import NAME as WEB
 from tandem.executive.system.systems import (
     LedgerFailure,
@@ -43,6 +44,8 @@ from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 READY_WITHIN: Final = 60.0
 """Host seconds that processes have for their start."""
+KEEPERS: Final = ("keeper", SKILLS)
+"""Roles that keep what no sensor can restore."""
 PLUGGED_READY_WITHIN: Final = 20.0
 """Host seconds that those of plug-ins have more; ours take about 5 on a busy machine."""
 
@@ -268,7 +271,7 @@ class ProcessSystem:
             seed=options.seed,
             speed=options.speed,
             gui=options.gui,
-            journal=str(data / "held.jsonl") if role == "keeper" else None,
+            journal=str(data / "held.jsonl") if role in KEEPERS else None,
             data=str(data),
             on_restart=options.on_restart,
             verbose=options.verbose,

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from tandem.executive.cli.exit_codes import ExitCode
-from tandem.executive.config.run_options import RunOptions
+from tandem.executive.config.run_options import Processes, RunOptions
 from tandem.executive.ledger.sqlite import FILE, SqliteLedger
 from tandem.executive.system.crews import roles_of
 from tandem.executive.system.process_system import ProcessSystem
@@ -134,24 +134,31 @@ KILLS = (
 """Which process is killed while it is at its goal of this number on that action."""
 
 
-def test_skills_killed_at_work_are_started_again_and_the_item_gets_there(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("processes", "kills"), [("many", KILLS), pytest.param("few", KILLS[1:], marks=pytest.mark.thorough)]
+)
+def test_skills_killed_at_work_are_started_again_and_the_item_gets_there(
+    tmp_path: Path, processes: Processes, kills: tuple[tuple[str, str, int], ...]
+) -> None:
     path = written(load_scenario("Demo").starting_at(BEFORE_THE_TABLE), tmp_path)
     said: list[str] = []
-    with ProcessSystem(RunOptions(bus=own_bus(), scenario=path, speed=None), say=said.append) as system:
+    options = RunOptions(bus=own_bus(), scenario=path, speed=None, processes=processes)
+    called = {role: "skills" if processes == "few" else role for role, _, _ in kills}
+    with ProcessSystem(options, say=said.append) as system:
         caller = Caller(system, lambda _: None)
-        at_work = {role: _Goals(system, action, number) for role, action, number in KILLS}
+        at_work = {role: _Goals(system, action, number) for role, action, number in kills}
         task = caller.request({"task": "fetch", "item": 29, "arm": "left"}).task
 
         def next_kill() -> bool:
             for role in [each for each, goals in at_work.items() if goals.reached()]:
                 del at_work[role]
-                kill(system.pids()[role])
+                kill(system.pids()[called[role]])
             return not at_work
 
         go_on(system, next_kill, within=600.0)
         status = caller.follow(task, within=900.0)
         assert sorted(said) == sorted(
-            f"the {role} process ended (signal 9); restarted" for role, _, _ in KILLS
+            f"the {name} process ended (signal 9); restarted" for name in called.values()
         )
         assert status.state is TaskState.SUCCEEDED, status.model_dump_json(indent=1)
         assert lies_on(caller.truth(), load("lab"), 29, "depot")

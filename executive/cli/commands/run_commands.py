@@ -31,6 +31,7 @@ from tandem.executive.config.run_options import (
     DEFAULT_ROBOT,
     DEFAULT_SITE,
     BusOptions,
+    Processes,
     RunOptions,
     default_data,
 )
@@ -135,6 +136,14 @@ SilentAfter = Annotated[
         min=0.2,
         max=10.0,
         help="Seconds of silence after which a process counts as hung and is killed.",
+    ),
+]
+ProcessesOption = Annotated[
+    str,
+    typer.Option(
+        "--processes",
+        metavar="few|many",
+        help="Give each skill a process, or have all share one: less memory, for small robots.",
     ),
 ]
 Only = Annotated[
@@ -252,6 +261,7 @@ def up(
     listen: Listen = None,
     insecure: Insecure = False,
     only: Only = None,
+    processes: ProcessesOption = "many",
     silent_after: SilentAfter = SILENT_AFTER,
     bus: BusOptions,
 ) -> None:
@@ -303,6 +313,7 @@ def up(
         if not roles or "router" in roles
         else (),
         only=roles,
+        processes=_processes(processes),
         broken=broken,
     )
     _check_map(options)
@@ -323,6 +334,13 @@ def _by_environment(context: typer.Context) -> bool:
     """Say whether TANDEM_AS names the holder, which may be meant for the commands of a client."""
     source = context.get_parameter_source("holder")
     return source is not None and source.name == "ENVIRONMENT"
+
+
+def _processes(text: str) -> Processes:
+    for wish in get_args(Processes):
+        if text == wish:
+            return cast("Processes", text)
+    raise typer.BadParameter(f"expected few or many; found {text!r}", param_hint="--processes")
 
 
 def _on_restart(text: str) -> Restart:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import pytest
 
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
@@ -14,9 +16,18 @@ from tandem.executive.system.roles.registry import (
     shipped,
     skill_roles,
 )
+from tandem.executive.system.roles.role import Role, Surroundings
+from tandem.executive.system.roles.skills import gathered
 from tandem.executive.trials.campaigns.mock_roles import CRASHING, MOCKED
+from tandem.sim.robots.registry import robot_model
+from tandem.skills.ports.node import Node
+from tandem.skills.site import load
 from tandem.skills.testing.mock_description import mock_description
+from tandem.skills.wire.clocks import SteppedClocks
+from tandem.skills.wire.memory import MemoryBus
+from tandem.skills.wire.workers import InlineCompute
 
+ROBOT = robot_model("tiago_base").description
 SETTINGS = WorkerSettings(role="base", endpoint="tcp/127.0.0.1:1", prefix="lab/roles", site="lab")
 
 
@@ -61,3 +72,30 @@ def test_what_ships_knows_no_mock_and_played_by_names_it() -> None:
 def test_a_role_that_nobody_declares_is_refused_with_those_that_there_are() -> None:
     with pytest.raises(RefusalError, match=r"'cook': expected one of router, hardware, .*, observer"):
         play(SETTINGS.model_copy(update={"role": "cook"}), lambda: True)
+
+
+def test_skills_that_share_a_process_are_those_that_would_have_one_each() -> None:
+    whole = names(mock_description())
+    assert gathered(whole) == ("router", "hardware", "skills", "executive")
+    assert gathered(("router", "a_plug_in")) == ("router", "a_plug_in")
+
+
+def test_the_process_that_they_share_steps_the_nodes_of_each_in_their_order() -> None:
+    def at() -> Surroundings:
+        clocks = SteppedClocks()
+        return Surroundings(
+            bus=MemoryBus(),
+            clocks=clocks,
+            description=ROBOT,
+            site=load("lab"),
+            compute=InlineCompute(clocks),
+            seed=1,
+        )
+
+    alone = [node.name for role in skill_roles(ROBOT) for node in made(role, at())]
+    assert [node.name for node in made(shipped()["skills"], at())] == alone
+
+
+def made(role: Role, at: Surroundings) -> Sequence[Node]:
+    assert role.nodes is not None
+    return role.nodes(at)
