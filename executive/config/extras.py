@@ -46,6 +46,11 @@ SKILLS: Final = Extra(
         ("ruckig", "ruckig", "jerk-limited motion"),
     ),
 )
+FAST: Final = Extra(
+    "fast",
+    "quicker planning of arm motions in narrow places",
+    (("numba", "numba", "compiles the checks of states"),),
+)
 SIM: Final = Extra(
     "sim",
     "the simulated robot",
@@ -90,7 +95,7 @@ DEV: Final = Extra(
     "Tandem's own tests",
     (("hypothesis", "hypothesis", "invented inputs"), ("jsonschema", "jsonschema", "checks of schemas")),
 )
-EXTRAS: Final = (SKILLS, SIM, OTEL, ROS, WEB, RECORD, DEV)
+EXTRAS: Final = (SKILLS, FAST, SIM, OTEL, ROS, WEB, RECORD, DEV)
 """In this order a missing module is looked for."""
 
 

@@ -354,11 +354,12 @@ class MovePlanner:
         checker = motions.checker
         order = [len(states) - 1, *halving(len(states) - 1)]  # what is blocked is found early
         for first in range(0, len(order), CHECKS_AT_ONCE):
-            numbers = order[first : first + CHECKS_AT_ONCE]
-            at = next((k for k in numbers if not checker.free(states[k])), None)
-            yield len(numbers)
+            numbers, before = order[first : first + CHECKS_AT_ONCE], checker.checks
+            at = checker.first_contact(states[numbers])
+            yield checker.checks - before
             if at is not None:
-                return _Graze(states[at], round(at / len(states), 3))
+                k = numbers[at]
+                return _Graze(states[k], round(k / len(states), 3))
         return None
 
     def _hand(self, checker: CollisionChecker) -> Hand:

@@ -19,6 +19,7 @@ from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.ik import SeedTable, Solver
 from tandem.skills.kinematics.model import Limits
 from tandem.skills.kinematics.transforms import Array
+from tandem.skills.kinematics.world_field import WorldField, installed
 from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.hardware import EndEffector, JointStates, RobotDescription
 from tandem.skills.ports.pose import FloorPose, Pose
@@ -66,10 +67,17 @@ class Arm:
         description: the robot.
         group: the group's name.
         seed: draws the starts of inverse kinematics; takes some 50 ms.
+        field: check states in a distance field if numba is installed; plans are the same.
     """
 
     def __init__(
-        self, hulls: RobotHulls, description: RobotDescription, group: str, *, seed: int = 0
+        self,
+        hulls: RobotHulls,
+        description: RobotDescription,
+        group: str,
+        *,
+        seed: int = 0,
+        field: bool = False,
     ) -> None:
         self.hulls, self.description = hulls, description
         self.group = description.group(group)
@@ -93,6 +101,12 @@ class Arm:
         tip = self.group.joints[-1] if self.hand is None else self.hand.frame
         self.weights = weigh(alone.chain, self.limits, tip)
         """Of the joints, for the distances of planning, (n,)."""
+        self.world: WorldField | None = (
+            WorldField(hulls) if field and self.hand is not None and installed() else None
+        )
+        """Decides most of many states at once; without it coal decides all."""
+        if self.world is not None:
+            self.world.warm(self.group.joints)
         self.solver = None if self.hand is None else self._make_solver(alone, self.hand.frame, seed)
         """Inverse kinematics of the hand."""
 
@@ -121,6 +135,7 @@ class Arm:
             self.obstacles(moment.scene, moment.base_in_map, padded=padded),
             carried(moment.scene, self.description),
             touchable=allowed(moment.scene, goal.touch_item, touch, every=goal.retreats),
+            world=self.world,
         )
 
     def obstacles(

@@ -53,7 +53,8 @@ def nodes(
     bodies = load_hulls(description, seed) if hulls is None else hulls
     made: list[Node] = []
     for name in groups:
-        arm = Arm(bodies, description, name)
+        # In lockstep plans are charged by counts, and they are the same: nothing is gained there.
+        arm = Arm(bodies, description, name, field=not charge)
         board = ArmStatusBoard(bus, clocks, arm)
         skill = Move(bus, clocks, arm, board, settings or PlannerSettings(), seed=seed, compute=compute)
         made += [board, ActionServer(bus, clocks, skill, charge=charge)]

@@ -3,5 +3,6 @@
 The robot: model, described, transforms, hulls, extent, lever_arms.
 Where a hand gets: ik, follow, batch.
 What touches what: collision, bodies, pairs, clearance, proximity.
-Many at once: distance_field, moving_spheres.
+From a distance field: quick, kernel, world_field, distance_field, spheres, balls, pair_tables, forward,
+moving_spheres.
 """

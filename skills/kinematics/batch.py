@@ -44,7 +44,7 @@ class BatchChain:
         first, second, turning = [], [], []
         for j in carrying:
             placed = model.jointPlacements[j].homogeneous.copy() if constant else np.eye(4)
-            axis, turns = _axis(model.joints[j])
+            axis, turns = axis_of(model.joints[j])
             axes.append(axis)
             turning.append(turns)
             constant.append(placed)
@@ -116,7 +116,7 @@ def left(twist: Array) -> tuple[Array, Array]:
     return np.sqrt(squares[:, :3].sum(axis=1)), np.sqrt(squares[:, 3:].sum(axis=1))
 
 
-def _axis(joint: pin.JointModel) -> tuple[Array, bool]:
+def axis_of(joint: pin.JointModel) -> tuple[Array, bool]:
     """Return a joint's unit axis in its own frame, and whether it turns about it (or shifts along it)."""
     data = joint.createData()
     joint.calc(data, np.zeros(1))

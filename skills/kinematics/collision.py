@@ -8,16 +8,23 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 import pinocchio as pin
 
-from tandem.skills.kinematics.bodies import Carried, Obstacle
+from tandem.skills.kinematics.bodies import Carried, CellsShape, Obstacle
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.model import Chain
 from tandem.skills.kinematics.moving_spheres import MovingSpheres
+from tandem.skills.kinematics.pair_tables import CONTACT, DOUBT, FREE
 from tandem.skills.kinematics.pairs import Bodies
 from tandem.skills.kinematics.transforms import Array
+from tandem.skills.kinematics.world_field import Around, WorldField
+
+if TYPE_CHECKING:
+    from tandem.skills.kinematics.quick import Quick
 
 
 @dataclass(frozen=True)
@@ -54,6 +61,8 @@ RESTING_REACH = 0.05
 """Metres: how far the moving body may go while it is still said to rest."""
 DEEPER = 0.002
 """Metres: how much deeper than in the reference a resting contact may become."""
+BEFORE = 700
+"""Checks that coal makes before the field is made, which costs about as much: many plans need no more."""
 
 
 class CollisionChecker:
@@ -67,6 +76,7 @@ class CollisionChecker:
         carried: what hands hold (of this group or another).
         allowed: pairs of names (links, obstacles, carried things) that may be in contact.
         touchable: pairs of names that may be in contact while ``touch`` allows it.
+        world: decides most of many states at once; without it coal decides each. The answers are the same.
     """
 
     def __init__(  # noqa: PLR0917 - the world's parts, in one order everywhere
@@ -78,6 +88,7 @@ class CollisionChecker:
         carried: Sequence[Carried] = (),
         allowed: Sequence[tuple[str, str]] = (),
         touchable: Sequence[tuple[str, str]] = (),
+        world: WorldField | None = None,
     ) -> None:
         self.chain = Chain(hulls.robot, joints, positions)
         self.joints = self.chain.joints
@@ -96,14 +107,19 @@ class CollisionChecker:
         )
         self._resting: tuple[_Resting, ...] = ()
         self._touching = False
-        self._world = len(hulls.links) + len(carried)
+        self._first_obstacle = len(hulls.links) + len(carried)
         self.obstacles = tuple(obstacles)
+        # Occupied cells are larger in the field than they are, and take it long: coal decides among them.
+        cells = any(isinstance(each.shape, CellsShape) for each in obstacles)
+        self._world, self._carried = None if cells else world, tuple(carried)
+        self._permitted = {name for pair in (*allowed, *touchable) for name in pair}
+        self._quick: Quick | None = None
 
     def spheres(self) -> MovingSpheres:
         """Return the bodies that move, and those of the robot that they must not meet, as spheres."""
         names = list(self.chain.model.names)[1:]
         columns = np.array([self.joints.index(name) for name in names])
-        return MovingSpheres(self.chain.model, self._geometry, columns, self._world)
+        return MovingSpheres(self.chain.model, self._geometry, columns, self._first_obstacle)
 
     def touch(self, *, allowed: bool) -> None:
         """Say whether the touchable pairs may be in contact from now on."""
@@ -125,6 +141,14 @@ class CollisionChecker:
     def free(self, q: Array) -> bool:
         """Say whether the group can stand at q (n,)."""
         self.checks += 1
+        quick = self._looks()
+        if quick is None:
+            return self._free(q)
+        answer = quick.look(np.asarray(q, dtype=float)[None])[0]
+        return bool(answer == FREE) or (bool(answer == DOUBT) and self._free(q))
+
+    def _free(self, q: Array) -> bool:
+        """Ask coal."""
         at = self.chain.to_model(q)
         if pin.computeCollisions(self.chain.model, self._data, self._manager, at, True):
             return False
@@ -132,10 +156,42 @@ class CollisionChecker:
 
     def first_contact(self, path: Array) -> int | None:
         """Return the index of the first state of the path (m, n) that is not free, or None."""
-        for i, q in enumerate(path):
-            if not self.free(q):
-                return i
+        quick = self._looks()
+        if quick is None:
+            return next((i for i, q in enumerate(path) if not self.free(q)), None)
+        states = np.ascontiguousarray(path, dtype=float)
+        found = np.empty(len(states), dtype=np.int8)
+        at = -1
+        while (at := quick.first(states, at + 1, found)) < len(states):
+            if found[at] == CONTACT or not self._free(states[at]):
+                self.checks += at + 1
+                return at
+        self.checks += len(states)
         return None
+
+    def look(self, states: Array) -> npt.NDArray[np.int8]:
+        """Return what the field alone says about states (m, n): ``FREE``, ``CONTACT`` or ``DOUBT`` (m,)."""
+        if self._world is None:
+            return np.full(len(states), DOUBT, dtype=np.int8)
+        return self._made(self._world).look(states)
+
+    def _looks(self) -> Quick | None:
+        """Return what looks at many states, once it pays to make it."""
+        if self._world is None or (self._quick is None and self.checks < BEFORE):
+            return None
+        return self._made(self._world)
+
+    def _made(self, world: WorldField) -> Quick:
+        if self._quick is None:
+            pairs = self._geometry.collisionPairs
+            loose = [each.pair for each in self._resting] + list(self._touchable)
+            resting = frozenset((int(pairs[k].first), int(pairs[k].second)) for k in loose)
+            named = {k for k, name in enumerate(self.names) if name in self._permitted}
+            may_touch = frozenset(named.union(*resting))
+            around = Around(self._carried, self.obstacles, may_touch, resting)
+            self._quick = world.quick(self.chain, self._geometry, around)
+        world.hold(self.obstacles)
+        return self._quick
 
     def contacts(self, q: Array) -> tuple[Contact, ...]:
         """Return all pairs that overlap at q, deepest first; those that may rest as they do are left out."""
@@ -200,6 +256,7 @@ class CollisionChecker:
             moving = int(pair.first if self._moves(pair.first) else pair.second)
             resting.append(_Resting(k, moving, depth, self._position(moving)))
         self._resting = tuple(resting)
+        self._quick = None
         for each in resting:
             self._geometry_data.deactivateCollisionPair(each.pair)
         return tuple(sorted(refused, key=lambda contact: -contact.depth))

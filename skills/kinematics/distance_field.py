@@ -31,6 +31,8 @@ REACH = 0.16
 """Metres: more than the radius of most covering spheres and the margins that planners ask for."""
 HALF_DIAGONAL = math.sqrt(3.0) / 2.0
 """Of a cell, in cells: no point of a cell is farther from its centre."""
+MANY_GONE = 3
+"""Obstacles that left; if there are more, it is quicker to measure all of the grid anew."""
 ROUNDING = 1e-6
 """Metres by which bounds are wider than reckoned, as floats of four bytes are rounded."""
 
@@ -101,6 +103,10 @@ class DistanceField:
         gone = [each for name in changed for each in self._obstacles.get(name, ())]
         new = [each for name in changed for each in now.get(name, ())]
         self._obstacles = now
+        if len(gone) > MANY_GONE:  # the base has moved: all of it is elsewhere
+            return self._measure_again(
+                (slice(0, self.shape[0]), slice(0, self.shape[1]), slice(0, self.shape[2]))
+            )
         cells = 0
         if cells_now != self._cells_told:
             self._cells_told = cells_now

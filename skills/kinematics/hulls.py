@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import coal
 import numpy as np
@@ -11,7 +12,11 @@ import numpy.typing as npt
 import pinocchio as pin
 
 from tandem.skills.kinematics.model import Chain, RobotKinematics
+from tandem.skills.kinematics.pair_tables import PairTables
 from tandem.skills.kinematics.transforms import Array
+
+if TYPE_CHECKING:
+    from tandem.skills.kinematics.spheres import SphereModel
 
 ALWAYS = 0.95
 """A pair in contact in this share of random configurations is so by construction."""
@@ -54,6 +59,23 @@ class RobotHulls:
         self.geometry.setCollisionPairs(np.triu(~self.harmless, 1))
         self._leave_out(self._touching(homes, 1e-9))
         self._leave_out(self._touching([self._draw(homes, rng) for _ in range(samples)], ALWAYS))
+        self.tables = PairTables(robot, self.geometry)
+        """Which neighbours touch at which angles."""
+        self._balls: dict[bytes, SphereModel] = {}
+        self._of_body: dict[int, SphereModel] = {}
+
+    def balls(self, body: int) -> SphereModel:
+        """Return the balls that stand for a body, in its own frame; found at the first time."""
+        from tandem.skills.kinematics.spheres import model, outer  # noqa: PLC0415 - numba is an extra
+
+        if body not in self._of_body:
+            shape = self.geometry.geometryObjects[body].geometry
+            sphere = isinstance(shape, coal.Sphere)
+            key = repr(float(shape.radius)).encode() if sphere else outer(shape).corners.tobytes()
+            if key not in self._balls:  # a robot's left and right are often the same
+                self._balls[key] = model(shape)
+            self._of_body[body] = self._balls[key]
+        return self._of_body[body]
 
     def reach(self, chain: Chain) -> tuple[Reach, ...]:
         """Return how far the bodies that a chain moves can get from where its first joints are."""

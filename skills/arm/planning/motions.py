@@ -6,6 +6,7 @@ the arm by much more than d metres. So a turn of the shoulder is checked finely 
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 
 import numpy as np
@@ -71,11 +72,14 @@ class Motions:
         The end is checked first and then the middle, the quarters and so on: what is blocked is found early.
         """
         steps = max(1, int(np.ceil(self.space.length(a, b) / self.step)))
-        free = self.checker.free
-        if not free(b):
-            return False
-        move = (b - a) / steps
-        return all(free(a + move * k) for k in halving(steps))
+        states = np.concatenate((b[None], a + _order(steps) * ((b - a) / steps)))
+        return self.checker.first_contact(states) is None
+
+
+@functools.lru_cache(maxsize=1024)
+def _order(steps: int) -> Array:
+    """Return ``halving`` as a column (steps - 1, 1)."""
+    return np.array(halving(steps), dtype=float).reshape(-1, 1)
 
 
 def halving(steps: int) -> list[int]:

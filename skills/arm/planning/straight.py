@@ -28,6 +28,8 @@ COARSE = 2.5
 """Times the steps' length where it is only asked whether a line could be followed; checks stay as fine."""
 FURTHEST = 1.6
 """Radians: a joint that turns further on a whole line folds over somewhere."""
+SLICE = 50
+"""States of a line that are checked in one slice."""
 ROUGH_METRES, ROUGH_RADIANS = 2e-3, 1e-2
 """Close enough for that."""
 
@@ -173,11 +175,14 @@ def _first_hit(checker: CollisionChecker, path: Array) -> Generator[int, None, i
     last = len(path) - 1
     if last < 1:
         return None
-    for k in (last, *halving(last)):
-        if not checker.free(path[k]):
-            yield 1
-            first = checker.first_contact(path[1 : k + 1])
-            yield k
-            return k if first is None else first + 1
-        yield 1
+    order = [last, *halving(last)]
+    for begin in range(0, len(order), SLICE):
+        numbers, before = order[begin : begin + SLICE], checker.checks
+        at = checker.first_contact(path[numbers])
+        yield checker.checks - before
+        if at is not None:
+            before = checker.checks
+            first = checker.first_contact(path[1 : numbers[at] + 1])
+            yield checker.checks - before
+            return numbers[at] if first is None else first + 1
     return None
