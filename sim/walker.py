@@ -45,7 +45,7 @@ STARTLED: Final = 1.5
 OTHERS: Final = 0.9
 """Metres between the axes of two people from which on the later one of the file waits."""
 OFF: Final = 0.10
-"""Metres off the path from which on a person waits for its body: something holds that."""
+"""Metres off its place from which on a person gets back there before it goes on."""
 STEER: Final = 2.0
 """m/s for each metre off the path."""
 
@@ -85,7 +85,7 @@ class Walker:
         """The robots it is meeting, by body, and whether it gives way to them."""
         self._waits_since: float | None = None
         self._waits = False
-        self._done = False
+        self._done = self._touched = False
 
     def step(self) -> None:
         """Let a period pass; look around and command the motors when it is time."""
@@ -102,8 +102,6 @@ class Walker:
     def _look(self) -> None:
         x, y = self.body.place
         robots = self._robots()
-        if any(self.body.touches(robot) > 0.0 for robot in robots):
-            self._stand(STARTLED, turns=True)
         self._meet(x, y, robots)
         gives_way = any(self._met.get(robot, False) and self._ahead(x, y, at) for robot, at in robots.items())
         crowded = any(math.dist((x, y), at) < OTHERS and self._ahead(x, y, at) for at in self._others())
@@ -148,6 +146,11 @@ class Walker:
         return abs(wrap(bearing - math.atan2(uy, ux))) < AHEAD
 
     def _walk(self, seconds: float) -> None:
+        touches = any(self.body.touches(robot) > 0.0 for robot in self._robots())
+        if touches and not self._touched:
+            self._stand(STARTLED, turns=True)
+            self._pace = 0.0
+        self._touched = touches
         standing = self._now < self._stands_until or self._waits or self._done
         wanted = 0.0 if standing or self._turns_after else self._allowed()
         self._pace += min(max(wanted - self._pace, -ACCELERATION * seconds), ACCELERATION * seconds)
@@ -156,11 +159,12 @@ class Walker:
             self._turn()
         x, y = self.body.place
         px, py = self._point()
-        if math.dist((x, y), (px, py)) > OFF:
+        off = math.dist((x, y), (px, py))
+        if off > OFF:
             self._pace = 0.0
         self._go_on(self._pace * seconds)
         (ux, uy) = self._direction()
-        held = self._pace == 0.0
+        held = (touches and standing) or (self._pace == 0.0 and (standing or off <= OFF))
         vx = 0.0 if held else self._pace * ux + STEER * (px - x)
         vy = 0.0 if held else self._pace * uy + STEER * (py - y)
         self.body.move(vx, vy, math.atan2(uy, ux), seconds)

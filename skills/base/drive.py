@@ -69,5 +69,6 @@ class Drive:
             self._wheels,
             feedback=feedback,
             where=DRIVE.name,
+            caution=self.course.caution,
         )
         return ride

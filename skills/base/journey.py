@@ -7,12 +7,17 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from typing import Final
 
+import numpy as np
+
+from tandem.skills.base.floor import FloatArray
 from tandem.skills.base.follow import Follower
 from tandem.skills.base.guard import Guard
+from tandem.skills.base.headway import Headway
 from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.map import SiteMap
 from tandem.skills.base.obstacles import Obstacles
 from tandem.skills.base.path import Path
+from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.planner import Clearances, Planner
 from tandem.skills.base.ride import Motion, Ride
 from tandem.skills.base.watch import Block, Watch
@@ -35,11 +40,17 @@ LONG: Final = 0.8
 """Metres: a shorter way is better faced first."""
 BLOCKED_FOR: Final = 0.4
 """Robot seconds for which something must be in the way before another way is looked for."""
+CRAWL: Final = 0.05
+"""m/s: slower, the base waits for people."""
 HELD: Final = 0.02
 """rad/s: slower commands are no turning."""
 WAIT: Final = 1.0
 """Robot seconds to wait for a way to open."""
+WAIT_FOR_PEOPLE: Final = 4.0
+"""The same where people walk about: they stay longer than things that are carried by."""
 MOST_REPLANS: Final = 4
+MOST_REPLANS_FOR_PEOPLE: Final = 8
+"""Where people walk about: each who stops is gone round, or waited for."""
 MOST_CORRECTIONS: Final = 3
 """Times that the end is approached anew when the base is off its goal."""
 GOOD_YAW: Final = 0.3
@@ -52,8 +63,9 @@ ARRIVED: Final = 0.004
 """Metres before the end at which the way counts as driven."""
 SETTLE: Final = 0.15
 """Robot seconds at rest before the pose is judged: a scan or two."""
-STUCK_AFTER: Final = 4.0
-"""Robot seconds of commanding without getting nearer after which something holds the base."""
+AT_PERSON: Final = 0.8
+"""Metres from a person to what is in the way up to which it is the person: in a narrow place nothing is free
+beside them either."""
 
 
 @dataclass
@@ -78,15 +90,23 @@ class Course:
     """The footprint's (m)."""
 
     guard: Guard
+    caution: Caution | None = None
+    """What is heeded of people, by robots that track them."""
 
     def radii(self) -> tuple[float, ...]:
         """Return the radii (m) to plan with, the wished one first."""
         reach = self.guard.reach
         return (reach, self.radius) if reach > self.radius else (self.radius,)
 
+    def strange(self) -> FloatArray:
+        """Return points, shape (n, 2), of what stands and is on no map, people with it."""
+        points = self.obstacles.points
+        return points if self.caution is None else np.concatenate((points, self.caution.tracker.rings()))
+
     def watch(self) -> Watch:
         """Return a watch for one run."""
-        return Watch(self.localiser, self.obstacles, self.radius)
+        people = None if self.caution is None else self.caution.tracker
+        return Watch(self.localiser, self.obstacles, self.radius, people)
 
 
 class Journey:
@@ -183,7 +203,7 @@ class Journey:
     def _plan_with(self, radius: float, pose: FloorPose) -> Motion[DriveFeedback]:
         self._plan = None
         mapped = Clearances(self._course.site_map.plan, radius + MARGIN, self._ride.pose)
-        planner = Planner(mapped, self._course.obstacles.points, pose)
+        planner = Planner(mapped, self._course.strange(), pose)
         for _ in planner.slices():
             if not (yield from self._ride.heed((yield Slice(SLICE_COST)))):
                 return False
@@ -213,7 +233,7 @@ class Journey:
 
     def _reach(self) -> Motion[DriveFeedback]:
         """Drive the plan, and others around what turns out to stand in the way."""
-        ride, left = self._ride, MOST_REPLANS
+        ride, left = self._ride, self._most_replans()
         while self._plan is not None:
             block = yield from self._follow(*self._plan)
             if ride.canceled or ride.failure is not None:
@@ -223,7 +243,7 @@ class Journey:
             while True:
                 if not left:
                     if (yield from self._plan_to_another()):
-                        left = MOST_REPLANS
+                        left = self._most_replans()
                         break
                     if not (ride.canceled or ride.failure is not None):
                         self._blocked(block)
@@ -232,9 +252,15 @@ class Journey:
                 if (yield from self._plan_to(self._goal.poses[self._chosen])):
                     break
                 # No way round: what stands there may go away.
-                if ride.canceled or ride.failure is not None or not (yield from ride.settle(WAIT)):
+                if ride.canceled or ride.failure is not None or not (yield from ride.settle(self._wait())):
                     return False
         return False
+
+    def _most_replans(self) -> int:
+        return MOST_REPLANS if self._course.caution is None else MOST_REPLANS_FOR_PEOPLE
+
+    def _wait(self) -> float:
+        return WAIT if self._course.caution is None else WAIT_FOR_PEOPLE
 
     def _plan_to_another(self) -> Motion[DriveFeedback]:
         """Take the next of the goal's poses that has a way; those before it were given up."""
@@ -258,13 +284,13 @@ class Journey:
             yield from ride.turn(follower.off(ride.pose))
         ):
             return None
-        free_at = nearer_at = ride.active
-        nearest = math.inf
+        free_at, headway = ride.active, Headway(ride.active)
         while follower.remaining > ARRIVED:
             block = self._watch.block(path, follower.way)
             blocked_at = None if block is None else block.way
             linear, angular = follower.speeds(ride.pose, ride.wheels.linear, blocked_at)
             self._progress.remaining = max(follower.remaining, 0.0)
+            linear, angular, waits = self._heeding_people(follower, linear, angular)
             if not (yield from ride.cycle(linear, angular)):
                 return None
             if block is None:
@@ -272,13 +298,26 @@ class Journey:
             elif ride.active - free_at > BLOCKED_FOR:
                 yield from ride.rest()
                 return block
-            if follower.remaining < nearest - ARRIVED or block is not None or abs(angular) > HELD:
-                nearest, nearer_at = min(nearest, follower.remaining), ride.active
-            elif ride.active - nearer_at > STUCK_AFTER:
-                ride.fail(FailureKind.BASE_BLOCKED, "the base does not move", remaining_m=follower.remaining)
-                return None
+            excused = block is not None or abs(angular) > HELD
+            if headway.look(follower.remaining, ride.active, excused=excused, waits=waits):
+                self._end_held(follower, tired=headway.tired)
+                break
         yield from ride.rest()
         return None
+
+    def _end_held(self, follower: Follower, *, tired: bool) -> None:
+        if tired:
+            self._ride.blocked_by_person(*follower.path.at(follower.way + LONG))
+            return
+        self._ride.fail(FailureKind.BASE_BLOCKED, "the base does not move", remaining_m=follower.remaining)
+
+    def _heeding_people(self, follower: Follower, linear: float, angular: float) -> tuple[float, float, bool]:
+        """Return speeds (m/s, rad/s) that heed people, and whether the base waits for them."""
+        caution = self._course.caution
+        if caution is None or linear <= 0.0:
+            return linear, angular, False
+        pace = caution.pace(follower.path, follower.way, linear)
+        return pace, angular * pace / linear, pace < CRAWL and pace < linear
 
     def _follower(self, path: Path, clearances: Clearances) -> Follower:
         end_yaw = self._goal.poses[self._chosen].yaw
@@ -343,6 +382,10 @@ class Journey:
         )
 
     def _blocked(self, block: Block) -> None:
+        caution = self._course.caution
+        if caution is not None and caution.tracker.near(block.x, block.y, AT_PERSON) is not None:
+            self._ride.blocked_by_person(block.x, block.y)
+            return
         self._ride.failure = Failure(
             kind=FailureKind.BASE_BLOCKED,
             message="something stands in the way, and there is no way round",

@@ -15,6 +15,7 @@ from tandem.skills.base.floor import BoolArray, FloatArray, IntArray, compose, i
 from tandem.skills.base.localiser import Localiser, PlacedScan
 from tandem.skills.base.map import SiteMap
 from tandem.skills.base.occupied import OccupiedFloor
+from tandem.skills.base.people.tracker import Tracker
 from tandem.skills.base.scan import ScanGeometry
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.sensors import LaserSensor
@@ -46,9 +47,10 @@ class Obstacles:
     Args:
         clocks: robot time.
         sensor: the laser.
-        site_map: what is mapped.
-        localiser: places the scans.
+        site_map: what explains a hit.
+        localiser: scans with the pose at which they were taken.
         occupied: what depth shows besides.
+        people: who walks about; what hits them marks nothing.
     """
 
     def __init__(
@@ -58,8 +60,9 @@ class Obstacles:
         site_map: SiteMap,
         localiser: Localiser,
         occupied: OccupiedFloor | None = None,
+        people: Tracker | None = None,
     ) -> None:
-        self._occupied = occupied
+        self._occupied, self._people = occupied, people
         self._clocks, self._map, self._localiser = clocks, site_map, localiser
         self._geometry = ScanGeometry(sensor, site_map.laser_in_base)
         self._cells: IntArray = np.empty(0, dtype=np.int64)
@@ -102,6 +105,8 @@ class Obstacles:
         strange = (placed.residual > UNMAPPED + UNMAPPED_GROWTH * ranges) & (ranges < FARTHEST)
         strange &= (points[:, 0] > x_min) & (points[:, 0] < x_max)
         strange &= (points[:, 1] > y_min) & (points[:, 1] < y_max)
+        if self._people is not None:
+            strange &= ~self._people.hides(points)
         hit = np.unique(self._map.plan.cells(points[strange]))
         known = np.isin(self._cells, hit)
         self._seen[known] = now
@@ -136,6 +141,8 @@ class Obstacles:
         distance = np.hypot(in_laser[:, 0], in_laser[:, 1])
         with np.errstate(invalid="ignore"):
             kept &= ~(looked & (passed > distance + SEEN_THROUGH))
+        if self._people is not None:
+            kept &= ~self._people.hides(self._centres(self._cells))
         if len(kept) > MOST:
             kept &= self._seen >= np.sort(self._seen)[-MOST]
         self._cells, self._seen, self._hits = self._cells[kept], self._seen[kept], self._hits[kept]

@@ -16,6 +16,8 @@ from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.map import build_map
 from tandem.skills.base.obstacles import Obstacles
 from tandem.skills.base.occupied import OccupiedFloor
+from tandem.skills.base.people.caution import Caution
+from tandem.skills.base.people.tracker import Tracker
 from tandem.skills.base.reflexes.registry import SHIPPED, BaseReflex, chosen_for, reflexes
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
 from tandem.skills.base.rotate import Rotate
@@ -43,6 +45,8 @@ class Base:
     """The parts of the base: monitors first, in the order in which they are stepped, then the skills."""
 
     localiser: Localiser
+    people: Tracker | None
+    """Who walks about; None where the site's local planner does not care."""
     obstacles: Obstacles
     board: BaseStatusBoard
     reflexes: Reflexes
@@ -62,19 +66,25 @@ def assemble(
     site_map = build_map(site, description)
     localiser = Localiser(bus, clocks, description, site_map)
     occupied = None if site.occupancy is None else OccupiedFloor(bus, description.height, site_map.plan)
-    obstacles = Obstacles(clocks, description.laser, site_map, localiser, occupied)
+    people = None
+    if site.local_planner != "pursuit":
+        people = Tracker(bus, description.laser, site_map, localiser)
+    obstacles = Obstacles(clocks, description.laser, site_map, localiser, occupied, people)
     pipeline = Pipeline(BASE)
     board = BaseStatusBoard(bus, clocks, pipeline)
     guard = Guard(bus, clocks, description, localiser)
-    course = Course(site_map, obstacles, localiser, description.driven, description.footprint_radius, guard)
+    drive, radius = description.driven, description.footprint_radius
+    caution = None if people is None else Caution(people, site_map.plan, drive, radius, clocks)
+    course = Course(site_map, obstacles, localiser, drive, radius, guard, caution)
     around = BaseSurroundings(bus, clocks, description, localiser, guard, board)
     return Base(
         localiser=localiser,
+        people=people,
         obstacles=obstacles,
         board=board,
         reflexes=Reflexes(bus, clocks, (pipeline,), _fitted(types, around, site)),
         drive=Drive(bus, clocks, course, board),
-        rotate=Rotate(bus, clocks, description.driven, localiser, guard=guard, board=board),
+        rotate=Rotate(bus, clocks, drive, localiser, guard=guard, board=board, caution=caution),
         localise=Localise(
             clocks,
             site_map,
@@ -117,6 +127,7 @@ def build(
     base = assemble(bus, clocks, description, site, types)
     return [
         base.localiser,
+        *([base.people] if base.people is not None else []),
         base.obstacles,
         base.board,
         base.reflexes,

@@ -14,6 +14,7 @@ from typing import Final, Generic, TypeVar
 
 from tandem.skills.base.floor import compose
 from tandem.skills.base.odometry import ahead
+from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.wheels import CYCLE, Wheels, stopping_speed
 from tandem.skills.base.whereabouts import Whereabouts
 from tandem.skills.geometry.poses import wrap
@@ -31,6 +32,8 @@ SLOW_TURN: Final = 0.04
 """rad/s: a turn ends when as slow."""
 STUCK_AFTER: Final = 4.0
 """Robot seconds of commanding without getting nearer after which something holds the base."""
+PATIENCE: Final = 30.0
+"""Robot seconds for which the base waits for people without a break."""
 GIVE_UP_RESTING: Final = 5.0
 CREEP: Final = 0.15
 """m/s ahead at which the last centimetres are corrected."""
@@ -52,6 +55,7 @@ class Ride(Generic[F]):
         wheels: what moves it.
         feedback: builds what is yielded.
         where: the action's name, for failures.
+        caution: what is heeded of people, by robots that track them.
     """
 
     def __init__(
@@ -62,10 +66,12 @@ class Ride(Generic[F]):
         *,
         feedback: Callable[[], F],
         where: str,
+        caution: Caution | None = None,
     ) -> None:
         self._clocks, self._localiser = clocks, localiser
         self._feedback, self._where = feedback, where
-        self.wheels = wheels
+        self.wheels, self.caution = wheels, caution
+        self._halted_for = 0.0
         self._paused_for = 0.0
         self.canceled = False
         self.failure: Failure | None = None
@@ -94,7 +100,9 @@ class Ride(Generic[F]):
         return compose(self._localiser.odom_in_map, ahead(odometry, late))
 
     def cycle(self, linear: float, angular: float) -> Motion[F]:
-        """Send speeds and wait one cycle; False when the run has to end."""
+        """Send speeds and wait one cycle; False when the run has to end. Who comes near stops the base."""
+        if self._must_halt(linear, angular):
+            linear = angular = 0.0
         self.wheels.send(linear, angular)
         yield from self._wait(CYCLE)
         return self._may_go_on()
@@ -170,6 +178,35 @@ class Ride(Generic[F]):
         """Note why the run has to end; the first reason stays."""
         if self.failure is None:
             self.failure = Failure(kind=kind, message=message, where=self._where, evidence=dict(evidence))
+
+    def _must_halt(self, linear: float, angular: float) -> bool:
+        """Say whether somebody would be at the base before it has stood for long enough."""
+        if self.caution is None or (self.wheels.resting and linear == 0.0 and angular == 0.0):
+            return False
+        speeds = self.wheels.next_speeds(linear, angular)
+        if self.caution.safe(self.pose, *speeds):
+            self._halted_for = 0.0
+            return False
+        self._halted_for += CYCLE
+        self._paused_for += CYCLE
+        if self._halted_for > PATIENCE:
+            self.blocked_by_person(self.pose.x, self.pose.y)
+        return True
+
+    def blocked_by_person(self, x: float, y: float) -> None:
+        """End the run: somebody at or near a place in map does not go away."""
+        person = None if self.caution is None else self.caution.nearest(x, y)
+        if person is None:
+            self.fail(FailureKind.BASE_BLOCKED, "something stands in the way", obstacle_x_m=x, obstacle_y_m=y)
+            return
+        px, py = person.place
+        self.fail(
+            FailureKind.BASE_BLOCKED,
+            f"a person is in the way, at ({px:.2f}, {py:.2f})",
+            person_x_m=round(px, 3),
+            person_y_m=round(py, 3),
+            distance_m=math.hypot(px - self.pose.x, py - self.pose.y),
+        )
 
     def _may_go_on(self) -> bool:
         return not self.canceled and self.failure is None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from tandem.skills.base.guard import Guard
+from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.ride import Ride
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.wheels import Wheels
@@ -33,6 +34,7 @@ class Rotate:
         localiser: where the base is.
         guard: whether it may move.
         board: who has the wheels.
+        caution: what is heeded of people, by robots that track them.
     """
 
     def __init__(
@@ -44,7 +46,9 @@ class Rotate:
         *,
         guard: Guard,
         board: BaseStatusBoard,
+        caution: Caution | None = None,
     ) -> None:
+        self._caution = caution
         self._clocks, self._localiser, self._guard, self._board = clocks, localiser, guard, board
         self._wheels = Wheels(bus, clocks, drive, lambda: board.pipeline.normal(ROTATE.name))
 
@@ -75,7 +79,14 @@ class Rotate:
         def feedback() -> RotateFeedback:
             return RotateFeedback(remaining=goal.angle - turned - ride.turned)
 
-        ride = Ride(self._clocks, self._localiser, self._wheels, feedback=feedback, where=ROTATE.name)
+        ride = Ride(
+            self._clocks,
+            self._localiser,
+            self._wheels,
+            feedback=feedback,
+            where=ROTATE.name,
+            caution=self._caution,
+        )
         for _ in range(MOST_CORRECTIONS + 1):
             before = ride.pose.yaw
             going_on = (yield from ride.turn(goal.angle - turned)) and (yield from ride.settle(SETTLE))

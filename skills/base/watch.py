@@ -11,6 +11,7 @@ from tandem.skills.base.floor import FloatArray
 from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.obstacles import Obstacles
 from tandem.skills.base.path import Path
+from tandem.skills.base.people.tracker import Tracker
 
 AHEAD: Final = 2.2
 """Metres of path that are watched: more than the base needs to stop."""
@@ -37,10 +38,14 @@ class Watch:
         localiser: the newest scan, in the map.
         obstacles: what was seen and is on no map.
         radius: the footprint's (m).
+        people: who walks about: they are not in the way for long.
     """
 
-    def __init__(self, localiser: Localiser, obstacles: Obstacles, radius: float) -> None:
+    def __init__(
+        self, localiser: Localiser, obstacles: Obstacles, radius: float, people: Tracker | None = None
+    ) -> None:
         self._localiser, self._obstacles, self._radius = localiser, obstacles, radius
+        self._people = people
         self._number = -1
         self._found: Block | None = None
 
@@ -49,7 +54,10 @@ class Watch:
         placed = self._localiser.placed
         if placed is not None and placed.number != self._number:
             self._number = placed.number
-            self._found = self._look(path, way, placed.points_in_map)
+            hits = placed.points_in_map
+            if self._people is not None:
+                hits = hits[~self._people.hides(hits)]
+            self._found = self._look(path, way, hits)
         return self._found
 
     def _look(self, path: Path, way: float, hits: FloatArray) -> Block | None:

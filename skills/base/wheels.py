@@ -58,15 +58,20 @@ class Wheels:
 
     def send(self, linear: float, angular: float) -> None:
         """Go on towards these speeds (m/s, rad/s) and send what is reached."""
-        now = robot_seconds(self._clocks)
-        span = min(max(now - self._at, 0.0), LONGEST_STEP)
-        self._at = now
+        self.linear, self.angular = self.next_speeds(linear, angular)
+        self._at = robot_seconds(self._clocks)
+        self._publish()
+
+    def next_speeds(self, linear: float, angular: float) -> tuple[float, float]:
+        """Return what would be sent now on the way to these speeds."""
+        span = min(max(robot_seconds(self._clocks) - self._at, 0.0), LONGEST_STEP)
         drive = self.drive
         linear = min(max(linear, -drive.backward), drive.forward)
         angular = min(max(angular, -drive.turn), drive.turn)
-        self.linear = _towards(self.linear, linear, drive.acceleration * span)
-        self.angular = _towards(self.angular, angular, drive.turn_acceleration * span)
-        self._publish()
+        return (
+            _towards(self.linear, linear, drive.acceleration * span),
+            _towards(self.angular, angular, drive.turn_acceleration * span),
+        )
 
     def halt(self) -> None:
         """Send standstill at once: the last resort."""

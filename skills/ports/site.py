@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
@@ -13,6 +13,9 @@ from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.reflex_setting import ReflexSetting
 
 Edge = Annotated[float, Field(gt=0.0)]
+LocalPlanner = Literal["pursuit", "people"]
+"""``pursuit`` follows the plan and takes people for things. ``people`` follows it too, but tracks people,
+slows down for them, waits, and lets them pass."""
 
 
 class SiteBox(Message):
@@ -106,6 +109,8 @@ class Site(Message):
     spots: Annotated[tuple[Spot, ...], Field(min_length=1)]
     depots: tuple[Depot, ...] = ()
     items: tuple[SiteItem, ...] = ()
+    local_planner: LocalPlanner = "pursuit"
+    """How the base drives along a plan."""
     reflexes: tuple[ReflexSetting, ...] = ()
     """Reflexes with other parameters than the robot's, or switched off, at this site."""
     occupancy: OccupancySetting | None = None

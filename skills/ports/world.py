@@ -33,6 +33,31 @@ class RobotPose(Message):
     """Why it is not localised."""
 
 
+class TrackedPerson(Message):
+    """A person as the laser sees them. Places are in map (m), speeds along map's x and y (m/s)."""
+
+    id: Count
+    """The same for as long as the person is not lost; never used again under this boot."""
+    x: float
+    y: float
+    vx: float
+    vy: float
+    position_sigma: Size
+    """Metres, one standard deviation."""
+    radius: Size
+    """Metres around (x, y) that the person takes."""
+    unseen: Size
+    """Robot seconds since a scan showed them."""
+
+
+class People(Message):
+    """Everybody whom the base knows of (perhaps nobody); owner: base. With each scan."""
+
+    stamp: RobotTime
+    """When the scan was taken."""
+    people: tuple[TrackedPerson, ...]
+
+
 class Sighting(Message):
     """A tag in a picture; owner: perception."""
 
@@ -169,6 +194,7 @@ def _beliefs(message: WorldState, key: str, robot: RobotDescription | None) -> s
 
 
 ROBOT_POSE: Final = Topic("world/robot", RobotPose)
+PEOPLE: Final = Topic("world/people", People)
 SIGHTINGS: Final = Topic("world/sightings", Sightings)
 CLUTTER: Final = Topic("world/clutter", Clutter)
 OCCUPANCY: Final = Topic("world/occupancy", Occupancy)

@@ -51,7 +51,9 @@ class Rig:
                 )
                 arm_status(hand.group).publish(self.bus, status)
         start = process_time()
-        for node in (self.base.localiser, self.base.obstacles, self.base.board, self.base.reflexes):
+        people = () if self.base.people is None else (self.base.people,)
+        base = self.base
+        for node in (base.localiser, *people, base.obstacles, base.board, base.reflexes):
             node.step()
         self.longest = max(self.longest, process_time() - start)
 

@@ -1,6 +1,6 @@
 """``tandem experiment``: the experiments of the papers; exit 1 when the aim is missed.
 
-Two-arm thesis, chapter 5; RoCS paper, 6.3 to 6.5.
+Two-arm thesis, chapter 5; RoCS paper, 6.3 to 6.5. ``crossings_command`` has the order-picking paper's.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import typer
 from rich.console import Console
 
 from tandem.executive.cli.commands.campaign_command import First, Jobs, ReportFile, Seed
+from tandem.executive.cli.commands.crossings_command import crossings
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.cli.telling import told
@@ -79,7 +80,7 @@ Figures = Annotated[
 def add_to(app: typer.Typer) -> None:
     """Add the command."""
     group = typer.Typer(help="Run the experiments of the papers in lockstep.", no_args_is_help=True)
-    for command in (uncoordinated, crossing, coordinated, rocs):
+    for command in (uncoordinated, crossing, coordinated, rocs, crossings):
         group.command(command.__name__)(command)
     app.add_typer(group, name="experiment")
 
