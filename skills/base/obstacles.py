@@ -60,6 +60,7 @@ class Obstacles:
         site_map: SiteMap,
         localiser: Localiser,
         occupied: OccupiedFloor | None = None,
+        *,
         people: Tracker | None = None,
     ) -> None:
         self._occupied, self._people = occupied, people
@@ -79,7 +80,12 @@ class Obstacles:
     def points(self) -> FloatArray:
         """The confirmed cells' centres in the map, shape (n, 2), and what depth shows to be occupied."""
         seen = self._centres(self._cells[self._hits >= CONFIRMED])
-        return seen if self._occupied is None else np.concatenate((seen, self._occupied.points()))
+        if self._occupied is None:
+            return seen
+        shown = self._occupied.points()
+        if self._people is not None:
+            shown = shown[~self._people.hides(shown)]
+        return np.concatenate((seen, shown))
 
     def step(self) -> bool:
         """Take the localiser's newest scan, if it is new."""

@@ -69,7 +69,7 @@ def assemble(
     people = None
     if site.local_planner != "pursuit":
         people = Tracker(bus, description.laser, site_map, localiser)
-    obstacles = Obstacles(clocks, description.laser, site_map, localiser, occupied, people)
+    obstacles = Obstacles(clocks, description.laser, site_map, localiser, occupied, people=people)
     pipeline = Pipeline(BASE)
     board = BaseStatusBoard(bus, clocks, pipeline)
     guard = Guard(bus, clocks, description, localiser)

@@ -95,6 +95,7 @@ CONNECTS_NOWHERE: Final = {
     "experiment crossing",
     "experiment coordinated",
     "experiment rocs",
+    "experiment crossings",
     "keys init",
     "keys new",
     "keys list",

@@ -6,5 +6,5 @@ Ask for tasks: request_command, retry_command, cancel_command, verb_commands, ta
 Look on: web_command, watch_command, logs_command, why_command, tree_commands, zones_command, map_command.
 Look back: log_command, replay_command.
 Files and schemas: scenario_commands, schema_command.
-Try and measure: campaign_command, restart_command, experiment_command, bench_command.
+Try and measure: campaign_command, restart_command, experiment_command, crossings_command, bench_command.
 """

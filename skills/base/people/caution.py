@@ -25,8 +25,8 @@ from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.hardware import Drive
 from tandem.skills.ports.pose import FloorPose
 
-STANDS_FOR: Final = 1.0
-"""Seconds for which the base is to have stood."""
+STANDS_FOR: Final = 1.4
+"""Seconds for which the base is to have stood: one, and what people who speed up or turn take off it."""
 LATENCY: Final = 0.25
 """Seconds before braking begins: a scan's period, and until the wheels answer."""
 SWERVES: Final = (0.12, 0.25)

@@ -56,6 +56,7 @@ WITHOUT: Final = {
     "experiment crossing": REPORTS,
     "experiment coordinated": REPORTS,
     "experiment rocs": REPORTS,
+    "experiment crossings": REPORTS,
 }
 
 
