@@ -30,6 +30,8 @@ ACROSS: Final = (0.3, 0.7)
 APART: Final = 1.0
 """Metres between anybody and the robot, and between two people, at the start."""
 SPEED: Final = (0.3, 1.4)
+BEGINS: Final = (1.5, 4.5)
+"""Seconds after which a person sets out; the drive begins after 1.5 s, when the base knows where it is."""
 STEP: Final = 0.05
 CHAIR: Final = 0.36
 """Metres between the legs of a chair that no map knows."""
@@ -76,7 +78,7 @@ def _person(name: str, path: Sequence[Place], rng: np.random.Generator) -> Perso
         name=name,
         path=tuple((round(x, 3), round(y, 3)) for x, y in path),
         speed=round(float(rng.uniform(*SPEED)), 2),
-        after=round(float(rng.uniform(0.0, 3.0)), 2),
+        after=round(float(rng.uniform(*BEGINS)), 2),
         stops=round(float(rng.uniform(0.0, 0.1)), 3),
         turns=round(float(rng.uniform(0.0, 0.1)), 3),
     )

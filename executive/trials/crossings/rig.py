@@ -14,6 +14,7 @@ from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.world import ROBOT_POSE
 
 if TYPE_CHECKING:
     from tandem.sim.scenario import Scenario
@@ -26,6 +27,8 @@ CLIENT: Final = "crossings"
 """What this is announced as; a goal comes to rest without its client."""
 TELLS_EVERY: Final = 10
 """Periods between two words of the arm."""
+AGAIN_WITHIN: Final = 10.0
+"""Robot seconds for localising then."""
 AGAIN_AFTER: Final = 1.0
 """Robot seconds after which a goal that a reflex has ended is sent again."""
 SETTLES: Final = 0.5
@@ -53,6 +56,7 @@ class Rig:
         self._ticks = self._goals = 0
         self.bus: Bus = self._lockstep.bus
         self.bus.announce(CLIENT)
+        self._believed = Latest(self.bus, ROBOT_POSE)
         self.clocks: Clocks = self._lockstep.clocks
         self._also: Callable[[], None] = lambda: None
         self._wait(SETTLES)
@@ -76,7 +80,8 @@ class Rig:
     def drive(self, goal: FloorPose, *, within: float, also: Callable[[], None]) -> GoalStatus | None:
         """Drive; ``also`` is called after each period. None: not done within so many robot seconds.
 
-        As a tree would, it drives again after a reflex took the wheels: somebody has run into the bumper.
+        As a tree would, it localises and drives again after a reflex took the wheels: somebody has run into
+        the base.
         """
         self._also = also
         asked = DriveGoal(poses=(goal,), position_tolerance=0.05, yaw_tolerance=0.1)
@@ -87,9 +92,16 @@ class Rig:
                 if status is None or not _again(status):
                     return status
                 self._wait(AGAIN_AFTER)
+                self._localise_again(min(left, AGAIN_WITHIN))
             return None
         finally:
             self._also = lambda: None
+
+    def _localise_again(self, within: float) -> None:
+        """Find the place anew, near where the base believes to be: it may have been pushed."""
+        believed = self._believed.refresh()
+        hint = None if believed is None else believed.base_in_map
+        self._do(LOCALISE.name, LocaliseGoal(hint=hint).model_dump(mode="json"), within=within)
 
     def close(self) -> None:
         """End it."""
@@ -139,4 +151,5 @@ class Rig:
 
 
 def _again(status: GoalStatus) -> bool:
-    return status.failure is not None and status.failure.kind is FailureKind.OVERRIDDEN
+    again = {FailureKind.OVERRIDDEN, FailureKind.NOT_LOCALISED}
+    return status.failure is not None and status.failure.kind in again

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -57,16 +57,22 @@ class _Segment:
         return self.x, self.y
 
 
-def candidates(placed: PlacedScan, bounds: tuple[float, float, float, float]) -> tuple[Candidate, ...]:
-    """Return what could be a person, pairs of legs first."""
+def candidates(
+    placed: PlacedScan, bounds: tuple[float, float, float, float], still: Callable[[float, float], bool]
+) -> tuple[Candidate, ...]:
+    """Return what could be a person. ``still`` says where something has stood for a while.
+
+    What stands makes no pair with what does not: somebody who walks past a chair is not half of it.
+    """
     legs: list[_Segment] = []
+    standing: list[_Segment] = []
     bodies: list[Candidate] = []
     for segment in _segments(placed, bounds):
         if segment.width <= LEG:
-            legs.append(segment)
+            (standing if still(*segment.middle) else legs).append(segment)
         elif segment.width <= BODY:
             bodies.append(Candidate(segment.x, segment.y, 0.08, paired=True, parts=(segment.middle,)))
-    return (*bodies, *_paired(legs))
+    return (*bodies, *_paired(legs), *_paired(standing))
 
 
 def _paired(legs: Sequence[_Segment]) -> list[Candidate]:

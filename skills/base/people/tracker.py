@@ -31,7 +31,9 @@ STRANGERS_GATE: Final = 0.28
 """Likewise of what is no person yet: less than from one leg of a chair to the next."""
 SINGLE: Final = 0.10
 STRANGER: Final = 0.15
-"""Metres by which a single leg, and a track that is no person yet, count as farther away."""
+FURNITURE: Final = 0.30
+"""Metres by which a single leg, a track that is no person yet, and what stands where somebody walks by
+count as farther away."""
 SWALLOWED: Final = 0.45
 """Metres around a track within which what is left over is a part of it: the other leg."""
 LOST: Final = 3
@@ -128,7 +130,8 @@ class Tracker:
             self._still.clear()
         else:
             trusted = self._localiser.localised and placed.fit >= TRUSTED_FIT
-            self._follow(placed, passed, candidates(placed, self._map.bounds) if trusted else ())
+            bounds, still = self._map.bounds, self._still.holds
+            self._follow(placed, passed, candidates(placed, bounds, still) if trusted else ())
         self._tell(placed.points.stamp)
         return False
 
@@ -149,7 +152,7 @@ class Tracker:
     def _matched(self, seen: Sequence[Candidate]) -> list[Candidate]:
         """Give each track the nearest that is left; return what nobody has."""
         pairs = sorted(
-            (distance + SINGLE * (not each.paired) + STRANGER * (not track.walked), t, c)
+            (distance + self._doubt(track, each), t, c)
             for t, track in enumerate(self._tracks)
             for c, each in enumerate(seen)
             if (distance := math.dist((each.x, each.y), track.place))
@@ -157,8 +160,8 @@ class Tracker:
         )
         matched: set[int] = set()
         taken: set[int] = set()
-        for _, t, c in pairs:
-            if t not in matched and c not in taken:
+        for far, t, c in pairs:
+            if far < GATE and t not in matched and c not in taken:
                 matched.add(t)
                 taken.add(c)
                 still = any(self._still.holds(*part) for part in seen[c].parts)
@@ -166,6 +169,12 @@ class Tracker:
         for t, track in enumerate(self._tracks):
             track.misses += t not in matched
         return [each for c, each in enumerate(seen) if c not in taken]
+
+    def _doubt(self, track: Track, seen: Candidate) -> float:
+        """Return by how many metres what is seen counts as farther from a track."""
+        passes = track.walked and track.speed >= STANDS
+        still = passes and all(self._still.holds(*part) for part in seen.parts)
+        return SINGLE * (not seen.paired) + STRANGER * (not track.walked) + FURNITURE * still
 
     def _over(self, track: Track, placed: PlacedScan) -> bool:
         if not track.walked:
