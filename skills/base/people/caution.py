@@ -35,10 +35,12 @@ EQUAL: Final = 1e-6
 """Metres: as good as no difference."""
 ROOM: Final = 0.05
 """Metres between the two bodies that are too near."""
-SHARES: Final = (1.0, 0.75, 0.5, 0.25, 0.0)
-"""Shares of the speed that are tried."""
+SHARES: Final = (1.0, 0.75, 0.5, 0.25)
+"""Shares of the speed that are tried; if none is worth its costs, the base waits."""
 DEAR: Final = 1.3
 """What being where somebody will be costs, in shares of the speed."""
+SOON: Final = 0.5
+"""Seconds before which costs don't count, so that a base can leave from beside somebody."""
 LOOKS: Final = 2.5
 """Seconds of way that are looked at."""
 
@@ -70,12 +72,12 @@ class Caution:
     def ahead(self) -> Forecast:
         """Return where people will be, as of the newest scan."""
         if self._known is None or self._known.number != self.tracker.number:
-            self._known = _Known(self.tracker.number, forecast(self.tracker.people, self._walls))
+            self._known = _Known(self.tracker.number, forecast(self.tracker.moving, self._walls))
         return self._known.ahead
 
     def safe(self, pose: FloorPose, linear: float, angular: float) -> bool:
         """Say whether a base at these speeds (m/s, rad/s) can still stand in time before anybody is there."""
-        if not self.tracker.people:
+        if not self.tracker.moving:
             return True
         seen = self.ahead()
         stops = max(abs(linear) / self._drive.acceleration, abs(angular) / self._drive.turn_acceleration)
@@ -93,10 +95,10 @@ class Caution:
 
     def pace(self, path: Path, way: float, wanted: float) -> float:
         """Return the speed (m/s), ``wanted`` at the most, at which to go on along a path."""
-        if not self.tracker.people or wanted <= 0.0:
+        if not self.tracker.moving or wanted <= 0.0:
             return wanted
-        seen, times = self.ahead(), np.arange(0.0, LOOKS + STEP, STEP)
-        best, most = 0.0, -math.inf
+        seen, times = self.ahead(), np.arange(SOON, LOOKS + STEP, STEP)
+        best, most = 0.0, 0.0  # who stands pays nothing: it is for people to come near
         for share in SHARES:
             ways = np.minimum(way + share * wanted * times, path.length)
             x = np.interp(ways, path.ways, path.points[:, 0])

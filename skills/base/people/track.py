@@ -22,6 +22,8 @@ SCANS: Final = (5, 12)
 STRAIGHT: Final = 0.045
 """Metres, root mean square, off an even pace along a straight line. Between the legs of a chair a track jumps
 to and fro by 0.1 m and more; the middle of two walking legs is as exact as the laser."""
+SUSPECTED: Final = (3, 0.35, 0.12)
+"""Scans, m/s and metres from which on a thing is a suspect."""
 STANDS: Final = 0.15
 """m/s below which a person stands."""
 COASTS: Final = 0.6
@@ -43,6 +45,8 @@ class Track:
     stood: float = 0.0
     """Robot seconds for which it has stood."""
     walked: bool = False
+    on_still: bool = False
+    """Whether it was seen last where something has stood for a while."""
 
     @classmethod
     def of(cls, number: int, seen: Candidate) -> Track:
@@ -70,6 +74,13 @@ class Track:
         """How well the place is known (m)."""
         return math.sqrt(max(float(self.covariance[0, 0] + self.covariance[1, 1]) / 2, 0.0))
 
+    @property
+    def suspect(self) -> bool:
+        """Whether it may be a person who has just set out: enough to brake for, not to tell anybody."""
+        if self.walked or self.on_still or self.misses or len(self.recent) < SUSPECTED[0]:
+            return False
+        return self.speed > SUSPECTED[1] and math.dist(self.recent[-1], self.recent[0]) > SUSPECTED[2]
+
     def predict(self, seconds: float) -> None:
         """Let time pass."""
         carry = np.eye(4)
@@ -93,7 +104,7 @@ class Track:
         if self.misses:
             self.recent.clear()
         self.recent = [*self.recent[-SCANS[1] + 1 :], (seen.x, seen.y)]
-        self.misses, self.unseen = 0, 0.0
+        self.misses, self.unseen, self.on_still = 0, 0.0, still
         self.walked = self.walked or (not still and goes(self.recent))
 
 

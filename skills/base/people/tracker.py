@@ -92,6 +92,11 @@ class Tracker:
         return tuple(track for track in self._tracks if track.walked)
 
     @property
+    def moving(self) -> tuple[Track, ...]:
+        """Everybody who is known, and what may be somebody who has just set out."""
+        return tuple(track for track in self._tracks if track.walked or track.suspect)
+
+    @property
     def walking(self) -> tuple[Track, ...]:
         """Those who walk, or have just stopped: they will not stay where they are."""
         return tuple(track for track in self.people if track.speed >= STANDS or track.stood < SETTLED)
