@@ -100,6 +100,7 @@ CONNECTS_NOWHERE: Final = {
     "keys new",
     "keys list",
     "keys revoke",
+    "keys link",
 }
 """They read files, or run a system of their own."""
 

@@ -36,6 +36,7 @@ WITHOUT: Final = {
     "keys init": CONFIRMS,
     "keys new": CONFIRMS,
     "keys revoke": CONFIRMS,
+    "keys link": "prints one address",
     "export": "prints JSON lines",
     "log export": "prints JSON lines",
     "log cut": CONFIRMS,
