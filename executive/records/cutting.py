@@ -14,8 +14,7 @@ from tandem.executive.records.tape import Tape
 def cut(record: Recording, target: Path, part: Span) -> int:
     """Write what lies between two moments into another file; return how many messages that is.
 
-    An MCAP file is cut into one with our messages and pictures; what only Foxglove draws is made anew from
-    them when a recording is written, and is not in it.
+    An MCAP file is cut into one with our messages; pictures, and what only Foxglove draws, are left out.
 
     Raises:
         RecordError: when the target is there already, or nothing lies between the moments.
