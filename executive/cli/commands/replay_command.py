@@ -38,9 +38,21 @@ def replay(
         bool,
         typer.Option("--again", help="Repeat a run in lockstep, up to --at; tell where it differs."),
     ] = False,
+    web: Annotated[
+        bool, typer.Option("--web", help="Show it on the page, in a browser, until Ctrl-C.")
+    ] = False,
+    web_at: Annotated[
+        str,
+        typer.Option("--web-at", metavar="HOST:PORT", help="Address of the page, on this host only."),
+    ] = "127.0.0.1:8447",
     as_json: Json = False,
 ) -> None:
     """List what happened in a record; with --at or --task show the tree and the reasons at that moment."""
+    if web:
+        from tandem.executive.cli.commands.web_command import show_record  # noqa: PLC0415
+
+        show_record(file, web_at, option="--web-at")
+        return
     from tandem.executive.records.recording import open_recording  # noqa: PLC0415
 
     record = open_recording(file)

@@ -63,12 +63,10 @@ def web(
     bus: BusOptions,
 ) -> None:
     """Serve the page: the robot, its tree, its tasks and the stop in a browser, until Ctrl-C."""
-    lacks = words_on(WEB, "tandem web")
-    if lacks:
-        raise CommandError(lacks)
     if record is not None:
         show_record(record, at)
         return
+    _require_extra("tandem web")
     from tandem.executive.cli.connection import Connection  # noqa: PLC0415 - as `--help` is quick
     from tandem.executive.web.options import (  # noqa: PLC0415
         AddressError,
@@ -93,6 +91,12 @@ def web(
     if secure is not None:
         typer.echo(f"a log-in: tandem keys link NAME --page {secure.origin}")
     serve(_robot(named), listening, secure)
+
+
+def _require_extra(what: str) -> None:
+    lacks = words_on(WEB, what)
+    if lacks:
+        raise CommandError(lacks)
 
 
 def _secured(
@@ -132,8 +136,9 @@ def _secured(
     return Secure(f"https://{shown}:{port}", certificate, private_key, bus.keys)
 
 
-def show_record(record: Path, at: str) -> None:
-    """Serve the page over a record, until Ctrl-C."""
+def show_record(record: Path, at: str, *, option: str = "--at") -> None:
+    """Serve the page over a record, until Ctrl-C; ``option``: what says where."""
+    _require_extra("the page over a record")
     from tandem.executive.records.recording import open_recording  # noqa: PLC0415 - as `--help` is quick
     from tandem.executive.web.options import AddressError, WebOptions, checked_address  # noqa: PLC0415
     from tandem.executive.web.replay import Replay  # noqa: PLC0415
@@ -143,7 +148,7 @@ def show_record(record: Path, at: str) -> None:
     try:
         listening = listen(WebOptions(replay.options, *checked_address(at)))
     except AddressError as error:
-        raise CommandError(f"--at: {error}") from error
+        raise CommandError(f"{option}: {error}") from error
     typer.echo(f"{record} is shown at {listening.address}\npress Ctrl-C to stop")
     serve(replay, listening)
 

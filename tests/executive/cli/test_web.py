@@ -27,6 +27,7 @@ PROGRAM = "import sys; from tandem.executive.cli.start import run; sys.exit(run(
         (["keys", "link", "anna", "--page", "http://robot:8447"], 2, "an address such as https://"),
         (["keys", "link", "anna", "--page", "https://robot:8447", "--folder", "nowhere"], 2, "no such file"),
         (["web", "--record", "pyproject.toml"], 2, "expected a record of Tandem"),
+        (["replay", "pyproject.toml", "--web"], 2, "expected a record of Tandem"),
         (["web", "--at", "8447"], 2, "expected a host and a port"),
         (["web", "--connect", "tcp/127.0.0.1:1"], 3, "tandem up"),
         (["up", "--web", "--web-at", "192.168.1.5:80"], 2, "--web-at: 192.168.1.5:80: anyone who can reach"),
