@@ -54,7 +54,8 @@ def nodes(
     made: list[Node] = []
     for name in groups:
         # In lockstep plans are charged by counts, and they are the same: nothing is gained there.
-        arm = Arm(bodies, description, name, field=not charge)
+        field = settings is not None and settings.field and not charge
+        arm = Arm(bodies, description, name, field=field)
         board = ArmStatusBoard(bus, clocks, arm)
         skill = Move(bus, clocks, arm, board, settings or PlannerSettings(), seed=seed, compute=compute)
         made += [board, ActionServer(bus, clocks, skill, charge=charge)]

@@ -29,6 +29,8 @@ class PlannerSettings(Message):
     """For so many it improves the first path it has found."""
     star_edge: Annotated[float, Field(gt=0.0)] = 0.35
     """Metres (weighed) of its edges: with one tree, longer ones seldom get out of a narrow place."""
+    field: bool = False
+    """Check states in a distance field; takes numba (extra ``fast``), and 120 MB more in the process."""
     slice_checks: Count = 50
     """Between two chances to be stopped."""
     shortcut_rounds: Annotated[int, Field(ge=0, le=1_000_000)] = 30
