@@ -190,7 +190,7 @@ class CollisionChecker:
             may_touch = frozenset(named.union(*resting))
             around = Around(self._carried, self.obstacles, may_touch, resting)
             self._quick = world.quick(self.chain, self._geometry, around)
-        world.hold(self.obstacles)
+        world.hold(self._quick.field, self.obstacles)
         return self._quick
 
     def contacts(self, q: Array) -> tuple[Contact, ...]:

@@ -145,7 +145,7 @@ def judge(  # noqa: C901, PLR0912, PLR0915, PLR0917
                 for k in range(few.shape[1]):
                     p = at_few[body, k]
                     where = int(p[0]) * x_stride + int(p[1]) * y_stride + int(p[2])
-                    if least[where] <= few[body, k, 3] * cell + safe:
+                    if where < 0 or where >= len(least) or least[where] <= few[body, k, 3] * cell + safe:
                         near = True
                         break
                 if not near:
@@ -154,7 +154,7 @@ def judge(  # noqa: C901, PLR0912, PLR0915, PLR0917
                 for k in range(cover.shape[1]):
                     _move(frames, joint, cover[body, k], point)
                     where = int(point[0]) * x_stride + int(point[1]) * y_stride + int(point[2])
-                    if least[where] <= cover[body, k, 3] * cell + safe:
+                    if where < 0 or where >= len(least) or least[where] <= cover[body, k, 3] * cell + safe:
                         near = True
                         break
                 if not near:
@@ -164,7 +164,7 @@ def judge(  # noqa: C901, PLR0912, PLR0915, PLR0917
                     for k in range(inner.shape[1]):
                         _move(frames, joint, inner[body, k], point)
                         where = int(point[0]) * x_stride + int(point[1]) * y_stride + int(point[2])
-                        if samples[where] + slack < inner[body, k, 3] * cell:
+                        if 0 <= where < len(samples) and samples[where] + slack < inner[body, k, 3] * cell:
                             verdict = CONTACT
                             break
                 if verdict == CONTACT:

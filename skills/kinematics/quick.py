@@ -40,11 +40,15 @@ class Quick:
     def __init__(
         self, chain: Chain, field: DistanceField, bodies: Sequence[Body], meetings: Sequence[Meeting]
     ) -> None:
+        self.field = field
+        """What it looks into."""
         forward = Forward(chain, 1.0 / field.cell, -field.low / field.cell)
         pairs = [each for each in meetings if each.table is None]
         moving = [k for k, body in enumerate(bodies) if body.joint > 0]
         standing = sorted({k for each in pairs for k in (each.first, each.second) if bodies[k].joint == 0})
         used = [*moving, *standing]
+        if max((bodies[k].joint for k in used), default=0) >= forward.joints:
+            raise ValueError(f"bodies of a model with more than the chain's {forward.joints - 1} joints")
         rank = {k: i for i, k in enumerate(used)}
         known = [(each.table, not each.may_touch) for each in meetings if each.table is not None]
         angles = Angles(chain.joints, [table for table, _ in known], [strict for _, strict in known])

@@ -75,7 +75,10 @@ class WorldField:
                 if not self._hulls.harmless[first, second]:
                     self._hulls.tables.table(first, second, joints)
         chain = Chain(self._hulls.robot, joints, {})
-        self.quick(chain, self._hulls.geometry, Around()).look(np.zeros((1, len(joints))))
+        _, reduced = pin.buildReducedModel(
+            self._hulls.robot.model, self._hulls.geometry, chain.locked, chain.reference
+        )
+        self.quick(chain, reduced, Around()).look(np.zeros((1, len(joints))))
 
     def quick(self, chain: Chain, geometry: pin.GeometryModel, around: Around) -> Quick:
         """Return what looks at many states of a checker.
@@ -117,13 +120,18 @@ class WorldField:
             cell = float(np.max(high - low)) / ACROSS
             kept = DistanceField(low - MARGIN, high + MARGIN, cell=cell, reach=REACH * cell)
             self._field, self._holds = kept, None
-        self.hold(around.obstacles)
+        self.hold(kept, around.obstacles)
         return kept
 
-    def hold(self, obstacles: tuple[Obstacle, ...]) -> None:
-        """Make the field be that of these obstacles; nothing to do if it is."""
-        if self._holds is not obstacles and self._field is not None:
-            self._field.set_obstacles(obstacles)
+    def hold(self, field: DistanceField, obstacles: tuple[Obstacle, ...]) -> None:
+        """Make a field be that of these obstacles; nothing to do if it is.
+
+        It may be an earlier one: a checker keeps its field when a larger one takes the place.
+        """
+        if field is not self._field:
+            field.set_obstacles(obstacles)
+        elif self._holds is not obstacles:
+            field.set_obstacles(obstacles)
             self._holds = obstacles
 
     def _room(self, chain: Chain, carried: Sequence[Carried]) -> tuple[Array, Array]:

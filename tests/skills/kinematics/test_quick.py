@@ -126,6 +126,25 @@ def test_a_field_shared_by_two_checkers_is_that_of_the_one_that_asks(panda: Stan
     assert np.array_equal(empty.look(states), first)
 
 
+def test_a_checker_keeps_its_world_when_a_larger_field_takes_its_place(panda: Stand) -> None:
+    world, joints = WorldField(panda.arm.hulls), panda.arm.group.joints
+    positions, states = home_positions(panda.arm.description), drawn(panda, 400)
+    hand = panda.arm.description.end_effectors[0]
+    pole = Carried(
+        "pole", BoxShape((0.6, 0.02, 0.02)), hand.frame, Pose(position=(0.3, 0, 0)), hand.touch_links
+    )
+    empty = CollisionChecker(panda.arm.hulls, joints, positions, world=world)
+    first = empty.look(states)
+    CollisionChecker(panda.arm.hulls, joints, positions, [SHELF], world=world).look(states)
+    CollisionChecker(panda.arm.hulls, joints, positions, [ITEM], [pole], world=world).look(states)
+    assert np.array_equal(empty.look(states), first)
+
+
+def test_states_that_are_no_numbers_are_in_doubt(panda: Stand) -> None:
+    _, both = checkers(panda, obstacles=[SHELF])
+    assert (both.look(np.full((3, len(panda.arm.group.joints)), np.nan)) == DOUBT).all()
+
+
 def test_a_motion_is_checked_as_without(panda: Stand) -> None:
     alone, both = checkers(panda, obstacles=[SHELF])
     space = Space(panda.arm.limits, panda.arm.weights)
