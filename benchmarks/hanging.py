@@ -15,6 +15,7 @@ from tandem.executive.system.process_system import ProcessSystem
 from tandem.executive.system.systems import wait_for
 from tandem.skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
 from tandem.skills.ports.actions.arm import MoveGoal, move
+from tandem.skills.ports.actions.base import LOCALISE, LocaliseGoal
 from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.keys import JOINT_STATES, LEASES, Latest
 from tandem.skills.ports.lease import Lease
@@ -30,6 +31,7 @@ class Moving:
     """The left arm on its way to a posture, sent in the executive's name."""
 
     def __init__(self, system: ProcessSystem, goal_id: str, posture: str) -> None:
+        _localise(system, f"{goal_id}/where")
         self.goal_id = goal_id
         action = move(GROUP)
         self.joints = Latest(system.bus, JOINT_STATES)
@@ -71,6 +73,18 @@ def _sent(system: ProcessSystem, key: str, goal: SendGoal) -> bytes:
         if answer is not None:
             return answer
     raise TimeoutError(f"nobody answers at {key}")
+
+
+def _localise(system: ProcessSystem, goal_id: str) -> None:
+    """Have the base find out where it is: among things an arm moves only when that is known."""
+    statuses = Latest(system.bus, status_topic(LOCALISE.name))
+    goal = LocaliseGoal().model_dump(mode="json")
+    sent = SendGoal(goal_id=goal_id, client="executive", goal=goal, lease=_executives(system))
+    status = GoalStatus.model_validate_json(_sent(system, goal_service(LOCALISE.name).key, sent))
+    while not status.state.terminal:
+        system.advance()
+        status = next((each for each in statuses.take() if each.goal_id == goal_id), status)
+    assert status.state is GoalState.SUCCEEDED, status
 
 
 def _executives(system: ProcessSystem) -> Lease:

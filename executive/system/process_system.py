@@ -235,6 +235,7 @@ class ProcessSystem:
             try:
                 bus = self._open(0.5, crew)
                 crew.listen(bus, Latest(bus, STOP_STATE))
+                bus.awake()  # it listens from now on: one that hangs before the first look is missed, too
             except BusError:
                 self._look_after()
                 if time.monotonic() > deadline:
