@@ -6,7 +6,7 @@ import time
 from typing import TYPE_CHECKING, Final
 
 from tandem.skills.ports.keys import Latest
-from tandem.skills.wire.loop import FOLLOW
+from tandem.skills.wire.loop import FOLLOW, FOLLOWS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -70,7 +70,7 @@ def run_paced(
 
 
 class Followers:
-    """The processes that the hardware waits for, faster than real time: all that are announced."""
+    """The processes that the hardware waits for, faster than real time: all that say that they follow."""
 
     def __init__(self, bus: ZenohBus) -> None:
         """Listen to them."""
@@ -92,10 +92,7 @@ class Followers:
             self._bus.waker.wait(left)
 
     def _names(self) -> list[str]:
-        announced = (
-            name.removeprefix("process/") for name in self._bus.alive() if name.startswith("process/")
-        )
-        return [name for name in announced if name != "hardware"]
+        return [name.removeprefix(FOLLOWS) for name in self._bus.alive() if name.startswith(FOLLOWS)]
 
 
 def _wait_for_picture(station: Station, bus: ZenohBus) -> None:

@@ -21,6 +21,11 @@ IDLE_WAIT: Final = 0.08
 than the period of the clock of a robot that rests, or each of its ticks would cost two turns."""
 
 
+FOLLOWS: Final = "follows/"
+"""Before the name of a process that follows the hardware's ticks, among the names it announces. Recorders
+and pages are processes that only listen: nothing waits for them."""
+
+
 class Followed(Message):
     """A follower has finished the hardware's tick."""
 
@@ -43,6 +48,7 @@ def run(
     # now and then, for 20 ms and more, between a message and its answer.
     gc.collect()
     gc.freeze()
+    bus.announce(f"{FOLLOWS}{name}")
     bus.announce(f"process/{name}")
     more = False
     try:

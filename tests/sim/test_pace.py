@@ -1,0 +1,34 @@
+"""Whom the hardware waits for, faster than real time."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from tandem.sim.pace import Followers
+from tandem.skills.ports.forwarding_bus import ForwardingBus
+from tandem.skills.wire.loop import FOLLOW, FOLLOWS, Followed
+from tandem.skills.wire.memory import MemoryBus
+from tandem.skills.wire.zenoh_bus import ZenohBus
+
+
+class Counting(ForwardingBus):
+    """A bus whose waker counts how often it is waited for."""
+
+    def __init__(self, inner: MemoryBus) -> None:
+        super().__init__(inner)
+        self.waker, self.waits = self, 0
+
+    def wait(self, timeout: float) -> None:  # noqa: ARG002 - as a waker is called
+        self.waits += 1
+
+
+def test_it_waits_for_who_follows_and_for_nobody_who_only_listens() -> None:
+    bus = Counting(MemoryBus())
+    followers = Followers(cast("ZenohBus", bus))
+    for name in ("process/recorder", "process/base", f"{FOLLOWS}base"):
+        bus.announce(name)
+    FOLLOW.publish(bus, Followed(follower="base", tick=3))
+    followers.wait_for(3)
+    assert bus.waits == 0
+    followers.wait_for(4)
+    assert bus.waits > 0
