@@ -15,7 +15,7 @@ from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.records import RecordingState
 from tandem.skills.wire.clocks import SteppedClocks
 
-pytestmark = pytest.mark.lockstep
+pytestmark = [pytest.mark.lockstep, pytest.mark.thorough]
 FACTS = Facts(site="lab", robot="tiago", release="0", began=0.0, lockstep=True)
 
 
