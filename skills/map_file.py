@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from pydantic import ValidationError
 
 from tandem.skills import site as sites
-from tandem.skills.ports.lattice import Lattice, Numbers, numbers_of
 from tandem.skills.ports.occupancy import SavedMap
 from tandem.skills.ports.problems import in_words, problems_of
 from tandem.skills.ports.sources import DocumentError
 from tandem.skills.synced_file import replace_file
+
+if TYPE_CHECKING:
+    from tandem.skills.ports.lattice import Lattice, Numbers
 
 SUFFIX: Final = ".map.json"
 REMEDY: Final = "move it away, or delete it: the robot then begins with an empty map"
@@ -51,6 +53,8 @@ def load(path: Path, site: str, lattice: Lattice) -> Numbers | None:
     Raises:
         DocumentError: naming the file, the path in it, and what was expected.
     """
+    from tandem.skills.ports.lattice import Lattice, numbers_of  # noqa: PLC0415 - loads numpy
+
     try:
         text = path.read_bytes()
     except FileNotFoundError:
@@ -86,4 +90,6 @@ def check(site: str, data: str | None) -> None:
     """
     loaded, path = sites.load(site), path_of(site, data)
     if loaded.occupancy is not None and path is not None:
+        from tandem.skills.ports.lattice import Lattice  # noqa: PLC0415 - loads numpy
+
         load(path, loaded.name, Lattice.of_site(loaded, loaded.occupancy))

@@ -18,6 +18,8 @@ from pydantic import JsonValue
 
 from tandem.executive.interface.entries import entries
 from tandem.executive.interface.schemas import separate_schemas
+from tandem.executive.records.recorder import Recorder
+from tandem.executive.records.recording import Facts
 from tandem.executive.service.executive import Executive
 from tandem.executive.trials.campaigns.fuzz_all import AllCounts
 from tandem.executive.trials.campaigns.fuzz_inputs import TASK_HERE, Input, feed_drawn, inputs
@@ -55,6 +57,15 @@ class FuzzCounts(Message):
     """The input that was neither taken nor refused, and what happened; empty when there was none."""
 
 
+class _Deaf:
+    """A recorder's ears that hear nothing: here it only answers."""
+
+    def drain(self) -> tuple[()]:
+        return ()
+
+    def close(self) -> None: ...
+
+
 class Target:
     """An executive that is fed one input after the other."""
 
@@ -67,6 +78,8 @@ class Target:
         self._executive = Executive(hub.endpoint(), self._clocks, load("lab"), self.kinds)
         # A robot that tells who and where it is and then does nothing, so that a task begins and goes on.
         robot = MockRobot(hub.endpoint(), self._clocks, load("lab"), items={}, localised=True)
+        facts = Facts(site="lab", robot="tiago", scenario="fuzz", seed=0, release="", began=0.0)
+        self._recorder = Recorder(hub.endpoint(), _Deaf(), self._clocks, facts=facts, boxes=None)
         for _ in range(3):
             self._clocks.advance(0.01)
             self._executive.step()
@@ -93,6 +106,7 @@ class Target:
 
     def close(self) -> None:
         """End the executive."""
+        self._recorder.close()
         self._executive.close()
 
     def _judge_request(self, payload: bytes, answer: TaskAnswer) -> None:
@@ -116,6 +130,7 @@ class Target:
         pending = self._bus.query(key, payload)
         self._clocks.advance(0.01)
         self._executive.step()
+        self._recorder.step()
         refusal = pending.refusal()
         if refusal is not None:
             assert Refusal.model_validate_json(refusal).problems, "refused without a problem"
