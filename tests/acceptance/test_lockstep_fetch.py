@@ -33,6 +33,7 @@ def told(course: Course, words: str) -> int:
     return sum(words in line for line in course.story)
 
 
+@pytest.mark.thorough
 def test_two_items_in_view_one_after_the_other() -> None:
     with course(load_scenario("Demo").starting_at(BEFORE_THE_TABLE)) as run:
         first, second = run.ask(29), run.ask(42)

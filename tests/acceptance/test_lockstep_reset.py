@@ -29,6 +29,7 @@ def holds(world: WorldState | None) -> bool:
     return world is not None and bool(world.held)
 
 
+@pytest.mark.thorough
 def test_a_reset_costs_the_fetch_that_runs_at_the_most() -> None:
     with course(load_scenario("Demo").starting_at(BEFORE_THE_TABLE)) as run:
         task = run.ask(29)
