@@ -336,19 +336,20 @@ def _by_environment(context: typer.Context) -> bool:
     return source is not None and source.name == "ENVIRONMENT"
 
 
+def _one_of(texts: tuple[str, ...], text: str, option: str) -> str:
+    """Return a word that an option takes."""
+    if text not in texts:
+        expected = f"{', '.join(texts[:-1])} or {texts[-1]}"
+        raise typer.BadParameter(f"expected {expected}; found {text!r}", param_hint=option)
+    return text
+
+
 def _processes(text: str) -> Processes:
-    for wish in get_args(Processes):
-        if text == wish:
-            return cast("Processes", text)
-    raise typer.BadParameter(f"expected few or many; found {text!r}", param_hint="--processes")
+    return cast("Processes", _one_of(get_args(Processes), text, "--processes"))
 
 
 def _on_restart(text: str) -> Restart:
-    for wish in get_args(Restart):
-        if text == wish:
-            return cast("Restart", text)
-    raise typer.BadParameter(f"expected resume, ask or interrupt; found {text!r}",
-                             param_hint="--on-restart")  # fmt: skip
+    return cast("Restart", _one_of(get_args(Restart), text, "--on-restart"))
 
 
 def _speed(text: str) -> float | None:
