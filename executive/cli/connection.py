@@ -13,12 +13,12 @@ from pydantic import JsonValue, ValidationError
 from tandem.executive.cli.allowed import may_ask, refuse_unless_allowed
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.client.asking import Asking
 from tandem.executive.client.talks import reason_of
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.ledger.sender import asked_by
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import client_in
-from tandem.skills.ports.bus import Pending
 from tandem.skills.ports.keys import DESCRIPTION, Nothing, Service
 from tandem.skills.ports.message import Message, read_leniently
 from tandem.skills.ports.tasks import TASK_CANCEL, by_client
@@ -31,7 +31,6 @@ ANSWER_WITHIN: Final = 2.5
 """Seconds of the host in which somebody must answer; with the connection's own, below three."""
 ROUTER_WITHIN: Final = 1.0
 """Seconds of the host in which the router must answer."""
-AGAIN_AFTER: Final = 0.2
 
 
 class Connection:
@@ -123,29 +122,17 @@ class Connection:
                 has refused it each time.
         """
         self.require_right(key)
-        deadline = time.monotonic() + self._within
-        while True:
-            pending, asked_at = self.bus.query(key, payload, timeout=self._within), time.monotonic()
-            self._await(pending, deadline)
-            answer = pending.poll()
-            late, refusal = time.monotonic() >= deadline - AGAIN_AFTER, pending.refusal()
-            if answer is None and refusal is not None and late:
-                raise CommandError(f"{key} was refused: {reason_of(refusal)}", ExitCode.REFUSED)
-            if answer is not None or time.monotonic() >= deadline:
-                return answer
-            # An empty answer means "not known": zenoh may say so just after somebody has come.
-            time.sleep(
-                max(0.0, min(AGAIN_AFTER - (time.monotonic() - asked_at), deadline - time.monotonic()))
-            )
+        asking = Asking(self.bus, key, payload, time.monotonic, self._within)
+        while (left := asking.left()) > 0.0:
+            self.bus.waker.wait(min(0.05, left))
+        if asking.answer is None and (refusal := asking.refusal()) is not None:
+            raise CommandError(f"{key} was refused: {reason_of(refusal)}", ExitCode.REFUSED)
+        return asking.answer
 
     def robot_name(self) -> str | None:
         """Return the name that the robot's hardware tells, or None when no hardware answers."""
         document = self.raw(DESCRIPTION.key, Nothing().model_dump_json().encode())
         return None if document is None else DESCRIPTION.decode_answer(document).name
-
-    def _await(self, pending: Pending, deadline: float) -> None:
-        while not pending.done() and pending.poll() is None and time.monotonic() < deadline:
-            self.bus.waker.wait(min(0.05, max(0.0, deadline - time.monotonic())))
 
     def nobody(self, of: str) -> str:
         """Return that nobody answers, who is there, and what to do; ``of`` is whom, in words."""

@@ -4,8 +4,8 @@ A ``Talk`` is a generator: it yields how many seconds it may be left alone (a me
 sooner), and returns its result. ``Client`` waits in its own thread, ``AsyncClient`` lets the loop go on.
 
 An answer may be lost (a link goes; zenoh tells nothing just after a peer has come). So a talk asks again,
-the same document under the same id, until its patience ends; the executive answers a repeated request with
-the first one's task.
+the same document under the same id, until its patience ends (see ``asking``); the executive answers a
+repeated request with the first one's task.
 """
 
 from __future__ import annotations
@@ -16,8 +16,9 @@ from typing import Final, TypeVar
 
 from pydantic import ValidationError
 
+from tandem.executive.client.asking import Asking
 from tandem.executive.client.errors import DeclinedError, NotConnectedError, OtherVersionError
-from tandem.skills.ports.bus import Bus, Pending
+from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.endpoint import Refusal
 from tandem.skills.ports.keys import Service
 from tandem.skills.ports.message import Message, read_leniently
@@ -30,8 +31,6 @@ Talk = Generator[float, None, T]
 
 PATIENCE: Final = 2.5
 """Seconds of the host in which somebody must answer."""
-AGAIN_AFTER: Final = 0.2
-"""Seconds after which a question that ended without an answer is put again."""
 LOST_AFTER: Final = 60.0
 """Seconds of silence after which following a task is given up. An executive is back within 1 s of a crash, a
 whole simulated robot within about 20 s; on a busy machine it takes twice that."""
@@ -82,28 +81,12 @@ class Talks:
         Raises:
             DeclinedError: when it was refused each time, as for its rate.
         """
-        deadline = self.monotonic() + self.patience
-        while True:
-            asked_at = self.monotonic()
-            pending = self.bus.query(key, payload, timeout=self.patience)
-            yield from self._ended(pending, deadline)
-            answer = pending.poll()
-            if answer is None and (refusal := pending.refusal()) is not None:
-                yield from self._pause(min(asked_at + AGAIN_AFTER, deadline))
-                if self.monotonic() >= deadline:
-                    raise DeclinedError(key, reason_of(refusal))
-                continue
-            if answer is not None or self.monotonic() >= deadline:
-                return answer
-            yield from self._pause(min(asked_at + AGAIN_AFTER, deadline))
-
-    def _ended(self, pending: Pending, deadline: float) -> Talk[None]:
-        while not pending.done() and pending.poll() is None and self.monotonic() < deadline:
-            yield max(0.0, deadline - self.monotonic())
-
-    def _pause(self, until: float) -> Talk[None]:
-        while (left := until - self.monotonic()) > 0.0:
+        asking = Asking(self.bus, key, payload, self.monotonic, self.patience)
+        while (left := asking.left()) > 0.0:
             yield left
+        if asking.answer is None and (refusal := asking.refusal()) is not None:
+            raise DeclinedError(key, reason_of(refusal))
+        return asking.answer
 
     def _nobody(self, key: str) -> str:
         there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))

@@ -22,15 +22,26 @@ from tandem.skills.wire.zenoh_bus import ZenohBus, open_session
 from tandem.trees.registry import discover
 
 
-def stops(bus: ZenohBus) -> Endpoints:
-    """Return the stop of a hardware that never moves."""
+class MockStop:
+    """The stop of a hardware that never moves; it tells its state now and then, as hardware has to."""
 
-    def told(asked: Stop | StopRelease) -> StopState:
-        state = StopState(stopped=isinstance(asked, Stop), by=asked.by, reason=asked.reason)
-        STOP_STATE.publish(bus, state)
-        return state
+    def __init__(self, bus: ZenohBus) -> None:
+        self._bus, self._state = bus, StopState(stopped=False)
+        served = (answering(STOP, self._told), answering(STOP_RELEASE, self._told))
+        self._endpoints = Endpoints(bus, time.monotonic, served)
 
-    return Endpoints(bus, time.monotonic, (answering(STOP, told), answering(STOP_RELEASE, told)))
+    def step(self) -> bool:
+        """Answer what was asked."""
+        return self._endpoints.step()
+
+    def tell(self) -> None:
+        """Tell the state to who has come since it changed."""
+        STOP_STATE.publish(self._bus, self._state)
+
+    def _told(self, asked: Stop | StopRelease) -> StopState:
+        self._state = StopState(stopped=isinstance(asked, Stop), by=asked.by, reason=asked.reason)
+        self.tell()
+        return self._state
 
 
 def main(port: str, duration: str, parts: str) -> None:
@@ -46,7 +57,7 @@ def main(port: str, duration: str, parts: str) -> None:
         items = {
             29: Pose(position=(0.5, 0.5, 0.74), orientation=from_axes((0, -1, 0), (0, 0, 1), (-1, 0, 0)))
         }
-        stop = stops(robot_bus)
+        stop = MockStop(robot_bus)
         nodes.append(MockRobot(robot_bus, robot_clocks, site, items=items, duration=float(duration)))
     if "executive" in parts:
         nodes.append(Executive(bus, clocks, site, discover(), start=start_id(), version="test"))
@@ -66,6 +77,7 @@ def main(port: str, duration: str, parts: str) -> None:
             bus.waker.wait(0.005)
         if tick % 100 == 0 and "robot" in parts:
             nodes[0].tell()
+            stop.tell()
 
 
 if __name__ == "__main__":

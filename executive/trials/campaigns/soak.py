@@ -28,6 +28,7 @@ from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_STATUS, CancelT
 ROBOT: Final = "soak"
 ROLES: Final[tuple[str, ...]] = ("router", "mock", "executive")
 SUPERVISOR: Final = "supervisor"
+OBSERVER: Final = "process/observer"
 WARM_UP: Final = 200
 """Tasks after which memory is no longer expected to grow: caches, inboxes and arenas are full then."""
 GROWTH_ALLOWED: Final = 2.0
@@ -142,6 +143,7 @@ def run_soak(
     samples: list[Sample] = []
     ended: dict[str, int] = {}
     with ProcessSystem(options, roles=ROLES, played_by={"mock": MOCKED}) as system:
+        _await_observer(system)
         driver = _Driver(system)
         for number in range(1, tasks + 1):
             state = driver.one(number)
@@ -161,6 +163,15 @@ def run_soak(
         samples=tuple(samples),
         wrong=what_is_wrong(growth, files, ended),
     )
+
+
+def _await_observer(system: ProcessSystem) -> None:
+    """Wait for what a start does not wait for: measured before it is there, its beginning would be growth."""
+    end = system.clocks.monotonic() + TASK_WITHIN
+    while OBSERVER not in system.bus.alive():
+        system.advance()
+        if system.clocks.monotonic() > end:
+            raise SystemFailure(f"the observer was not there {TASK_WITHIN:.0f} s after the start")
 
 
 class _Driver:

@@ -79,4 +79,5 @@ def test_a_short_soak_measures_every_process_and_leaves_no_handle_open(tmp_path:
     assert [each["role"] for each in told["processes"]] == [
         "supervisor", "router", "mock", "executive", "observer",
     ]  # fmt: skip
-    assert all(each["handles"][0] == each["handles"][1] for each in told["processes"])
+    before, after = ({each["role"]: each["handles"][end] for each in told["processes"]} for end in (0, 1))
+    assert after == before
