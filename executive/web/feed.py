@@ -7,9 +7,11 @@ from typing import Final, TypeVar
 
 from pydantic import JsonValue
 
+from tandem.executive.web.occupied import OccupiedSpace
 from tandem.executive.web.others import Others
 from tandem.executive.web.viewers import Update, merge
-from tandem.skills.ports.action import GoalState, status_topic
+from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
+from tandem.skills.ports.actions.arm import move
 from tandem.skills.ports.actions.base import DRIVE
 from tandem.skills.ports.bus import Bus, Commons
 from tandem.skills.ports.hardware import Clock, JointStates, RobotDescription
@@ -58,6 +60,7 @@ class Feed:
     ) -> None:
         self._bus, self._monotonic = bus, monotonic
         self._others = Others(commons, monotonic, own)
+        self._space = OccupiedSpace(monotonic)
         self._clock = Latest(bus, CLOCK, depth=1)
         self._joints = Latest(bus, JOINT_STATES, depth=1)
         self._pose = Latest(bus, ROBOT_POSE, depth=1)
@@ -72,6 +75,7 @@ class Feed:
         self._sightings = Latest(bus, SIGHTINGS, depth=16)
         self._drive = Latest(bus, status_topic(DRIVE.name), depth=4)
         self._laser: Latest[LaserScan] | None = None
+        self._arms: dict[str, Latest[GoalStatus]] = {}
         self._told: Update = {}
         self._last: TreeSnapshot | None = None
         self._shape: tuple[str, ...] = ()
@@ -82,7 +86,10 @@ class Feed:
         self._heard_at: float | None = None
 
     def describe(self, robot: RobotDescription) -> None:
-        """Learn which sensors the robot has."""
+        """Learn which sensors and hands the robot has."""
+        for hand in robot.end_effectors:
+            if hand.group not in self._arms:
+                self._arms[hand.group] = Latest(self._bus, status_topic(move(hand.group).name), depth=4)
         if robot.lasers and self._laser is None:
             self._laser = Latest(self._bus, laser(robot.lasers[0].name), depth=1)
 
@@ -114,6 +121,8 @@ class Feed:
         self._plans_and_tags(update)
         for name, told in self._others.take().items():
             self._if_new_of("robots", name, told, update)
+        if self._space.due():
+            update["occupied"] = self._space.take()
         for status in self._statuses.take():
             merge(update, {"tasks": {status.task: _plain(status)}})
         tree = self._fresh(self._trees)  # a node's ``last`` says what happened since the one before
@@ -131,7 +140,7 @@ class Feed:
         for heard in (
             self._clock, self._joints, self._pose, self._stop, self._scene, self._world, self._pulse,
             self._statuses, self._trees, self._reflexes, self._pipelines, self._sightings, self._drive,
-            self._laser,
+            self._laser, *self._arms.values(),
         ):  # fmt: skip
             if heard is not None:
                 heard.close()
@@ -171,10 +180,14 @@ class Feed:
                 update["laser"] = [round(each, 2) for each in scan.ranges]
 
     def _beliefs(self, update: Update) -> None:
+        scene = self._fresh(self._scene)
+        if scene is not None:
+            self._space.hear(scene.occupied)
+            scene = scene.model_copy(update={"occupied": None})
         news: Mapping[str, Message | None] = {
             "stop": self._fresh(self._stop),
             "pulse": self._fresh(self._pulse),
-            "scene": self._fresh(self._scene),
+            "scene": scene,
             "world": self._fresh(self._world),
         }
         for part, message in news.items():
@@ -191,11 +204,14 @@ class Feed:
             self._if_new_of("pipelines", pipeline.resource, plain, update)
 
     def _plans_and_tags(self, update: Update) -> None:
-        """Tell the way that is planned while the base drives, and the last tags that were seen."""
+        """Tell the ways that are planned while base and arms move, and the last tags that were seen."""
         drive = self._fresh(self._drive)
         if drive is not None:
-            drives = drive.state in {GoalState.RUNNING, GoalState.PAUSED}
-            self._if_new("plan", (drive.feedback or {}).get("way", []) if drives else [], update)
+            self._if_new("plan", _way(drive), update)
+        for group, heard in self._arms.items():
+            moves = self._fresh(heard)
+            if moves is not None:
+                self._if_new_of("hands", group, _way(moves), update)
         seen = [each for each in self._sightings.take() if each.sightings]
         if seen:
             update["tags"] = _tags(seen[-1])
@@ -240,6 +256,12 @@ class Feed:
 def _plain(message: Message) -> dict[str, JsonValue]:
     plain: dict[str, JsonValue] = message.model_dump(mode="json")
     return plain
+
+
+def _way(status: GoalStatus) -> JsonValue:
+    """Return the way that an action's feedback has; none when it has ended."""
+    moves = status.state in {GoalState.RUNNING, GoalState.PAUSED}
+    return (status.feedback or {}).get("way", []) if moves else []
 
 
 def _tags(seen: Sightings) -> dict[str, JsonValue]:

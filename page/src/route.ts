@@ -7,6 +7,14 @@ export function go(address: string, replace = false) {
   dispatchEvent(new Event("routed"));
 }
 
+// Sets a word of the address, or takes it out, and leaves the rest as it is.
+export function mark(name: string, on: boolean) {
+  const url = new URL(location.href);
+  if (on) url.searchParams.set(name, "");
+  else url.searchParams.delete(name);
+  go(url.pathname + url.search.replace(/=(?=&|$)/g, ""), true);
+}
+
 export function useRoute(): URL {
   const [url, set] = useState(() => new URL(location.href));
   useEffect(() => {

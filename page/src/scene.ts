@@ -3,10 +3,14 @@ import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { CSS2DObject, CSS2DRenderer } from "three/examples/jsm/renderers/CSS2DRenderer.js";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
+import { cubes } from "./cubes";
 import type { Live } from "./state";
 import type { Box, RobotDescription, Site } from "./types";
 
 const KINDS = { furniture: 0xb9b2a6, clutter: 0xc98a5a, item: 0x3f7fbf };
+// Seen through the arm that moves along it.
+const REACHING = new THREE.LineDashedMaterial({ color: 0xb8267a, dashSize: 0.03, gapSize: 0.015, depthTest: false, transparent: true });
+const REACHED = new THREE.MeshBasicMaterial({ color: 0xb8267a, depthTest: false, transparent: true, opacity: 0.8 });
 type Picked = (what: { item?: number; x: number; y: number }) => void;
 
 export class RobotScene {
@@ -23,7 +27,9 @@ export class RobotScene {
   private held: THREE.Object3D[] = [];
   private path = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x2f8f6f }));
   private plan = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineDashedMaterial({ color: 0x1257c8, dashSize: 0.1, gapSize: 0.06 }));
+  private hands = new THREE.Group();
   private scan = new THREE.Points(new THREE.BufferGeometry(), new THREE.PointsMaterial({ color: 0xd0402f, size: 0.03 }));
+  private occupied = new THREE.Group();
   private shown: Partial<Live> = {};
   private dirty = true;
   private over = false;
@@ -40,10 +46,11 @@ export class RobotScene {
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.maxPolarAngle = Math.PI / 2;
     this.controls.addEventListener("change", () => this.touch());
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a80, 2.2), this.base, this.room, this.things, this.others, this.path, this.plan, this.scan);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a80, 2.2), this.base, this.room, this.things, this.others, this.occupied, this.path, this.plan, this.scan);
     const sun = new THREE.DirectionalLight(0xffffff, 1.6);
     sun.position.set(2, -3, 6);
     this.scene.add(sun);
+    this.base.add(this.hands); // their ways are told in its frame
     this.path.frustumCulled = this.plan.frustumCulled = this.scan.frustumCulled = false;
     this.renderer.domElement.addEventListener("dblclick", (event) => this.pick(event));
     this.watch = new ResizeObserver(() => this.resize());
@@ -181,9 +188,29 @@ export class RobotScene {
       this.plan.computeLineDistances();
       this.box.dataset.plan = String(live.plan.length);
     }
+    if (live.hands !== this.shown.hands) this.reach(live.hands);
     if (live.robots !== this.shown.robots) this.placeOthers(live.robots);
+    if (live.occupied !== this.shown.occupied) this.fill(live.occupied);
     if (live.laser !== this.shown.laser) this.beams(live.laser);
     this.shown = live;
+  }
+
+  // Where each hand will be: a line, and a ball where it will end.
+  private reach(hands: Live["hands"]) {
+    for (const each of this.hands.children) (each as THREE.Mesh).geometry.dispose();
+    this.hands.clear();
+    const ways = Object.values(hands).filter((way) => way.length > 1);
+    for (const way of ways) {
+      const corners = way.map((corner) => new THREE.Vector3(...corner));
+      const line = new THREE.Line(new THREE.BufferGeometry().setFromPoints(corners), REACHING);
+      const ball = new THREE.Mesh(new THREE.SphereGeometry(0.025, 16, 12), REACHED);
+      ball.position.copy(corners.at(-1)!);
+      line.computeLineDistances();
+      line.renderOrder = ball.renderOrder = 1;
+      this.hands.add(line, ball);
+    }
+    this.box.dataset.hands = String(ways.length);
+    this.touch();
   }
 
   // Of another robot only its place is told: a drum with its name, and a nose that says where it looks.
@@ -204,6 +231,20 @@ export class RobotScene {
       robot.rotation.z = at[2];
       this.others.add(robot);
     }
+    this.touch();
+  }
+
+  private fill(occupied: Live["occupied"]) {
+    for (const each of this.occupied.children) (each as THREE.InstancedMesh).dispose();
+    this.occupied.clear();
+    const mesh = occupied && cubes(occupied);
+    if (mesh) this.occupied.add(mesh);
+    this.box.dataset.occupied = String(mesh?.count ?? 0);
+    this.touch();
+  }
+
+  showOccupied(yes: boolean) {
+    this.occupied.visible = yes;
     this.touch();
   }
 

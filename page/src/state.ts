@@ -1,7 +1,7 @@
 // All that is known, as one object that is replaced at each change. The server's updates are merged into it.
 import { useEffect, useState } from "preact/hooks";
 import type {
-  ExecutivePulse, NodeStatus, PipelineState, PlanningScene, ReflexState, RobotTime, StopState, TaskStatus, TreeNode, TreeSnapshot,
+  ExecutivePulse, NodeStatus, Occupancy, PipelineState, PlanningScene, ReflexState, RobotTime, StopState, TaskStatus, TreeNode, TreeSnapshot,
   WorldState,
 } from "./types";
 
@@ -11,6 +11,7 @@ export type Session = { site: string; robot: string; endpoint: string; who: stri
 export type Tags = { stamp: RobotTime; seen: { item: number; distance: number; tag: { position: [number, number, number]; orientation: [number, number, number, number] } }[] };
 export type Replayed = { at: number; speed: number; begin: number; end: number; began: number; cause: { at: number; words: string } | null };
 export type Other = { at: [number, number, number] | null; task: string; kind: string; phase: string; silent: boolean };
+export type Occupied = Pick<Occupancy, "origin" | "shape" | "resolution" | "cells">;
 export type NodeState = [NodeStatus, NodeStatus, string];
 export type Live = {
   connected: boolean;
@@ -25,11 +26,13 @@ export type Live = {
   pose: Pose | null;
   path: [number, number][];
   plan: [number, number][];
+  hands: Record<string, [number, number, number][]>; // planned ways of hands, in the base's frame
   tags: Tags | null;
   replay: Replayed | null;
   robots: Record<string, Other>; // the others of the site
   laser: number[];
-  scene: Omit<PlanningScene, "stamp" | "version"> | null;
+  occupied: Occupied | null;
+  scene: Omit<PlanningScene, "stamp" | "version" | "occupied"> | null;
   world: Omit<WorldState, "stamp" | "version"> | null;
   stop: StopState | null;
   pulse: ExecutivePulse | null;
@@ -41,7 +44,7 @@ type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & {
 
 const EMPTY: Live = {
   connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, joints: {},
-  pose: null, path: [], plan: [], tags: null, replay: null, robots: {}, laser: [], scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
+  pose: null, path: [], plan: [], hands: {}, tags: null, replay: null, robots: {}, laser: [], occupied: null, scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
   pipelines: {},
 };
 const PATH = 2000;
@@ -96,7 +99,7 @@ export function take(update: Update) {
   const same = live.replay === null ? { path: live.path, kept: live.kept } : { replay: live.replay };
   const before = update.whole ? { ...EMPTY, connected: true, ...same } : live;
   const next: Live = { ...before, ...update, heardAt: performance.now() };
-  for (const part of ["tasks", "joints", "nodes", "reflexes", "pipelines", "robots"] as const) {
+  for (const part of ["tasks", "joints", "nodes", "reflexes", "pipelines", "robots", "hands"] as const) {
     if (update[part]) Object.assign(next, { [part]: { ...before[part], ...update[part] } });
   }
   if (update.tree) {

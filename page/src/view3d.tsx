@@ -2,15 +2,18 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Camera } from "./camera";
 import { useRobot, useSite } from "./loading";
-import { go, useRoute } from "./route";
+import { go, mark, useRoute } from "./route";
 import { RobotScene } from "./scene";
-import { clearPath, current, listen } from "./state";
+import { clearPath, current, listen, useLive } from "./state";
 
 export function View3d() {
   const box = useRef<HTMLDivElement>(null);
   const scene = useRef<RobotScene | null>(null);
   const [error, fail] = useState("");
-  const looks = useRoute().searchParams.get("camera") !== null;
+  const words = useRoute().searchParams;
+  const looks = words.has("camera");
+  const hides = words.has("unoccupied");
+  const measured = useLive((live) => live.occupied !== null);
   const robot = useRobot();
   const site = useSite();
   useEffect(() => {
@@ -37,6 +40,7 @@ export function View3d() {
   useEffect(() => {
     if (site.value) scene.current?.setSite(site.value);
   }, [site.value]);
+  useEffect(() => scene.current?.showOccupied(!hides), [hides]);
   return (
     <section class="view3d" aria-label="The robot in its room">
       <div class="canvas" ref={box} />
@@ -46,7 +50,8 @@ export function View3d() {
         <button onClick={() => scene.current?.look("side")}>Side</button>
         <button onClick={() => scene.current?.look("above")}>Above</button>
         <button onClick={clearPath}>Clear path</button>
-        {robot.value?.cameras.length !== 0 && <button aria-pressed={looks} onClick={() => go(looks ? "/" : "/?camera", true)}>Camera</button>}
+        {robot.value?.cameras.length !== 0 && <button aria-pressed={looks} onClick={() => mark("camera", !looks)}>Camera</button>}
+        {measured && <button aria-pressed={!hides} onClick={() => mark("unoccupied", !hides)}>Occupied space</button>}
       </div>
     </section>
   );

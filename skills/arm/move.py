@@ -15,6 +15,7 @@ import numpy as np
 
 from tandem.skills.arm.followed import FollowedItem
 from tandem.skills.arm.gate import Gate
+from tandem.skills.arm.hand_way import hand_way
 from tandem.skills.arm.motion import Ended, GroupDriver
 from tandem.skills.arm.plan_move import MovePlanner, Steps
 from tandem.skills.arm.planning.settings import PlannerSettings
@@ -29,6 +30,7 @@ from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.compute import Compute
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.keys import JOINT_STATES, Latest
+from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
 
@@ -78,6 +80,7 @@ class Move:
         self._scene, self._pose = Latest(bus, SCENE), Latest(bus, ROBOT_POSE)
         self._gate = Gate(bus, clocks, None if arm.hand is None else arm.hand.side)
         self._followed = FollowedItem(bus, self._action.name)
+        self._way: tuple[Vector3, ...] = ()
 
     @property
     def action(self) -> ActionType[MoveGoal, MoveFeedback, MoveResult]:
@@ -138,6 +141,7 @@ class Move:
     def _attempts(self, goal: MoveGoal, goal_id: str) -> Moves:
         steps, number = 0, 0
         while True:
+            self._way = ()
             if (yield from self._held()):
                 return canceled()
             moment = yield from self._listen(goal)
@@ -215,6 +219,7 @@ class Move:
             return None, command
         if len(plan.trajectory.times) == 1:
             return self._verify(plan, steps, 0.0), command
+        self._way = self._way_of(plan)
         watch = MotionWatch(self._planner, self._scene, goal, moment, plan)
         began = robot_seconds(self._clocks)
         refused, command = yield from self._send(motion_id, plan)
@@ -339,9 +344,15 @@ class Move:
             )
         )
 
+    def _way_of(self, plan: Plan) -> tuple[Vector3, ...]:
+        joints = self._joints.refresh()
+        assert joints is not None  # heard before planning
+        return hand_way(self._arm, dict(zip(joints.names, joints.positions, strict=True)), plan.trajectory)
+
     def _feedback(self, phase: MovePhase) -> MoveFeedback:
-        progress = 0.0 if phase is MovePhase.PLANNING else self._driver.progress
-        return MoveFeedback(phase=phase, progress=progress)
+        if phase is MovePhase.PLANNING:
+            return MoveFeedback(phase=phase, progress=0.0)
+        return MoveFeedback(phase=phase, progress=self._driver.progress, way=self._way)
 
     def _failure(self, kind: FailureKind, message: str, **evidence: str | float | bool) -> Failure:
         return Failure(kind=kind, message=message, where=self._action.name, evidence=evidence)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Annotated, Literal
+from typing import Annotated, Final, Literal
 
 from pydantic import Field, model_validator
 
@@ -11,6 +11,9 @@ from tandem.skills.ports.keys import Topic
 from tandem.skills.ports.message import MOST, Count, Message, RobotTime, Vector3
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.skill import ActionType
+
+MOST_CORNERS: Final = 20
+"""Corners of a hand's way in a move's feedback: half a kilobyte, at 10 Hz while the arm moves."""
 
 
 class ArmState(StrEnum):
@@ -101,6 +104,9 @@ class MoveFeedback(Message):
 
     phase: MovePhase
     progress: Annotated[float, Field(ge=0.0, le=1.0)]
+    way: Annotated[tuple[Vector3, ...], Field(max_length=MOST_CORNERS)] = ()
+    """Where the hand's tool frame is along the planned motion (m, in the base's frame), from its begin to its
+    end. Empty while it plans, and for a group without a hand."""
 
 
 class MoveResult(Message):

@@ -18,9 +18,10 @@ from tandem.skills.ports.actions.base import DRIVE, DriveFeedback
 from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.keys import JOINT_STATES
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.occupancy import Occupancy, pack
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.whereabouts import RobotWhereabouts, whereabouts
-from tandem.skills.ports.world import SIGHTINGS, Sighting, Sightings
+from tandem.skills.ports.world import SCENE, SIGHTINGS, PlanningScene, Sighting, Sightings
 from tandem.skills.wire.memory import MemoryHub
 
 LIVE = AT.replace("http", "ws") + "/live"
@@ -171,3 +172,24 @@ def test_other_robots_are_told_by_their_own_names_and_when_they_fall_silent() ->
     now[0] = 10.0
     robots = feed.poll()["robots"]
     assert robots["r2"]["silent"]
+
+
+def test_occupied_space_is_told_when_it_changes_and_once_a_second_at_the_most() -> None:
+    hub, seconds = MemoryHub(), 10.0
+    bus, now = hub.endpoint(), RobotTime(boot="b", seconds=1.0)
+    feed = Feed(hub.endpoint(), lambda: seconds)
+
+    def told(*cells: int) -> object:
+        occupied = Occupancy(
+            stamp=now, version=1, origin=(0, 0, 0), shape=(9, 9, 9), resolution=0.1, cells=pack(cells)
+        )
+        SCENE.publish(bus, PlanningScene(stamp=now, version=1, objects=(), occupied=occupied))
+        return feed.poll().get("occupied")
+
+    assert told(1, 2) == {"origin": [0, 0, 0], "shape": [9, 9, 9], "resolution": 0.1, "cells": pack((1, 2))}
+    assert told(1, 2, 3) is None, "not before a second has passed"
+    seconds = 11.0
+    assert told(4) == {"origin": [0, 0, 0], "shape": [9, 9, 9], "resolution": 0.1, "cells": pack((4,))}
+    seconds = 12.0
+    assert told(4) is None, "it has not changed"
+    assert feed.whole()["scene"] == {"objects": [], "occupied": None}, "cells are not told twice"

@@ -15,12 +15,22 @@ from tandem.executive.security.authority import Wanted, begin, issue
 from tandem.executive.security.identity import Identity
 from tandem.executive.security.links import make
 from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
+from tandem.skills.ports.actions.arm import MoveFeedback, MovePhase, move
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback
+from tandem.skills.ports.occupancy import Occupancy, pack
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.reflex import PipelineState, ReflexState, pipeline_state, reflex_state
 from tandem.skills.ports.tasks import KindOfTask, TaskKinds
 from tandem.skills.ports.whereabouts import RobotWhereabouts
-from tandem.skills.ports.world import ROBOT_POSE, SIGHTINGS, RobotPose, Sighting, Sightings
+from tandem.skills.ports.world import (
+    ROBOT_POSE,
+    SCENE,
+    SIGHTINGS,
+    PlanningScene,
+    RobotPose,
+    Sighting,
+    Sightings,
+)
 
 pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
 from playwright.sync_api import Browser, Page, expect
@@ -105,6 +115,37 @@ def test_the_planned_way_is_drawn(page: Page, robot: FakeRobot) -> None:
     expect(page.locator(".link")).to_contain_text("nothing heard")
     tell(robot)
     expect(page.locator(".canvas")).to_have_attribute("data-plan", "3")
+
+
+def test_the_planned_way_of_a_hand_is_drawn(page: Page, robot: FakeRobot) -> None:
+    group = robot.description.end_effectors[0].group
+    page.goto("/")
+    expect(page.locator(".canvas")).to_have_attribute("data-robot", "loaded")
+    way = tuple((0.4 + 0.02 * i, 0.4 - 0.05 * i, 0.6 + 0.08 * i - 0.006 * i * i) for i in range(10))
+    fed = MoveFeedback(phase=MovePhase.MOVING, progress=0.1, way=way).model_dump(mode="json")
+    moving = GoalStatus(goal_id="a/b/1", state=GoalState.RUNNING, sequence=1, feedback=fed)
+    robot.tell((status_topic(move(group).name), moving))
+    expect(page.locator(".canvas")).to_have_attribute("data-hands", "1")
+    picture(page, "page-hand")
+    ended = GoalStatus(goal_id="a/b/1", state=GoalState.CANCELED, sequence=2)
+    robot.tell((status_topic(move(group).name), ended))
+    expect(page.locator(".canvas")).to_have_attribute("data-hands", "0")
+
+
+def test_occupied_space_is_drawn_and_can_be_hidden(page: Page, robot: FakeRobot) -> None:
+    page.goto("/")
+    expect(page.locator(".link")).to_contain_text("nothing heard")
+    expect(page.get_by_role("button", name="Occupied space")).to_have_count(0)
+    stack = pack(x + 10 * (y + 10 * z) for z in range(10) for y in range(3, 7) for x in range(3, 7))
+    cells = Occupancy(
+        stamp=robot.now, version=1, origin=(0.3, -1.3, 0.0), shape=(10, 10, 10), resolution=0.05, cells=stack
+    )
+    robot.tell((SCENE, PlanningScene(stamp=robot.now, version=1, objects=(), occupied=cells)))
+    expect(page.locator(".canvas")).to_have_attribute("data-occupied", "160")
+    picture(page, "page-occupied")
+    page.get_by_role("button", name="Occupied space", pressed=True).click()
+    expect(page).to_have_url("/?unoccupied")
+    expect(page.get_by_role("button", name="Occupied space", pressed=False)).to_be_visible()
 
 
 def test_a_reflex_is_switched_where_it_is_shown_who_has_what(page: Page, robot: FakeRobot) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 
@@ -13,10 +15,18 @@ from tandem.skills.arm.status import ArmStatusBoard
 from tandem.skills.geometry.poses import from_rpy
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
-from tandem.skills.ports.action import GoalCommand, GoalState, GoalStatus, command_service
-from tandem.skills.ports.actions.arm import ArmState, Candidate, MoveFeedback, MoveGoal, MovePhase
+from tandem.skills.ports.action import GoalCommand, GoalState, GoalStatus, command_service, status_topic
+from tandem.skills.ports.actions.arm import (
+    MOST_CORNERS,
+    ArmState,
+    Candidate,
+    MoveFeedback,
+    MoveGoal,
+    MovePhase,
+)
 from tandem.skills.ports.actions.bimanual import RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.planners import PlannerName
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.skill import Command, Slice
@@ -64,6 +74,20 @@ def test_a_goal_whose_answer_is_lost_is_sent_again(
     status = rig.run(MoveGoal(joints=SIDE))
     assert (None if status.failure is None else status.failure.kind) is failure
     assert len(rig.hardware.goals) == 1, "the hardware knows it again by its id"
+
+
+def test_feedback_tells_the_way_of_the_hand_while_it_moves(rig: ArmRig, hulls: RobotHulls) -> None:
+    heard = Latest(rig.bus, status_topic("arm/move"), depth=256)
+    rig.result(rig.run(MoveGoal(joints=SIDE)))
+    told = [
+        MoveFeedback.model_validate_json(json.dumps(each.feedback)) for each in heard.take() if each.feedback
+    ]
+    ways = {each.way for each in told if each.phase is MovePhase.MOVING}
+    assert {each.way for each in told if each.phase is MovePhase.PLANNING} <= {()}
+    (way,) = ways
+    frame, end = panda().end_effectors[0].frame, rig.hardware.positions
+    assert 2 <= len(way) <= MOST_CORNERS
+    assert np.allclose(way[-1], hulls.robot.pose(frame, end).position, atol=1e-3)
 
 
 def test_the_first_candidate_that_is_reachable_is_taken(rig: ArmRig) -> None:
