@@ -72,9 +72,10 @@ class Endpoints:
 
     def step(self) -> bool:
         """Handle what came, as much as one step may; return whether more wait."""
+        more = False
         for served in self._served:
-            served.step()
-        return self.waiting
+            more = served.step() or more
+        return more
 
     def close(self) -> None:
         """Stop serving; what waits ends without an answer. Closing twice is allowed."""
@@ -102,19 +103,27 @@ class _Served:
         self._told = Rates(TOLD, TOLD, self.monotonic)
         self._has_verdict = {"accepted", "reason"} <= service.answered.model_fields.keys()
 
-    def step(self) -> None:
-        """Handle as many as one step may. The desk keeps the others, and drops what it has no room for."""
+    def step(self) -> bool:
+        """Handle as many as one step may; return whether more wait.
+
+        The desk keeps the others, and drops what it has no room for.
+        """
         if not self.backlog:
             puts = () if self._inbox is None else self._inbox.drain()
-            # A put on a wildcard reaches its subscribers under the wildcard's name: that is no exact key.
-            self.backlog.extend(_Put(each.key, each.payload) for each in puts if "*" not in each.key)
+            if (
+                puts
+            ):  # on a wildcard it reaches its subscribers under the wildcard's name: that is no exact key
+                self.backlog.extend(_Put(each.key, each.payload) for each in puts if "*" not in each.key)
             self.backlog.extend(self._desk.drain())
+            if not self.backlog:
+                return False
         for _ in range(min(self.limits.per_step, len(self.backlog))):
             request = self.backlog.popleft()
             if request.selector == request.key:
                 self._take(request)
             else:
                 self._discover(request)
+        return bool(self.backlog)
 
     def close(self) -> None:
         """Stop serving."""

@@ -74,6 +74,8 @@ class SteppedClocks:
         """Seconds by which the wall clock is wrong."""
         self._booted_at = 0.0
         self._unheard: float | None = None
+        self._told: tuple[str, float] | None = None
+        self._now: RobotTime | None = None
 
     def advance(self, seconds: float, *, heard: bool = True) -> None:
         """Let time pass; while the hardware is not ``heard``, its own clock seems to stand."""
@@ -89,7 +91,10 @@ class SteppedClocks:
 
     def robot(self) -> RobotTime | None:
         """Return the simulated time since the boot, or that at which the hardware was last heard."""
-        return RobotTime(boot=self.boot, seconds=round(self.passed() - self._booted_at, 9))
+        told = self.boot, round(self.passed() - self._booted_at, 9)
+        if told != self._told:  # all nodes of a step ask for the same one
+            self._told, self._now = told, RobotTime(boot=told[0], seconds=told[1])
+        return self._now
 
     def passed(self) -> float:
         """Return the simulated seconds during which the hardware was heard, or could have been."""

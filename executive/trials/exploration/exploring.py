@@ -95,8 +95,9 @@ class Coverage:
         """Take in all that was seen in a run that has ended."""
         assert bench.root is not None, "it was started"
         for node in bench.root.iterate():
-            self.wanted.setdefault(node.name, possible(node))
-            self.seen.setdefault(node.name, set())
+            if node.name not in self.wanted:  # to ask what is possible looks at all that is below
+                self.wanted[node.name] = possible(node)
+                self.seen.setdefault(node.name, set())
         running: set[str] = set()
         for name, status in bench.visited:
             if status is not Status.INVALID or name in running:

@@ -21,6 +21,7 @@ from tandem.skills.ports.world import HeldItem, ItemFact, Placed
 from tandem.skills.site import load
 from tandem.skills.testing.mock_robot import STRETCHED, TUCKED, MockRobot
 from tandem.skills.testing.mock_skill import Fault
+from tandem.trees.tasks.fetch import TASK
 
 ITEM: Final = 29
 OTHER: Final = 42
@@ -187,7 +188,7 @@ def _world(
         begin(bench.robot)
     bench.events.update({name: copy(event) for name, event in events.items()})
     bench.robot.leaf_faults.update(dict.fromkeys(faults, _NO_WAY) | dict.fromkeys(gone, _GONE))
-    bench.start("fetch", {"item": ITEM, **request})
+    bench.start(TASK, {"item": ITEM, **request})
     return bench
 
 
