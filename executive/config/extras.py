@@ -90,12 +90,21 @@ RECORD: Final = Extra(
         ("foxglove-sdk", "foxglove", "what its viewer draws by itself"),
     ),
 )
+LEROBOT: Final = Extra(
+    "lerobot",
+    "records as data sets that LeRobot reads",
+    (
+        ("numpy", "numpy", "arrays"),
+        ("opencv-python-headless", "cv2", "videos"),
+        ("pyarrow", "pyarrow", "its tables"),
+    ),
+)
 DEV: Final = Extra(
     "dev",
     "Tandem's own tests",
     (("hypothesis", "hypothesis", "invented inputs"), ("jsonschema", "jsonschema", "checks of schemas")),
 )
-EXTRAS: Final = (SKILLS, FAST, SIM, OTEL, ROS, WEB, RECORD, DEV)
+EXTRAS: Final = (SKILLS, FAST, SIM, OTEL, ROS, WEB, RECORD, LEROBOT, DEV)
 """In this order a missing module is looked for."""
 
 

@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from tandem.executive.records.recording import Recording, Span
 
 File = Annotated[Path, typer.Argument(metavar="FILE", help="A recording (.mcap) or a black box (.jsonl.gz).")]
+Files = Annotated[
+    list[Path],
+    typer.Argument(metavar="FILE...", help="Recordings or black boxes; with --lerobot also folders of them."),
+]
 To = Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE", help="Name of the new file.")]
 LINES_OF_KEYS = 12
 """Keys that are listed with their sizes, the largest; a robot has about a hundred."""
@@ -92,14 +96,47 @@ def cut(
 
 
 def export(
-    file: File,
+    files: Files,
     *,
     key: Annotated[
         str, typer.Option("--key", metavar="KEY", help="Only messages of this key; * and ** as on the bus.")
     ] = "**",
     output: Output = None,
+    lerobot: Annotated[
+        Path | None,
+        typer.Option("--lerobot", metavar="DIR", help="Write a LeRobot v3 data set into this new folder."),
+    ] = None,
+    fps: Annotated[int, typer.Option("--fps", min=1, max=100, help="With --lerobot: frames a second.")] = 10,
+    camera: Annotated[
+        list[str] | None,
+        typer.Option("--camera", metavar="NAME", help="With --lerobot: this camera; may be repeated."),
+    ] = None,
+    pictures: Annotated[
+        bool, typer.Option("--pictures/--no-pictures", help="With --lerobot: with all cameras, or with none.")
+    ] = True,
 ) -> None:
-    """Print a record as JSON lines, a message each."""
+    """Print a record as JSON lines, a message each; with --lerobot write records as a data set.
+
+    In a data set each task that began and ended is an episode, and each leaf that ran a subtask.
+    """
+    if lerobot is None:
+        if camera or not pictures:
+            raise CommandError("log export: --camera and --no-pictures go with --lerobot DIR")
+        if len(files) > 1 or files[0].is_dir():
+            raise CommandError("log export: expected one record; several, or a folder, go with --lerobot DIR")
+        _lines(files[0], key, output)
+        return
+    if key != "**" or output is not None:
+        raise CommandError("log export --lerobot DIR: a data set has no --key and no --output")
+    if camera and not pictures:
+        raise CommandError("log export: expected --camera or --no-pictures, found both")
+    from tandem.executive.cli.commands.lerobot_export import write_data_set  # noqa: PLC0415
+
+    cameras = () if not pictures else None if not camera else tuple(dict.fromkeys(camera))
+    write_data_set(files, lerobot, fps, cameras)
+
+
+def _lines(file: Path, key: str, output: Path | None) -> None:
     from tandem.executive.records.exporting import exported  # noqa: PLC0415
     from tandem.executive.records.recording import open_recording  # noqa: PLC0415
 

@@ -67,7 +67,7 @@ def test_what_is_missing_is_named_with_the_command() -> None:
         (
             "numpy",
             (
-                "it: numpy missing, of the extra skills or sim or ros; "
+                "it: numpy missing, of the extra skills or sim or ros or lerobot; "
                 "install with pip install 'tandem-executive[all]'"
             ),
         ),

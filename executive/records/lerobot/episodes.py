@@ -1,0 +1,74 @@
+"""An episode: a task of a record as frames at even steps of robot time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tandem.executive.records.lerobot.layout import ACTION, STATE, Features
+from tandem.executive.records.lerobot.sampling import (
+    BASE_ACTION,
+    BASE_STATE,
+    Numbers,
+    Signals,
+    description_of,
+    moments_of,
+    signals,
+)
+from tandem.executive.records.lerobot.spans import LeftOut, TaskSpan, spans
+from tandem.executive.records.lerobot.videos import Film, films
+from tandem.executive.records.recording import Recording
+
+
+@dataclass(frozen=True)
+class Episode:
+    """A task that began and ended in a record."""
+
+    record: Recording
+    span: TaskSpan
+    signals: Signals
+    moments: Numbers
+    """Robot seconds since the recorder began, of each frame."""
+    films: Mapping[str, Film]
+    """By camera."""
+    base: bool
+    """Whether the robot drives: its place is then part of the state."""
+
+    def features(self, cameras: Sequence[str]) -> Features:
+        """Return what a frame consists of, with the cameras that are wanted and there."""
+        joints = tuple(f"{name}.pos" for name in self.signals.joints)
+        sizes = tuple((name, *self.films[name].size) for name in cameras if name in self.films)
+        if not self.base:
+            return Features(joints, joints, sizes)
+        return Features((*joints, *BASE_STATE), (*joints, *BASE_ACTION), sizes)
+
+    def vectors(self, fps: int) -> dict[str, NDArray[np.generic]]:
+        """Return state and action, a row for each frame."""
+        state = self.signals.state(self.moments, base=self.base)
+        action = self.signals.action(self.moments, 1.0 / fps, base=self.base)
+        return {STATE: state.astype(np.float32), ACTION: action.astype(np.float32)}
+
+    def leaves(self) -> tuple[str, ...]:
+        """Return which leaves ran at each frame."""
+        at = np.array([each for each, _ in self.span.leaves])
+        places = np.searchsorted(at, self.moments + 1e-9, side="right") - 1
+        return tuple(self.span.leaves[max(place, 0)][1] for place in places.tolist())
+
+
+def episodes(record: Recording, fps: int) -> Iterator[Episode | LeftOut]:
+    """Yield the tasks of a record as episodes, in order, and those that can't be one."""
+    robot = description_of(record)
+    found, left_out = spans(record)
+    yield from left_out
+    for span in found:
+        heard = signals(record, span.begin, span.end)
+        if heard is None:
+            yield LeftOut(span.task, "the record has no joints of that time")
+            continue
+        moments = moments_of(span.begin, span.end, fps)
+        shown = {each.camera: each for each in films(record, moments)}
+        drives = heard.pose is not None if robot is None else robot.drive is not None
+        yield Episode(record, span, heard, moments, shown, drives)
