@@ -53,6 +53,7 @@ from tandem.executive.config.log_format import LogFormat
 from tandem.executive.system.isolation import isolate_children
 from tandem.executive.system.quiet_screen import Screen
 from tandem.skills.ports.sources import DocumentError
+from tandem.skills.wire.threads import few_threads
 
 PROJECT: Final = "tandem.yaml"
 _LOG = logging.getLogger(__name__)
@@ -135,6 +136,7 @@ def main(argv: Sequence[str], screen: Screen | None = None) -> int:
 def run() -> None:
     """The entry point."""
     isolate_children(os.environ)
+    few_threads(os.environ)
     sys.exit(main(sys.argv[1:], Screen()))
 
 

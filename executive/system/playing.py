@@ -52,6 +52,7 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         settings.prefix,
         credentials=credentials_of(settings, role),
         silent_after=settings.silent_after,
+        pictures=role.pictures or (bool(settings.record) and settings.record_pictures),
     )
     try:
         # Settled long before ``process/...`` says that the role is ready to be played.

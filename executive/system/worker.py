@@ -22,6 +22,7 @@ from tandem.executive.system import playing
 from tandem.executive.system.quiet_screen import end_unheard
 from tandem.executive.telemetry.logs import formatter
 from tandem.skills.ports.sources import DocumentError
+from tandem.skills.wire.threads import few_threads
 
 SWITCH_INTERVAL: Final = 0.0005
 """Seconds after which a thread that computes lets another go on."""
@@ -89,6 +90,7 @@ def ended(work: Callable[[], None], called: str) -> int:
 
 def run() -> None:
     """The entry point."""
+    few_threads(os.environ)
     code = main(sys.argv[1:])
     logging.shutdown()
     end_unheard()

@@ -1,6 +1,7 @@
 """Buses, clocks and process loops: the only home of zenoh.
 
-zenoh: zenoh_bus, foreign_session, zenoh_ends, configs, credentials, endpoints, linger, keyed_queue, kept.
+zenoh: zenoh_bus, foreign_session, zenoh_ends, subscriptions, direct, threads, configs, credentials,
+endpoints, linger, keyed_queue, kept.
 In memory: memory.
 A process: loop, clocks, workers, waking, pulse.
 One of each role: presence, lease_holder.

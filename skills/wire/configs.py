@@ -27,7 +27,7 @@ MOST_AT_ONCE: Final = 64 * 1024 * 1024
 
 
 def client_config(
-    endpoint: str, patience: float = 2.0, credentials: Credentials | None = None
+    endpoint: str, patience: float = 2.0, credentials: Credentials | None = None, *, pictures: bool = False
 ) -> zenoh.Config:
     """Return the configuration of a client of the router at ``endpoint``: no scouting, no listening.
 
@@ -35,9 +35,12 @@ def client_config(
         endpoint: the router's.
         patience: seconds in which the router must answer.
         credentials: for an endpoint ``tls/...``.
+        pictures: whether large payloads go through memory that the processes of a host share. That wakes a
+            process 50 times a second for its upkeep, so that only those have it that tell or hear pictures.
     """
     connect = {"endpoints": [endpoint], "timeout_ms": round(patience * 1000), "exit_on_failure": True}
-    return _config({"mode": "client", "connect": connect}, credentials)
+    entries = {"mode": "client", "connect": connect, "transport/shared_memory/enabled": pictures}
+    return _config(entries, credentials)
 
 
 def router_config(

@@ -9,6 +9,7 @@ import zenoh
 
 from tandem.skills.wire.configs import client_config
 from tandem.skills.wire.credentials import Credentials
+from tandem.skills.wire.direct import direct
 from tandem.skills.wire.keyed_queue import KeyedQueue
 from tandem.skills.wire.zenoh_bus import open_session
 from tandem.skills.wire.zenoh_ends import Waker
@@ -82,7 +83,7 @@ class ForeignSession:
             inbox.waiting.put(key, ForeignSample(key, sample.payload.to_bytes()))
             self._waker.wake()
 
-        self._kept.append(self._session.declare_subscriber(expression, arrived))
+        self._kept.append(self._session.declare_subscriber(expression, direct(arrived)))
         return inbox
 
     def show(self, token: str) -> None:
@@ -99,7 +100,9 @@ class ForeignSession:
             else:
                 shown.pop(str(sample.key_expr), None)
 
-        self._kept.append(self._session.liveliness().declare_subscriber(expression, changed, history=True))
+        self._kept.append(
+            self._session.liveliness().declare_subscriber(expression, direct(changed), history=True)
+        )
         return shown
 
     def close(self) -> None:

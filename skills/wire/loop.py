@@ -16,7 +16,7 @@ from tandem.skills.ports.node import Node
 from tandem.skills.wire.clocks import ProcessClocks
 from tandem.skills.wire.zenoh_bus import ZenohBus
 
-IDLE_WAIT: Final = 0.08
+IDLE_WAIT: Final = 0.12
 """Host seconds after which nodes are stepped although nothing came: liveliness and time-outs of links. More
 than the period of the clock of a robot that rests, or each of its ticks would cost two turns."""
 

@@ -12,10 +12,14 @@ BEAT: Final = "beat"
 """The key; its payload is a line for each name."""
 BEAT_PERIOD: Final = 0.1
 """Host seconds between two beats."""
+EARLY: Final = 0.03
+"""Host seconds by which a beat may go before it is due: a loop that turns with the clock of a robot that
+rests, ten times a second, would else beat every other turn."""
 SILENT_AFTER: Final = 0.3
 """Host seconds without a beat after which a process is said not to go on: two beats may be lost or late."""
-STALLED: Final = 0.15
-"""Host seconds between two turns of one's own loop from which on it is oneself who has not listened."""
+STALLED: Final = 0.18
+"""Host seconds between two turns of one's own loop from which on it is oneself who has not listened. More
+than a loop that nothing wakes waits (``loop.IDLE_WAIT``), less than what lies between a beat and silence."""
 
 
 class Pulse:
@@ -29,7 +33,7 @@ class Pulse:
     def __init__(self, monotonic: Callable[[], float], silent_after: float = SILENT_AFTER) -> None:
         self._monotonic, self._silent_after = monotonic, silent_after
         self._heard: dict[str, float] = {}
-        self._beat_at = self._turned_at = float("-inf")
+        self._beat_due = self._turned_at = float("-inf")
         self._listening_since = float("-inf")
 
     def listen(self) -> None:
@@ -43,9 +47,9 @@ class Pulse:
             # Whatever was told meanwhile waits to be heard; nobody is silent for that.
             self._listening_since = now
         self._turned_at = now
-        if now - self._beat_at < BEAT_PERIOD:
+        if now < self._beat_due - EARLY:
             return False
-        self._beat_at = now
+        self._beat_due = max(self._beat_due, now - EARLY) + BEAT_PERIOD
         return True
 
     def hear(self, names: Iterable[str]) -> None:

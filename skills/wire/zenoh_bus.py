@@ -20,11 +20,12 @@ from tandem.skills.ports.message import MAX_REQUEST_BYTES
 from tandem.skills.ports.refusals import REFUSALS, RefusalTeller
 from tandem.skills.wire.configs import client_config
 from tandem.skills.wire.credentials import Credentials
+from tandem.skills.wire.direct import direct
 from tandem.skills.wire.kept import AT_ONCE, Kept
 from tandem.skills.wire.keyed_queue import KeyedQueue
-from tandem.skills.wire.memory import MemorySample
 from tandem.skills.wire.pulse import BEAT, SILENT_AFTER, Pulse
-from tandem.skills.wire.zenoh_ends import Waker, ZenohDesk, ZenohInbox, ZenohPending, ZenohRequest
+from tandem.skills.wire.subscriptions import Subscriptions
+from tandem.skills.wire.zenoh_ends import Waker, ZenohDesk, ZenohPending, ZenohRequest
 
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 PROCESS: Final = "process/"
@@ -95,6 +96,7 @@ class ZenohBus:
         waker: told when something has arrived; one of its own unless given.
         credentials: for a router that speaks TLS.
         silent_after: host seconds without a beat after which a process is said not to go on.
+        pictures: see ``configs.client_config``.
 
     Raises:
         BusError: when it does not.
@@ -109,6 +111,7 @@ class ZenohBus:
         waker: Waker | None = None,
         credentials: Credentials | None = None,
         silent_after: float = SILENT_AFTER,
+        pictures: bool = False,
     ) -> None:
         self.waker = waker or Waker()
         self.ear = Ear(time.monotonic)
@@ -116,7 +119,10 @@ class ZenohBus:
         self._kept = Kept(time.monotonic)
         self._kept_desk: Desk | None = None
         self._prefix = prefix
-        self._session = open_session(client_config(endpoint, patience, credentials), endpoint)
+        self._session = open_session(
+            client_config(endpoint, patience, credentials, pictures=pictures), endpoint
+        )
+        self._subscriptions = Subscriptions(self._session, prefix, self.waker)
         self._publishers: dict[tuple[str, Delivery], zenoh.Publisher] = {}
         self._tokens: list[zenoh.LivelinessToken] = []
         self._names: dict[str, None] = {}
@@ -127,7 +133,7 @@ class ZenohBus:
         self._pulse = Pulse(time.monotonic, silent_after)
         self._beats: zenoh.Subscriber[None] | None = None
         self._liveliness = self._session.liveliness().declare_subscriber(
-            f"{prefix}/alive/**", self._on_liveliness, history=True
+            f"{prefix}/alive/**", direct(self._on_liveliness), history=True
         )
 
     def publish(self, key: str, payload: bytes) -> None:
@@ -140,7 +146,7 @@ class ZenohBus:
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
         """Receive what is put on the key expression from now on."""
-        return _subscribed(self._session, self._prefix, key, depth, self.waker)
+        return self._subscriptions.add(key, depth)
 
     def gather(self, keys: Sequence[str], *, depth: int) -> Gathered:
         """Receive what is put on any of several key expressions, in the order in which it arrives.
@@ -158,7 +164,7 @@ class ZenohBus:
         pending = ZenohPending(self.waker)
         self._session.get(
             f"{self._prefix}/{key}",
-            zenoh.handlers.Callback(pending.take, pending.end),
+            direct(pending.take, pending.end),
             payload=payload,
             timeout=timeout,
             express=True,
@@ -185,7 +191,7 @@ class ZenohBus:
             desk.waiting.put(line, ZenohRequest(own, selector, size, body, prefix, query))
             self.waker.wake()
 
-        desk.queryable = self._session.declare_queryable(f"{self._prefix}/{key}", asked)
+        desk.queryable = self._session.declare_queryable(f"{self._prefix}/{key}", direct(asked))
         return desk
 
     def listened(self, key: str) -> bool:
@@ -220,7 +226,7 @@ class ZenohBus:
         """Return those of them whose process goes on."""
         if self._beats is None:  # most processes never ask, and need not hear all others ten times a second
             self._pulse.listen()
-            self._beats = self._session.declare_subscriber(f"{self._prefix}/{BEAT}", self._on_beat)
+            self._beats = self._session.declare_subscriber(f"{self._prefix}/{BEAT}", direct(self._on_beat))
         return self._pulse.awake(self.alive())
 
     def lease(self) -> Lease | None:
@@ -319,7 +325,7 @@ class Gathered:
             key = str(sample.key_expr)[start:]
             self._waiting.put(key, Arrival(key, sample.payload.to_bytes(), time.monotonic_ns()))
 
-        self._subscribers = [session.declare_subscriber(f"{prefix}/{key}", arrived) for key in keys]
+        self._subscribers = [session.declare_subscriber(f"{prefix}/{key}", direct(arrived)) for key in keys]
 
     def drain(self) -> list[Arrival]:
         """Take all that has arrived."""
@@ -342,7 +348,8 @@ class ZenohCommons:
     """
 
     def __init__(self, session: zenoh.Session, site: str, ear: Ear, waker: Waker) -> None:
-        self._session, self._site, self._waker = session, site, waker
+        self._session, self._site = session, site
+        self._subscriptions = Subscriptions(session, site, waker)
         self.ear = ear
         self._publishers: dict[str, zenoh.Publisher] = {}
 
@@ -362,27 +369,11 @@ class ZenohCommons:
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
         """Receive what is put on the key expression from now on."""
-        return _subscribed(self._session, self._site, key, depth, self._waker)
+        return self._subscriptions.add(key, depth)
 
     def lease(self) -> Lease | None:
         """Return None: nobody commands another robot."""
         return None
-
-
-def _subscribed(session: zenoh.Session, prefix: str, key: str, depth: int, waker: Waker) -> Inbox:
-    inbox = ZenohInbox(KeyedQueue(depth, "oldest goes"))
-    start = len(prefix) + 1
-
-    wakes = not paced(key)
-
-    def arrived(sample: zenoh.Sample) -> None:
-        name = str(sample.key_expr)[start:]
-        inbox.waiting.put(name, MemorySample(name, sample.payload.to_bytes()))
-        if wakes:
-            waker.wake()
-
-    inbox.subscriber = session.declare_subscriber(f"{prefix}/{key}", arrived)
-    return inbox
 
 
 def _process(names: Sequence[str]) -> str:

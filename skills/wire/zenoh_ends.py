@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 import zenoh
@@ -34,7 +34,8 @@ class ZenohInbox:
     """What a subscription holds until it is drained."""
 
     waiting: KeyedQueue[MemorySample]
-    subscriber: zenoh.Subscriber[None] | None = None
+    end: Callable[[], None] | None = None
+    """Ends the subscription."""
 
     def drain(self) -> list[Sample]:
         """Take all that has arrived."""
@@ -42,9 +43,9 @@ class ZenohInbox:
 
     def close(self) -> None:
         """End the subscription."""
-        if self.subscriber is not None:
-            self.subscriber.undeclare()  # type: ignore[no-untyped-call]
-            self.subscriber = None
+        if self.end is not None:
+            self.end()
+            self.end = None
 
 
 @dataclass(eq=False)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from tandem.skills.wire.zenoh_bus import ZenohBus
 
 
-RESTING_PERIOD: Final = 0.05
+RESTING_PERIOD: Final = 0.1
 """Robot seconds between two messages of clock and states while a robot rests. Skills call it silent after
 0.3 s at the earliest, and trees are ticked as often."""
 
@@ -78,6 +78,7 @@ def _buses(
             f"{site}/{name}",
             waker=stage.bus.waker,
             silent_after=settings.silent_after,
+            pictures=True,
         )
         ends.callback(buses[name].close)
         presence = Presence(buses[name], settings.role, claim_of(settings))
@@ -92,6 +93,7 @@ ROLES = (
         starts=10,
         kind="hardware",
         extra=SIM,
+        pictures=True,
         play=_play,
         rights=process_rights(
             Rights(

@@ -38,6 +38,7 @@ ROLES = (
         kind="skills",
         extra=SKILLS,
         needed=_needed,
+        pictures=True,
         nodes=_nodes,
         rights=skill_rights(tells=("world/**",), asks=("hw/group/*/goal", "hw/group/*/cancel")),
     ),

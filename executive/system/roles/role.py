@@ -95,6 +95,8 @@ class Role:
     """Plays the role until it is told to end."""
     route: Callable[[WorkerSettings, Callable[[], bool]], None] | None = None
     """The router's: it plays before there is a bus."""
+    pictures: bool = False
+    """Whether it tells or hears camera pictures: on one host they go through shared memory."""
     on_request: bool = False
     """Whether it is started only when somebody asks for it."""
     ahead: Callable[[], None] | None = None

@@ -81,6 +81,7 @@ ROLES = (
         starts=10,
         kind="hardware",
         extra=ROS,
+        pictures=True,
         play=_play,
         on_request=True,
         rights=process_rights(

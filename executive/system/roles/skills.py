@@ -39,6 +39,7 @@ ROLES = (
         starts=20,
         kind="skills",
         extra=SKILLS,
+        pictures=True,
         nodes=_nodes,
         rights=skill_rights(),  # all that any role of skills may: they share a certificate
         on_request=True,

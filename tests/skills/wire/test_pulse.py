@@ -88,3 +88,13 @@ def test_who_is_listened_to_from_now_on_is_not_missed_at_once() -> None:
     assert pulse.awake(NAMES) == set()
     pulse.listen()
     assert pulse.awake(NAMES) == set(NAMES)
+
+
+def test_a_loop_that_turns_at_the_period_of_beats_beats_each_turn() -> None:
+    now = [0.0]
+    pulse = Pulse(lambda: now[0])
+    beats = 0
+    for turn in range(100):
+        now[0] = turn * BEAT_PERIOD + 0.02 * (turn % 2)
+        beats += pulse.turn()
+    assert beats == 100

@@ -1,0 +1,70 @@
+"""What many listen to in a process arrives once, in the thread that receives; of zenoh a few stand-ins."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any, cast
+
+import pytest
+import zenoh
+
+from tandem.skills.wire.subscriptions import Subscriptions
+from tandem.skills.wire.threads import FEW, VARIABLE, few_threads
+from tandem.skills.wire.zenoh_ends import Waker
+
+
+class Session:
+    """Notes who subscribes."""
+
+    def __init__(self) -> None:
+        self.heard: dict[str, Any] = {}
+
+    def declare_subscriber(self, key: str, take: zenoh.handlers.Callback[Any]) -> SimpleNamespace:
+        assert key not in self.heard
+        self.heard[key] = take
+        return SimpleNamespace(undeclare=lambda: self.heard.pop(key))
+
+    def put(self, key: str) -> None:
+        body = SimpleNamespace(to_bytes=lambda: b"{}")
+        self.heard["lab/tiago/world/*"](SimpleNamespace(key_expr=key, payload=body))
+
+
+@pytest.fixture
+def session() -> Session:
+    return Session()
+
+
+@pytest.fixture
+def add(session: Session) -> Callable[[], Any]:
+    made = Subscriptions(cast("zenoh.Session", session), "lab/tiago", Waker())
+    return lambda: made.add("world/*", 4)
+
+
+def test_all_who_listen_get_what_comes(session: Session, add: Callable[[], Any]) -> None:
+    first, second = add(), add()
+    session.put("lab/tiago/world/state")
+    assert [[each.key for each in inbox.drain()] for inbox in (first, second)] == [["world/state"]] * 2
+
+
+def test_no_callback_has_a_thread_of_its_own(session: Session, add: Callable[[], Any]) -> None:
+    add()
+    assert not session.heard["lab/tiago/world/*"].indirect
+
+
+def test_the_last_who_closes_ends_it(session: Session, add: Callable[[], Any]) -> None:
+    first, second = add(), add()
+    first.close()
+    session.put("lab/tiago/world/state")
+    assert (first.drain(), len(second.drain())) == ([], 1)
+    second.close()
+    second.close()
+    assert not session.heard
+    add()
+    assert list(session.heard) == ["lab/tiago/world/*"]
+
+
+@pytest.mark.parametrize(("before", "after"), [({}, FEW), ({VARIABLE: "(rx: ())"}, "(rx: ())")])
+def test_who_says_how_many_threads_has_them(before: dict[str, str], after: str) -> None:
+    few_threads(before)
+    assert before[VARIABLE] == after
