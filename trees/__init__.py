@@ -3,7 +3,7 @@
 Tasks: task, needs, registry, hand_requests; nodes of plug-ins: nodes.
 A task's surroundings: context, branch, knowledge, clients, client, resources, elapsed, failure_log,
 task_notes, dialogue.
-What leaves hand to each other: board, hand_board, hand_task, fetch_notes, inspection.
+What leaves hand to each other: board, hand_board, hand_task, fetch_notes, inspection, told_board.
 The same on wheels: course, rounds, pursuit.
 In requests: places.
 Failures: recovery_kinds, item_failures, closing.

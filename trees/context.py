@@ -45,6 +45,8 @@ class TreeContext:
     """Says at the end where everything is: evidence of the task's failure. The task's builder sets it."""
     result: Callable[[], Message | None] | None = None
     """Says at the end what the task has found or done, also when it fails. The task's builder sets it."""
+    board: object | None = None
+    """What the tree's leaves hand to each other, as it is told to who looks on. The builder may set it."""
     notes: TaskNotes = field(default_factory=TaskNotes)
     """What outlives a restart of the executive."""
     dialogue: Dialogue = field(default_factory=Dialogue)

@@ -18,6 +18,7 @@ from tandem.skills.ports.actions.perception import PICTURE
 from tandem.skills.ports.hardware import RobotDescription, Stop, StopRelease, StopState
 from tandem.skills.ports.keys import DESCRIPTION, STOP, STOP_RELEASE, Nothing, Service
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.records import TASK_RECORDS, AskRecords, Records
 from tandem.skills.ports.reflex import ReflexState, ReflexSwitch, reflex_switch
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
@@ -140,6 +141,10 @@ class Questions:
     def timeline(self, task: str) -> Talk[Timeline]:
         """Return when which node of a task ran."""
         return self.talks.ask(TASK_TIMELINE, NameTask(task=task))
+
+    def records(self, task: str) -> Talk[Records]:
+        """Return the records that are kept."""
+        return self.talks.ask(TASK_RECORDS, AskRecords(task=task))
 
     def history(self, asked: AskHistory) -> Talk[History]:
         """Return tasks out of the ledger, newest first."""

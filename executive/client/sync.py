@@ -21,6 +21,7 @@ from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.hardware import RobotDescription, StopState
+from tandem.skills.ports.records import Records
 from tandem.skills.ports.reflex import ReflexState
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
@@ -231,6 +232,10 @@ class Client:
     def timeline(self, task: str) -> Timeline:
         """Return when which phase, recovery and action of a task ran; empty when there is none of this id."""
         return self._drive(self._ask.timeline(task))
+
+    def records(self, task: str = "") -> Records:
+        """Return which records the recorder keeps; of black boxes only those of a task, if one is named."""
+        return self._drive(self._ask.records(task))
 
     def status(self, task: str) -> TaskStatus:
         """Return a task as it stands; UnknownTaskError when there is none of this id."""

@@ -16,6 +16,7 @@ from tandem.executive.records.boxes import FOLDER, Boxes
 from tandem.executive.records.ears import DEPTH, HEARD
 from tandem.executive.records.recorder import Recorder
 from tandem.executive.records.recording import Facts
+from tandem.executive.records.recordings import recordings_in
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.records import TASK_RECORDING
 from tandem.skills.wire.clocks import HostClocks
@@ -44,7 +45,10 @@ def record(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool])
     facts = facts_of(settings, clocks.utc())
     sink, pictures = _recording(settings, bus, clocks, facts) if settings.record else (None, None)
     sinks = () if sink is None else (sink,)
-    node = Recorder(bus, ears, clocks, facts=facts, boxes=boxes, sinks=sinks)
+    folders = {each for each in (boxes and boxes.folder, settings.record and Path(settings.record)) if each}
+    node = Recorder(
+        bus, ears, clocks, facts=facts, boxes=boxes, sinks=sinks, recordings=partial(recordings_in, folders)
+    )
     bus.announce("process/recorder")
     try:
         while not stopped():

@@ -17,7 +17,7 @@ from tandem.executive.records.ring import Ring
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.endpoint import answering
-from tandem.skills.ports.records import TASK_RECORDS, AskRecords, Cause, Records
+from tandem.skills.ports.records import TASK_RECORDS, AskRecords, Cause, RecordingFile, Records
 from tandem.skills.ports.serving import Endpoints
 
 AFTER: Final = 2.0
@@ -70,6 +70,7 @@ class Recorder:
         boxes: where black boxes go; None: none is written.
         sinks: who else takes what is heard.
         ring: the last minute.
+        recordings: tells which recordings are kept.
     """
 
     name = "recorder"
@@ -84,12 +85,14 @@ class Recorder:
         boxes: Boxes | None,
         sinks: Iterable[Sink] = (),
         ring: Ring | None = None,
+        recordings: Callable[[], tuple[RecordingFile, ...]] = tuple,
     ) -> None:
         self._bus, self._ears, self._clocks, self._facts = bus, ears, clocks, facts
         self._boxes, self._sinks, self._host = boxes, tuple(sinks), Host(clocks)
         self._ring = Ring() if ring is None else ring
         self._stamper, self._incidents = Stamper(), Incidents()
         self._attaching = Attaching(bus, clocks.monotonic, self._attached)
+        self._recordings = recordings
         self._causes: list[Cause] = []
         self._due: float | None = None
         self.newest: Recorded | None = None
@@ -135,7 +138,8 @@ class Recorder:
             sink.attach(attachment)
 
     def _known(self, asked: AskRecords) -> Records:
-        return Records(boxes=() if self._boxes is None else self._boxes.known(asked.task))
+        boxes = () if self._boxes is None else self._boxes.known(asked.task)
+        return Records(boxes=boxes, recordings=self._recordings())
 
     def _note(self, cause: Cause | None) -> None:
         if cause is None or self._boxes is None:

@@ -11,7 +11,7 @@ from importlib.resources import files
 from types import MappingProxyType
 from typing import Final
 
-from pydantic import JsonValue, ValidationError
+from pydantic import FiniteFloat, JsonValue, TypeAdapter, ValidationError
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
@@ -28,12 +28,14 @@ from tandem.executive.client.errors import (
     RejectedError,
     UnknownTaskError,
 )
+from tandem.executive.records.recording import RecordError
 from tandem.executive.render.failure_words import explain, what_next
 from tandem.executive.security.links import LinkError
 from tandem.executive.web.audience import Audience, FullError
 from tandem.executive.web.camera import Camera
 from tandem.executive.web.gate import CLOSED, Gate, cookie_of
 from tandem.executive.web.history import Filter, Past
+from tandem.executive.web.kept import Kept, UnreadableError
 from tandem.executive.web.meshes import MEDIA, mesh, named_in
 from tandem.executive.web.replay import Move, Replay
 from tandem.executive.web.robot import REPLAY, Robot, Who
@@ -75,6 +77,7 @@ class Site:
     audience: Audience
     past: Past = field(default_factory=Past)
     eye: Camera = field(default_factory=Camera)
+    kept: Kept = field(default_factory=Kept)
     sessions: Sessions | None = None
     """Who has logged in; None: on this host nobody logs in."""
     named: frozenset[str] = frozenset()
@@ -128,6 +131,28 @@ class Site:
         if status.failure is not None:
             kind = KINDS[status.failure.reason.kind]
             told |= {"next": what_next(status.failure), "meaning": kind.meaning, "helper": str(kind.helper)}
+        return JSONResponse(told)
+
+    async def records(self, request: Request) -> Response:
+        """Tell which records have a task, and how they are looked at."""
+        client = await self.robot.client()
+        status = await client.status(request.path_params["task"])
+        try:
+            return JSONResponse(await self.kept.of(client, status))
+        except ClientError:
+            return JSONResponse({"boxes": [], "recordings": [], "silent": True})
+
+    async def moment(self, request: Request) -> Response:
+        """Tell what was known at a robot time of a task."""
+        asked = request.query_params.get("seconds", "")
+        try:
+            seconds = TypeAdapter(FiniteFloat).validate_strings(asked)
+        except ValidationError as error:
+            raise WrongError(422, f"seconds: expected robot seconds; found {asked!r}") from error
+        try:
+            told = await self.kept.moment(await self.robot.client(), request.path_params["task"], seconds)
+        except (UnreadableError, RecordError) as error:
+            raise WrongError(404, str(error)) from error
         return JSONResponse(told)
 
     async def _spans(self, task: str) -> JsonValue:
@@ -282,6 +307,8 @@ def application(
             Route("/api/camera", site.camera),
             Route("/api/task/{task}", site.task),
             Route("/api/task/{task}/picture/{number}", site.picture),
+            Route("/api/task/{task}/records", site.records),
+            Route("/api/task/{task}/moment", site.moment),
             Route("/api/request", site.request, methods=["POST"]),
             Route("/api/verb/{verb}", site.verb, methods=["POST"]),
             Route("/api/login", site.log_in, methods=["POST"]),

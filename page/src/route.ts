@@ -7,11 +7,11 @@ export function go(address: string, replace = false) {
   dispatchEvent(new Event("routed"));
 }
 
-// Sets a word of the address, or takes it out, and leaves the rest as it is.
-export function mark(name: string, on: boolean) {
+// Sets a word of the address, with or without a value, or takes it out; the rest stays as it is.
+export function mark(name: string, value: string | boolean) {
   const url = new URL(location.href);
-  if (on) url.searchParams.set(name, "");
-  else url.searchParams.delete(name);
+  if (value === false) url.searchParams.delete(name);
+  else url.searchParams.set(name, value === true ? "" : value);
   go(url.pathname + url.search.replace(/=(?=&|$)/g, ""), true);
 }
 

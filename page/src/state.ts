@@ -22,6 +22,7 @@ export type Live = {
   tree: TreeSnapshot | null;
   nodes: Record<string, NodeState>;
   kept: Record<string, NodeStatus>;
+  board: Record<string, string>; // of the tree's task
   joints: Record<string, number>;
   pose: Pose | null;
   path: [number, number][];
@@ -43,7 +44,7 @@ export type Live = {
 type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & { whole?: boolean };
 
 const EMPTY: Live = {
-  connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, joints: {},
+  connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, board: {}, joints: {},
   pose: null, path: [], plan: [], hands: {}, tags: null, replay: null, robots: {}, laser: [], occupied: null, scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
   pipelines: {},
 };
@@ -114,7 +115,7 @@ export function take(update: Update) {
   changed();
 }
 
-function* states(node: TreeNode): Generator<[string, NodeState]> {
+export function* states(node: TreeNode): Generator<[string, NodeState]> {
   yield [node.path, [node.status, node.last, node.message]];
   for (const child of node.children) yield* states(child);
 }

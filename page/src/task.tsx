@@ -2,6 +2,9 @@
 import { useEffect, useState } from "preact/hooks";
 import { get } from "./api";
 import { TaskCard } from "./card";
+import { MomentCard } from "./moment";
+import { Records, useRecords } from "./records";
+import { useRoute } from "./route";
 import { ended, useLive } from "./state";
 import { Timeline } from "./timeline";
 import { LiveTree } from "./tree";
@@ -15,6 +18,7 @@ export function TaskPage({ task }: { task: string }) {
   const shownTree = useLive((all) => all.tree?.task === task);
   const [told, set] = useState<Told | null>(null);
   const [error, fail] = useState("");
+  const replayed = useLive((all) => all.replay !== null);
   const moment = useLive((all) => (all.replay ? Math.floor(all.replay.at) : 0));
   const running = live !== undefined && !ended(live);
   useEffect(() => {
@@ -32,8 +36,11 @@ export function TaskPage({ task }: { task: string }) {
     };
   }, [task, running, live?.state, moment]);
   const status = live ?? told?.status;
+  const kept = useRecords(task, status?.state ?? "");
+  const asked = useRoute().searchParams.get("at");
   if (!status) return <p class="quiet" role="status">{error || "Loading…"} {error && <a href="/history">History</a>}</p>;
   const { failure } = status;
+  const at = asked === null || !Number.isFinite(Number(asked)) ? null : Number(asked);
   return (
     <div class="taskpage">
       <TaskCard status={status} linked={false} />
@@ -44,8 +51,12 @@ export function TaskPage({ task }: { task: string }) {
           {told?.next && <p class="next"><strong>What to do:</strong> {told.next}</p>}
         </section>
       )}
-      {told && told.timeline.length > 0 && <Timeline spans={told.timeline} status={status} />}
+      <div class="timed">
+        {told && told.timeline.length > 0 && <Timeline spans={told.timeline} status={status} at={at} />}
+        <MomentCard task={task} at={at} begin={status.started?.seconds ?? null} kept={kept} />
+      </div>
       <Tried status={status} />
+      {!replayed && <Records kept={kept} task={task} />}
       {status.result && <section class="card"><h2>Result</h2><pre>{JSON.stringify(status.result, null, 2)}</pre></section>}
       <section class="card">
         <h2>Request</h2>

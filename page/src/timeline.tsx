@@ -1,5 +1,6 @@
 // When which node ran: a bar for each of its runs, skills and recoveries under their phases.
 import { move } from "./replay";
+import { mark } from "./route";
 import { useLive } from "./state";
 import type { Span, TaskStatus } from "./types";
 import { seconds, STATUS_WORDS } from "./words";
@@ -7,7 +8,9 @@ import { seconds, STATUS_WORDS } from "./words";
 type Run = { path: string; name: string; kind: string; begin: number; end: number | null; status: string; message: string };
 
 // Times of two boots can't be compared: what was before the last one is left out, and said so.
-export function Timeline({ spans: told, status }: { spans: Span[]; status: TaskStatus }) {
+// A moment of it is chosen by a click or the slider: in a replay that is where the record goes, else what the card
+// below is about.
+export function Timeline({ spans: told, status, at }: { spans: Span[]; status: TaskStatus; at: number | null }) {
   const now = useLive((live) => live.now);
   const replayed = useLive((live) => live.replay !== null);
   const boot = told.at(-1)!.begin.boot;
@@ -25,8 +28,10 @@ export function Timeline({ spans: told, status }: { spans: Span[]; status: TaskS
   const over = status.ended !== null;
   const seek = (event: MouseEvent) => {
     const { left, width } = (event.currentTarget as Element).getBoundingClientRect();
-    void move({ seconds: from + ((to - from) * (event.clientX - left)) / width });
+    choose(from + ((to - from) * (event.clientX - left)) / width);
   };
+  const choose = (moment: number) => (replayed ? void move({ seconds: moment }) : mark("at", moment.toFixed(1)));
+  const cursor = replayed ? (now?.boot === boot ? now.seconds : null) : at;
   return (
     <section class="card">
       <h2>Timeline <span class="count">{seconds(to - from)} of robot time</span></h2>
@@ -36,8 +41,8 @@ export function Timeline({ spans: told, status }: { spans: Span[]; status: TaskS
           return (
             <li key={path} class={kind}>
               <span class="name" title={path}>{name}</span>
-              <span class="lane" onClick={replayed ? (event) => seek(event) : undefined}>
-                {replayed && now?.boot === boot && now.seconds !== null && <span class="cursor" style={{ left: `${Math.min(100, Math.max(0, share(now.seconds)))}%` }} />}
+              <span class="lane" onClick={seek}>
+                {cursor !== null && <span class="cursor" style={{ left: `${Math.min(100, Math.max(0, share(cursor)))}%` }} />}
                 {runs.map((run) => (
                   <span key={run.begin} class={`run ${run.status}`} title={`${name}: ${seconds(run.begin - from)} to ${run.end === null ? "now" : seconds(run.end - from)}, ${STATUS_WORDS[run.status] ?? run.status}${run.message && `: ${run.message}`}`}
                     style={{ left: `${share(run.begin)}%`, width: `${Math.max(0.4, share(run.end ?? to) - share(run.begin))}%` }} />
@@ -47,6 +52,14 @@ export function Timeline({ spans: told, status }: { spans: Span[]; status: TaskS
             </li>
           );
         })}
+        {!replayed && (
+          <li class="choose">
+            <span class="name quiet">moment</span>
+            <input type="range" min={from} max={to} step={0.1} value={at ?? to} aria-label="Moment of the timeline"
+              aria-valuetext={at === null ? "none chosen" : seconds(at - from)} onInput={(event) => choose(Number(event.currentTarget.value))} />
+            <span class="number">{at === null ? "" : <button class="small" onClick={() => mark("at", false)}>Clear</button>}</span>
+          </li>
+        )}
       </ol>
       {before > 0 && <p class="quiet">{before} runs before the hardware's last start are not drawn.</p>}
     </section>

@@ -55,5 +55,5 @@ export type TaskStatus = { task: string; kind: string; request: Record<string, J
 export type Timeline = { task: string; spans: Span[] };
 export type Times = { bounds: number[]; counts: number[]; total: number };
 export type TreeNode = { path: string; name: string; kind: "sequence" | "selector" | "parallel" | "recovery" | "decorator" | "condition" | "action"; type: string; status: NodeStatus; last: NodeStatus; message: string; children: TreeNode[] };
-export type TreeSnapshot = { task: string; kind: string; tick: number; stamp: RobotTime | null; root: TreeNode };
+export type TreeSnapshot = { task: string; kind: string; tick: number; stamp: RobotTime | null; root: TreeNode; board: Record<string, string> };
 export type WorldState = { stamp: RobotTime; version: number; items: ItemFact[]; held: HeldItem[]; placed: Placed[]; doubles: ItemFact[] };

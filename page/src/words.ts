@@ -25,6 +25,8 @@ export function seconds(value: number | null | undefined): string {
   return `${Math.floor(value / 3600)} h ${Math.floor((value % 3600) / 60)} min`;
 }
 
+export const size = (bytes: number) => (bytes < 1e6 ? `${Math.ceil(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(1)} MB`);
+
 // Minutes, seconds and tenths, which do not jump about while they count.
 export const clock = (value: number) =>
   `${Math.floor(Math.max(value, 0) / 60)}:${(Math.max(value, 0) % 60).toFixed(1).padStart(4, "0")}`;

@@ -1,4 +1,4 @@
-"""What the recorder tells of itself: which black boxes there are, and whether it records."""
+"""What the recorder tells of itself: which records there are, and whether it records."""
 
 from __future__ import annotations
 
@@ -37,16 +37,31 @@ class BlackBox(Message):
 
 
 class AskRecords(Message):
-    """Query the black boxes that are kept."""
+    """Query the records that are kept."""
 
     task: str = ""
-    """Only those that name this task; empty: all."""
+    """Only black boxes that name this task; empty: all."""
+
+
+class RecordingFile(Message):
+    """A recording that is kept (.mcap)."""
+
+    file: str
+    """Its path, on the recorder's host."""
+    size: Count
+    """Its size in bytes."""
+    began: float
+    """UTC seconds at which it began."""
+    written: float
+    """UTC seconds at which it was last written."""
 
 
 class Records(Message):
-    """The black boxes that are kept, oldest first."""
+    """The records that are kept, oldest first."""
 
     boxes: tuple[BlackBox, ...]
+    recordings: tuple[RecordingFile, ...] = ()
+    """The newest 100 recordings, whatever task was asked for: when they were written says what is in them."""
 
 
 class RecordingState(Message):

@@ -260,6 +260,10 @@ class TreeNode(Message):
         return self.last if self.status is NodeStatus.INVALID else self.status
 
 
+MOST_ON_BOARD: Final = 40
+"""Values of a board that are told: at most some 4 kB with each tree."""
+
+
 class TreeSnapshot(Message):
     """A task's tree at one moment; ``tick`` counts the ticks since the task's start."""
 
@@ -268,6 +272,8 @@ class TreeSnapshot(Message):
     tick: Count
     stamp: RobotTime | None = None
     root: TreeNode
+    board: dict[str, str] = Field(default_factory=dict, max_length=MOST_ON_BOARD)
+    """What the tree's leaves have decided so far, in words, by name; of kinds that tell it."""
 
 
 class Span(Message):

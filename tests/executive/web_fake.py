@@ -33,6 +33,7 @@ from tandem.skills.ports.keys import (
     Topic,
 )
 from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.records import TASK_RECORDS, Records
 from tandem.skills.ports.reflex import ReflexState, ReflexSwitch, reflex_state, reflex_switch
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
@@ -76,6 +77,7 @@ class FakeRobot:
     kinds: TaskKinds = field(default_factory=lambda: TaskKinds(kinds=()))
     unable: dict[str, str] = field(default_factory=dict)
     tasks: tuple[TaskStatus, ...] = ()
+    records: Records = field(default_factory=lambda: Records(boxes=()))
     timeline: Timeline = field(default_factory=lambda: Timeline(task=""))
     tree: TreeSnapshot = EMPTY
     picture: bytes = b""
@@ -99,6 +101,7 @@ class FakeRobot:
         )
         yield answering(TASK_LIST, lambda _: TaskList(tasks=self.tasks))
         yield answering(TASK_HISTORY, self.history)
+        yield answering(TASK_RECORDS, lambda _: self.records)
         yield answering(TASK_TIMELINE, lambda _: self.timeline)
         yield answering(TREE_NOW, lambda _: self.tree)
         yield answering(CAMERA, lambda _: self.picture)

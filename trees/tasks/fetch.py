@@ -93,6 +93,7 @@ def misfits(asked: FetchRequest, robot: RobotDescription) -> tuple[Problem, ...]
 def build(asked: FetchRequest, context: TreeContext) -> Behaviour:
     """Return the tree of one fetch."""
     board = FetchBoard(item=asked.item, destination=asked.to, wanted_arm=asked.arm, near=asked.near)
+    context.board = board
     context.closing = lambda: where_all_is(context, board)
     if asked.on_cancel == "put_down":
         context.wind_down = put_back(context, board)

@@ -51,6 +51,7 @@ def misfits(asked: PickRequest, robot: RobotDescription) -> tuple[Problem, ...]:
 def build(asked: PickRequest, context: TreeContext) -> Behaviour:
     """Return the tree: a pick for each arm, of which the chosen one is run."""
     boards = tuple(HandBoard(hand, asked.item) for hand in context.knowledge.hands)
+    context.board = boards
     choice = Choice()
     context.closing = lambda: where_hands_are(context, boards)
     picks = [

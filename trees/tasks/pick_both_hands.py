@@ -50,6 +50,7 @@ def problems(asked: PickBothHandsRequest, site: Site) -> tuple[Problem, ...]:
 def build(asked: PickBothHandsRequest, context: TreeContext) -> Behaviour:
     """Return the tree."""
     board = BothBoard(HandBoard("left", asked.item), HandBoard("right", asked.item))
+    context.board = board
     context.closing = lambda: where_hands_are(context, board.hands)
     pick = both_pick(context, board, asked.method, asked.hold)
     return Sequence(

@@ -71,6 +71,7 @@ def problems(asked: PickTwoRequest, site: Site) -> tuple[Problem, ...]:
 def build(asked: PickTwoRequest, context: TreeContext) -> Behaviour:
     """Return the tree."""
     boards = (HandBoard("left", asked.left), HandBoard("right", asked.right))
+    context.board = boards
     context.closing = lambda: where_hands_are(context, boards)
     hands = tuple((branch(context, board.who), board) for board in boards)
     picks = _together(asked, context, hands) if asked.parallel_pick else _in_turns(asked, context, hands)

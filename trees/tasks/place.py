@@ -80,6 +80,7 @@ def misfits(asked: PlaceRequest, robot: RobotDescription) -> tuple[Problem, ...]
 def build(asked: PlaceRequest, context: TreeContext) -> Behaviour:
     """Return the tree."""
     board = FetchBoard(item=UNBOUND, destination=asked.to, wanted_arm=asked.arm)
+    context.board = board
     if asked.slot is not None:
         board.slots_taken = set(range(len(board.depot(context).slots))) - {asked.slot}
     context.closing = lambda: _where_all_is(context, board)

@@ -37,6 +37,7 @@ from tandem.trees.clients import AnyGoal
 from tandem.trees.context import TreeContext
 from tandem.trees.elapsed import Elapsed
 from tandem.trees.task import TaskType
+from tandem.trees.told_board import told_board
 
 TICK_PERIOD: Final = 0.05
 """Robot seconds after which the tree is ticked although nothing was heard: its timers."""
@@ -255,6 +256,7 @@ class Run:
             tick=self.ticks,
             stamp=self._clocks.robot(),
             root=self._view.look(),
+            board=told_board(self.context.board),
         )
 
     def _go_on_from_gate(self) -> None:
