@@ -5,7 +5,7 @@ A task's surroundings: context, branch, knowledge, clients, client, resources, e
 task_notes, dialogue.
 What leaves hand to each other: board, hand_board, hand_task, fetch_notes, inspection, told_board.
 The same on wheels: course, rounds, pursuit.
-In requests: places.
+In requests: places, item_number.
 Failures: recovery_kinds, item_failures, closing.
 A tree as data: snapshot, possible, breakpoints.
 """

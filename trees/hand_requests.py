@@ -18,7 +18,7 @@ def item_problems(site: Site, path: str, number: int, *, two: bool = False) -> t
     """
     item = site.item(number)
     if item is None:
-        known = ", ".join(str(each.item) for each in site.items)
+        known = site.item_words()
         return (Problem(path=path, expected=f"one of the site's items: {known}", found=str(number)),)
     if item.needs_two and not two:
         expected = "an item for one hand; this one needs both hands (pick_both_hands)"

@@ -23,6 +23,8 @@ class SeenItem(Message):
 
     item: Count
     """Its number."""
+    name: str = ""
+    """What the site calls it."""
     pose: Pose
     """In the map: of its centre, z up, if it stands on a side; else of the tag that was seen."""
     stands: bool
@@ -128,14 +130,17 @@ class Inspection:
         for number in sorted({number for numbers in seen.values() for number in numbers}):
             spots = tuple(spot for spot in self.spots if number in seen.get(spot, ()))
             facts = () if world is None else world.those(number)
-            items += [_told(fact, spots) for fact in facts if fact.held is None]
+            known = self.context.site.item(number)
+            name = "" if known is None else known.name
+            items += [_told(fact, name, spots) for fact in facts if fact.held is None]
         return InspectResult(spots=notes.done, missed=notes.missed, items=tuple(items))
 
 
-def _told(fact: ItemFact, spots: tuple[str, ...]) -> SeenItem:
+def _told(fact: ItemFact, name: str, spots: tuple[str, ...]) -> SeenItem:
     stands = standing_in_map(fact.tag_in_map, fact.size)
     return SeenItem(
         item=fact.item,
+        name=name,
         pose=stands or fact.tag_in_map,
         stands=stands is not None,
         position_sigma=fact.position_sigma,

@@ -78,7 +78,9 @@ def items(ctx: typer.Context, incomplete: str) -> Words:
     from tandem.skills.ports.tasks import TASK_KINDS  # noqa: PLC0415
 
     def known(link: Connection) -> Words:
-        return [(item, "item") for item in link.ask(TASK_KINDS, Nothing()).items]
+        there = link.ask(TASK_KINDS, Nothing())
+        named = [(name, f"item {number}") for name, number in there.names.items()]
+        return named + [(item, "item") for item in there.items]
 
     return _fitting(_asked(ctx, known), incomplete)
 

@@ -12,7 +12,9 @@ import sys
 from enum import EnumMeta
 from pathlib import Path
 from types import ModuleType
-from typing import Final, get_origin
+from typing import Annotated, Final, get_args, get_origin
+
+from pydantic.fields import FieldInfo
 
 from tandem.skills.ports.message import Message
 
@@ -79,6 +81,10 @@ def _entry(name: str, value: object) -> list[str]:
     if inspect.isclass(value) or inspect.isfunction(value):
         methods = _methods(value) if inspect.isclass(value) else []
         return [f"```text\n{_signature(name, value)}\n```", _doc(value), *methods]
+    if get_origin(value) is Annotated:
+        kind, *about = get_args(value)
+        what = next((each.description for each in about if isinstance(each, FieldInfo)), "")
+        return [f"```text\n{name} = Annotated[{kind.__name__}, ...]\n```", f"A field: {what}."]
     if get_origin(value) is not None:
         return [f"```text\n{name} = {_plain(str(value))}\n```"]
     said = next((getattr(value, each) for each in ("name", "key", "words") if hasattr(value, each)), value)

@@ -46,7 +46,7 @@ def tree_of(kind: TaskType[Message], site: Site, document: dict[str, JsonValue])
     body = dict(document) if "task" in kind.request.model_fields else {
         name: value for name, value in document.items() if name != "task"
     }  # fmt: skip
-    request = kind.request.model_validate(body)
+    request = kind.request.model_validate(body, context=site)
     bus, clocks = MemoryBus(), SteppedClocks()
     context = TreeContext(kind.name, Clients(bus, clocks, "render"), Knowledge(bus, clocks, site), clocks)
     return snapshot(kind.build(request, context))

@@ -51,6 +51,7 @@ def problems_of(error: ValidationError, *, most: int = MAX_PROBLEMS) -> tuple[Pr
     for finding in error.errors(include_url=False, include_context=False)[:most]:
         kind, message = finding["type"], finding["msg"]
         expected = _EXPECTED.get(kind, message.removeprefix("Input should be ").removeprefix("Value error, "))
+        expected = expected.removeprefix("expected ")  # a validator's own words
         shown = "" if kind == "missing" else show(finding["input"])
         found.append(Problem(path=path_of(finding["loc"]), expected=expected, found=shown))
     return tuple(found) or (Problem(path=WHOLE, expected="a request"),)

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Final, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
-from tandem.skills.ports.message import HandName, Message, Vector3
+from tandem.skills.ports.message import PLAIN_TEXT, HandName, Message, Vector3
 from tandem.skills.ports.occupancy import OccupancySetting
 from tandem.skills.ports.planners import PlannerName
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.reflex_setting import ReflexSetting
 
+LAST_TAG: Final = 586
+"""The last number of the family 36h11, whose first is 0."""
+MAX_NAME: Final = 64
+"""Characters of an item's name, as of a depot's in a request."""
 Edge = Annotated[float, Field(gt=0.0)]
 LocalPlanner = Literal["pursuit", "people"]
 """``pursuit`` follows the plan and takes people for things. ``people`` follows it too, but tracks people,
@@ -68,18 +72,25 @@ class GraspPoint(Message):
 
 
 class SiteItem(Message):
-    """An item: tag number, full edges (m), edge of the black square (m), and its hands.
+    """An item: tag number, name, full edges (m), edge of the black square (m), and its hands.
 
     One with ``grasp_points`` needs both hands at once (two-arm thesis, 4.1.1: O_H2); else ``hands`` says
     which hands it is for (O_HL, O_HR; both unless told).
     """
 
-    item: Annotated[int, Field(ge=0, le=586)]
+    item: Annotated[int, Field(ge=0, le=LAST_TAG)]
+    name: Annotated[str, Field(max_length=MAX_NAME, pattern=PLAIN_TEXT)] = ""
+    """What people call it, and requests may; none: its number only."""
     size: tuple[Edge, Edge, Edge]
     tag_size: Edge
     hands: tuple[HandName, ...] = ()
     """Hands that it is for; none: any hand of the robot."""
     grasp_points: tuple[GraspPoint, ...] = ()
+
+    @property
+    def words(self) -> str:
+        """Its number, with its name if it has one."""
+        return f"{self.item} ({self.name})" if self.name else str(self.item)
 
     @property
     def needs_two(self) -> bool:
@@ -89,6 +100,13 @@ class SiteItem(Message):
     def is_for(self, hand: HandName) -> bool:
         """Whether a hand may take it."""
         return not self.hands or hand in self.hands
+
+    @field_validator("name")
+    @classmethod
+    def _is_no_number(cls, name: str) -> str:
+        if name != name.strip() or name.isdecimal():
+            raise ValueError("expected a name that is no number, without space around it")
+        return name
 
     @model_validator(mode="after")
     def _one_point_for_each_hand(self) -> SiteItem:
@@ -125,6 +143,7 @@ class Site(Message):
             ("spots", [each.name for each in self.spots]),
             ("depots", [each.name for each in self.depots]),
             ("items", [str(each.item) for each in self.items]),
+            ("names of items", [each.name for each in self.items if each.name]),
         ):
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:
@@ -134,6 +153,10 @@ class Site(Message):
     def item(self, number: int) -> SiteItem | None:
         """Return the item of that tag, or None."""
         return next((each for each in self.items if each.item == number), None)
+
+    def item_words(self) -> str:
+        """Return all items as words, for who asked for another."""
+        return ", ".join(each.words for each in self.items)
 
     def depot(self, name: str) -> Depot | None:
         """Return the depot of that name, or None."""

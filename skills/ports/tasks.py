@@ -327,7 +327,9 @@ class TaskKinds(Message):
 
     kinds: tuple[KindOfTask, ...]
     items: tuple[str, ...] = ()
-    """The items of the robot's site, as text."""
+    """The numbers of the items of the robot's site, as text."""
+    names: dict[str, Count] = Field(default_factory=dict)
+    """Names that the site gives to items, with the number of each."""
 
 
 class Times(Message):

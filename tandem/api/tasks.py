@@ -25,6 +25,7 @@ from tandem.trees.behaviours.wait_for import WaitFor
 from tandem.trees.conditions.localised import localised
 from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext
+from tandem.trees.item_number import ItemNumber
 from tandem.trees.knowledge import Knowledge
 from tandem.trees.leaves.localise import localise
 from tandem.trees.leaves.rotate import rotate
@@ -46,6 +47,7 @@ __all__ = [
     "GiveUp",
     "Guarded",
     "Interruptible",
+    "ItemNumber",
     "Knowledge",
     "Message",
     "Needs",

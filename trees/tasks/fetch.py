@@ -25,6 +25,7 @@ from tandem.trees.closing import where_all_is
 from tandem.trees.conditions.item_placed import item_placed
 from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext
+from tandem.trees.item_number import ItemNumber
 from tandem.trees.needs import Needs, no_such_hand
 from tandem.trees.recovery_kinds import fetching_again_helps
 from tandem.trees.subtrees.get_item import get_item
@@ -48,7 +49,7 @@ class FetchRequest(Message):
     """Bring an item to a depot."""
 
     task: Literal["fetch"] = "fetch"
-    item: Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
+    item: ItemNumber
     to: Annotated[str, Field(max_length=64, description="name of the depot")] = "depot"
     near: Annotated[
         tuple[Coordinate, Coordinate] | None,
@@ -69,7 +70,7 @@ def problems(asked: FetchRequest, site: Site) -> tuple[Problem, ...]:
     found = []
     item = site.item(asked.item)
     if item is None:
-        known = ", ".join(str(each.item) for each in site.items)
+        known = site.item_words()
         found.append(
             Problem(path="item", expected=f"one of the site's items: {known}", found=str(asked.item))
         )

@@ -19,6 +19,7 @@ from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
 from tandem.trees.hand_requests import hand_problems, item_problems
+from tandem.trees.item_number import ItemNumber
 from tandem.trees.leaves.choose_arm import Choice, choose_arm
 from tandem.trees.needs import Needs, no_such_hand
 from tandem.trees.subtrees.hand_pick import Method, hand_pick
@@ -30,7 +31,7 @@ class PickRequest(Message):
     """Pick an item that stands on the table before the robot."""
 
     task: Literal["pick"] = "pick"
-    item: Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
+    item: ItemNumber
     arm: Annotated[HandName | None, Field(description="which arm; default: the nearer one")] = None
     method: Annotated[Method, Field(description="how the hand approaches it")] = "apf_rrtconnect"
 

@@ -17,6 +17,7 @@ from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
 from tandem.trees.hand_requests import item_problems
+from tandem.trees.item_number import ItemNumber
 from tandem.trees.leaves.coordinate import Mode
 from tandem.trees.leaves.two_hands import BothBoard
 from tandem.trees.leaves.within_reach import within_reach
@@ -31,7 +32,7 @@ class PickBothHandsRequest(Message):
     """Lift an item that needs both hands, hold it, and put it down where it stood."""
 
     task: Literal["pick_both_hands"] = "pick_both_hands"
-    item: Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
+    item: ItemNumber
     parallel_pick: Annotated[bool, Field(description="always true for an item that needs both hands")] = True
     hold: Annotated[float, Field(ge=0.0, le=60.0, description="robot seconds to hold it up")] = HOLD
     mode: Annotated[Mode, Field(description="when a stopped arm continues")] = "eager"

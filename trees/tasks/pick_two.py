@@ -26,6 +26,7 @@ from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
 from tandem.trees.hand_requests import hand_problems, item_problems
+from tandem.trees.item_number import ItemNumber
 from tandem.trees.leaves.coordinate import Mode
 from tandem.trees.leaves.hand.still_held import still_held
 from tandem.trees.leaves.within_reach import within_reach
@@ -34,7 +35,6 @@ from tandem.trees.subtrees.hand_pick import Method, hand_pick
 from tandem.trees.subtrees.two_arms import take_up, watched, where_hands_are
 from tandem.trees.task import TaskType
 
-Number = Annotated[int, Field(ge=0, le=586, description="number of the item's tag (AprilTag 36h11)")]
 HOW: Final = "how the hands approach their items; the others are baselines"
 
 
@@ -42,8 +42,8 @@ class PickTwoRequest(Message):
     """Pick an item with the left hand and one with the right."""
 
     task: Literal["pick_two"] = "pick_two"
-    left: Number
-    right: Number
+    left: ItemNumber
+    right: ItemNumber
     parallel_pick: Annotated[bool, Field(description="grasp both at once; else one after the other")] = False
     mode: Annotated[Mode, Field(description="when the waiting arm continues")] = "eager"
     method: Annotated[Method, Field(description=HOW)] = "apf_rrtconnect"

@@ -22,6 +22,7 @@ def kinds_offered(kinds: Mapping[str, TaskType[Message]], site: Site | None = No
             for kind in kinds.values()
         ),
         items=() if site is None else tuple(str(each.item) for each in site.items),
+        names={} if site is None else {each.name: each.item for each in site.items if each.name},
     )
 
 

@@ -89,7 +89,8 @@ def _checked(
     except ValidationError as error:
         found += problems_of(error)
     try:
-        request = kind.request.model_validate_json(json.dumps(body_of(document, kind.request)), strict=True)
+        body = json.dumps(body_of(document, kind.request))
+        request = kind.request.model_validate_json(body, strict=True, context=site)  # it names the items
     except ValidationError as error:
         return Refused((*problems_of(error), *found), client_id)
     problems = (*kind.problems(request, site), *found, *_contradictions(envelope))

@@ -48,6 +48,7 @@ class TreeBench:
         step: float = STEP,
     ) -> None:
         """See ``MockRobot`` for the arguments."""
+        self._site = site
         self.clocks = SteppedClocks("bench")
         self.hub = MemoryHub()
         bus = MemoryBus(self.hub)
@@ -87,7 +88,8 @@ class TreeBench:
         named = {"task": kind.name} if "task" in kind.request.model_fields else {}
         self.context = self._new_context()
         self.visited, self._running = [], {}
-        self.root = kind.build(kind.request.model_validate({**named, **request}), self.context)
+        asked = kind.request.model_validate({**named, **request}, context=self._site)
+        self.root = kind.build(asked, self.context)
         self.gates = Gates(self.root, self.context)
         return self.root
 

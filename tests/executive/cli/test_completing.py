@@ -84,7 +84,7 @@ class Answering:
 
     def ask(self, service: Any, _: object) -> object:
         return {
-            "task/kinds": TaskKinds(kinds=(), items=("29", "3", "203")),
+            "task/kinds": TaskKinds(kinds=(), items=("29", "3", "203"), names={"tea": 29}),
             "task/list": TaskList(tasks=(status("fetch-1", "FAILED"), status("pick-2", "RUNNING"))),
         }[service.key]
 
@@ -106,6 +106,7 @@ def robot(monkeypatch: pytest.MonkeyPatch) -> None:
         (completing.ended_tasks, "", ["fetch-1"]),
         (completing.tasks, "f", ["fetch-1"]),
         (completing.items, "2", ["29", "203"]),
+        (completing.items, "t", ["tea"]),
     ],
 )
 def test_a_robot_completes_its_tasks_and_items(complete: Any, incomplete: str, words: list[str]) -> None:

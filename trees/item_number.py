@@ -1,0 +1,45 @@
+"""An item in a request: its number, or the name that the site gives it.
+
+A request's model declares the field as ``ItemNumber``; its tree then has a number, whichever the client said.
+The names stand in the site file. So a request is read with the site as the context of the validation.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Final
+
+from pydantic import BeforeValidator, Field, ValidationInfo, WithJsonSchema
+
+from tandem.skills.ports.site import LAST_TAG, MAX_NAME, Site
+
+_SAID: Final = "number of the item's tag (AprilTag 36h11), or the item's name at this site"
+
+
+def _numbered(said: object, info: ValidationInfo) -> object:
+    """Return the number of a named item; whatever else was said is left to the validation."""
+    if not isinstance(said, str):
+        return said
+    site = info.context
+    if not isinstance(site, Site):
+        raise ValueError("expected a number: only who knows the site can read a name")  # noqa: TRY004 - pydantic's
+    named = next((each.item for each in site.items if each.name and each.name == said), None)
+    if named is None:
+        raise ValueError(f"expected one of the site's items: {site.item_words()}")
+    return named
+
+
+ItemNumber = Annotated[
+    int,
+    BeforeValidator(_numbered),
+    Field(ge=0, le=LAST_TAG, description=_SAID),
+    WithJsonSchema(
+        {
+            "anyOf": [
+                {"type": "integer", "minimum": 0, "maximum": LAST_TAG},
+                {"type": "string", "minLength": 1, "maxLength": MAX_NAME},
+            ],
+            "description": _SAID,
+        }
+    ),
+]
+"""A field of a request: the number of a tag, for which a client may say the item's name at the site."""
