@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from tandem.executive.config.fault_file import load_faults
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.records.process import release
 from tandem.executive.records.recorder import Sink
@@ -65,10 +66,16 @@ def facts_of(options: RunOptions) -> Facts:
         seed=options.seed,
         lockstep=True,
         request=options.request,
+        faults=_faults(options),
         release=release(),
         commit=checkout()[0],
         began=0.0,
     )
+
+
+def _faults(options: RunOptions) -> str:
+    """Return the file of faults as JSON; empty when there is none."""
+    return "" if options.faults is None else load_faults(options.faults).model_dump_json(exclude_none=True)
 
 
 def _recording(options: RunOptions) -> Sink:

@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from heapq import merge
 from pathlib import Path
+from typing import Final
 
 from tandem.executive.records.lines_file import write_lines
 from tandem.executive.records.recording import MCAP, Recorded, RecordError, Recording, Span
 from tandem.executive.records.tape import Tape
 
+LATELY: Final = 1.0
+"""Robot seconds: a picture from before a part stands for it if it is no older."""
+
 
 def cut(record: Recording, target: Path, part: Span) -> int:
     """Write what lies between two moments into another file; return how many messages that is.
 
-    An MCAP file is cut into one with our messages; pictures, and what only Foxglove draws, are left out.
+    An MCAP file is cut into one with our messages and pictures; what else only Foxglove draws is left out.
 
     Raises:
         RecordError: when the target is there already, or nothing lies between the moments.
@@ -32,7 +37,8 @@ def cut(record: Recording, target: Path, part: Span) -> int:
         is_mcap = file.read(len(MCAP)) == MCAP
     if not is_mcap:
         return write_lines(target, record.facts, part, attachments, _within(record, part))
-    from tandem.executive.records.json_schemas import JsonSchemas  # noqa: PLC0415 - of the extra `record`
+    from tandem.executive.records.foxglove_view import put_picture  # noqa: PLC0415 - of the extra `record`
+    from tandem.executive.records.json_schemas import JsonSchemas  # noqa: PLC0415
     from tandem.executive.records.mcap_writing import McapFile  # noqa: PLC0415
 
     unfinished = target.with_name(f".{target.name}.part")
@@ -41,8 +47,11 @@ def cut(record: Recording, target: Path, part: Span) -> int:
             written = McapFile(made, record.facts, part.begin, JsonSchemas().of)
             for attachment in attachments:
                 written.attach(attachment)
-            for message in _within(record, part):
-                written.put(message)
+            for message in merge(_within(record, part), _pictures(record, part), key=lambda each: each.at):
+                if message.encoding == "jpeg":
+                    put_picture(written, message.key, message.key.split("/")[2], message.payload, message)
+                else:
+                    written.put(message)
             written.finish()
             os.fsync(made.fileno())
         unfinished.replace(target)
@@ -62,3 +71,12 @@ def _within(record: Recording, part: Span) -> Iterator[Recorded]:
         before[message.key] = message
     yield from before.values()
     yield from record.messages(part.begin, part.end)
+
+
+def _pictures(record: Recording, part: Span) -> Iterator[Recorded]:
+    """Yield the last picture of each camera from shortly before the part, then those of the part."""
+    before = {
+        each.key: each for each in record.pictures(part.begin - LATELY, part.begin) if each.at < part.begin
+    }
+    yield from sorted(before.values(), key=lambda each: each.at)
+    yield from record.pictures(part.begin, part.end)

@@ -74,6 +74,14 @@ class Facts(Message):
     """Whether the run can be repeated from scenario and seed."""
     request: str = ""
     """Of `tandem run` in lockstep: what was asked for, as a JSON document; empty: the scenario's demo."""
+    campaign: str = ""
+    """The campaign that the run is of: ``fetch``, ``recovery`` or ``hopeless``; empty: of none."""
+    run: Count = 0
+    """Its number in that campaign."""
+    faults: str = ""
+    """What was to go wrong, as the JSON of a file of faults; empty: nothing besides the scenario's own."""
+    pictures: bool = False
+    """Whether the recorder of a run in lockstep listened to the cameras, which keeps them at work."""
     release: str
     """Version of the Tandem that wrote it."""
     commit: str = ""

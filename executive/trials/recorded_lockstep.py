@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from typing import Final
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Final
 
 from tandem.executive.records.ears import MemoryEars
 from tandem.executive.records.recorder import Recorder, Sink
@@ -11,6 +11,10 @@ from tandem.executive.records.recording import Attachment, Facts, Recorded, Reco
 from tandem.executive.system.systems import LockstepSystem
 from tandem.sim.scenario import Scenario
 from tandem.skills.testing.faulty_bus import BusFaults
+
+if TYPE_CHECKING:
+    from tandem.executive.records.mcap_writing import McapFile
+    from tandem.executive.records.pictures import Pictures
 
 EVERY: Final = 10
 """Periods between two looks of the recorder: 0.1 s, as beside a robot."""
@@ -40,6 +44,8 @@ class RecordedLockstep(LockstepSystem):
         sinks: who takes what is heard.
         bus_faults: what happens to messages that skills and executive receive.
         left_out: plug-ins that are known not to load; None: all plug-ins are left out.
+        digest: take every message into a hash.
+        write_pictures: has pictures written into a file; None: nobody listens to the cameras.
     """
 
     def __init__(
@@ -51,11 +57,18 @@ class RecordedLockstep(LockstepSystem):
         sinks: Iterable[Sink],
         bus_faults: BusFaults | None = None,
         left_out: Mapping[str, str] | None = None,
+        digest: bool = False,
+        write_pictures: Callable[[Callable[[McapFile], None]], None] | None = None,
     ) -> None:
-        super().__init__(scenario, seed, bus_faults=bus_faults, left_out=left_out)
+        super().__init__(scenario, seed, digest=digest, bus_faults=bus_faults, left_out=left_out)
         ears = MemoryEars(self.lockstep.hub, self.clocks.monotonic)
         end = self.lockstep.hub.endpoint()
         self._recorder = Recorder(end, ears, self.clocks, facts=facts, boxes=None, sinks=sinks)
+        self._pictures: Pictures | None = None
+        if write_pictures is not None:
+            from tandem.executive.records.pictures import Pictures  # noqa: PLC0415 - cv2, and of the extra `record`
+
+            self._pictures = Pictures(end, self.clocks.monotonic, write_pictures)
         self._periods = 0
 
     def advance(self) -> None:
@@ -68,10 +81,14 @@ class RecordedLockstep(LockstepSystem):
         self._periods += 1
         if self._periods % EVERY == 0:
             self._recorder.step()
+            if self._pictures is not None:
+                self._pictures.step(self._recorder.newest)
 
     def close(self) -> None:
         """End the record, and all nodes."""
         try:
+            if self._pictures is not None:
+                self._pictures.close()
             self._recorder.close()
         finally:
             super().close()

@@ -10,6 +10,7 @@ import typer
 from rich.console import Console
 
 from tandem.executive.cli.arguments import OtherSite, OwnEndpoint
+from tandem.executive.cli.commands.recorded_campaign import RecordPictures, RecordTo, recorded_runs
 from tandem.executive.cli.commands.restart_command import restart
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
@@ -36,7 +37,6 @@ Jobs = Annotated[int, typer.Option("--jobs", min=1, max=64, help="Number of para
 First = Annotated[
     int, typer.Option("--first", min=0, help="Number of the first run; use it to repeat a single run.")
 ]
-
 RECOVERED_SHARE = 58 / 60
 """Of the runs that can be mended, as the aim has it."""
 
@@ -62,6 +62,8 @@ def fetch(
     report: ReportFile = None,
     jobs: Jobs = 2,
     first: First = 0,
+    record_to: RecordTo = None,
+    record_pictures: RecordPictures = True,
 ) -> None:
     """Fetch random items from random start poses. Exits 0 only if every fetch succeeds in ground truth."""
     from tandem.executive.cli.commands.scenario_commands import checked  # noqa: PLC0415
@@ -71,7 +73,8 @@ def fetch(
     drawn_from = checked(scenario, site)
     console = Console(highlight=False, soft_wrap=True)
     done: list[FetchRun] = []
-    work = partial(run_number, partial(run_fetch, drawn_from, seed), first)
+    recorded = recorded_runs("fetch", scenario, seed, record_to, pictures=record_pictures)
+    work = partial(run_number, partial(run_fetch, drawn_from, seed, runs=recorded), first)
     for run in series(work, runs, jobs=jobs):
         done.append(run)
         _tell(run, console)
@@ -101,6 +104,8 @@ def recovery(
     report: ReportFile = None,
     jobs: Jobs = 2,
     first: First = 0,
+    record_to: RecordTo = None,
+    record_pictures: RecordPictures = True,
 ) -> None:
     """Fetch items while random faults strike.
 
@@ -116,7 +121,9 @@ def recovery(
     console = Console(highlight=False, soft_wrap=True)
     done: list[RecoveryRun] = []
     for count, what in ((runs, run_recovery), (hopeless, run_hopeless)):
-        work = partial(run_number, partial(what, drawn_from, seed), first)
+        name = "recovery" if what is run_recovery else "hopeless"
+        recorded = recorded_runs(name, scenario, seed, record_to, pictures=record_pictures)
+        work = partial(run_number, partial(what, drawn_from, seed, runs=recorded), first)
         part: list[RecoveryRun] = []
         for run in series(work, count, jobs=jobs):
             part.append(run)

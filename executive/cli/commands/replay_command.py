@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -10,7 +9,6 @@ import typer
 from tandem.executive.cli.arguments import Json
 from tandem.executive.cli.commands.log_command import File
 from tandem.executive.cli.errors import CommandError
-from tandem.executive.cli.exit_codes import ExitCode
 
 if TYPE_CHECKING:
     from tandem.executive.cli.commands.watch_command import View
@@ -58,39 +56,15 @@ def replay(
     record = open_recording(file)
     try:
         if again:
-            _again(record, at)
-        elif at is None and not task:
+            from tandem.executive.cli.commands.run_again import run_again  # noqa: PLC0415
+
+            raise typer.Exit(run_again(record, at))
+        if at is None and not task:
             _list(record, as_json=as_json)
         else:
             _show(record, _moment_of(record, at, task), task, as_json=as_json)
     finally:
         record.close()
-
-
-def _again(record: Recording, at: float | None) -> None:
-    facts = record.facts
-    if not facts.lockstep:
-        advice = "`tandem demo --lockstep --record-to DIR` records one"
-        raise CommandError(f"{record.path}: expected a run in lockstep, found one in real time; {advice}")
-    from tandem.executive.cli.running_system import run_demo, run_once  # noqa: PLC0415
-    from tandem.executive.config.run_options import RunOptions  # noqa: PLC0415
-    from tandem.executive.trials.recorded_lockstep import ReachedError  # noqa: PLC0415
-
-    options = RunOptions(
-        bus=replace(RunOptions().bus, site=facts.site, robot=facts.robot),
-        scenario=facts.scenario,
-        seed=facts.seed,
-        lockstep=True,
-        request=facts.request,
-        again=record.path,
-        again_until=record.span.end if at is None else at,
-    )
-    try:
-        code = run_once(options) if facts.request else run_demo(options)
-    except ReachedError as reached:
-        typer.echo(reached.words)
-        code = ExitCode.OK if reached.same else ExitCode.TASK_FAILED
-    raise typer.Exit(code)
 
 
 def _list(record: Recording, *, as_json: bool) -> None:

@@ -36,6 +36,8 @@ class Episode:
     """By camera."""
     base: bool
     """Whether the robot drives: its place is then part of the state."""
+    robot: str
+    """What the robot is called by its description, else by its keys."""
 
     def features(self, cameras: Sequence[str]) -> Features:
         """Return what a frame consists of, with the cameras that are wanted and there."""
@@ -61,6 +63,7 @@ class Episode:
 def episodes(record: Recording, fps: int) -> Iterator[Episode | LeftOut]:
     """Yield the tasks of a record as episodes, in order, and those that can't be one."""
     robot = description_of(record)
+    name = record.facts.robot if robot is None else robot.name
     found, left_out = spans(record)
     yield from left_out
     for span in found:
@@ -71,4 +74,4 @@ def episodes(record: Recording, fps: int) -> Iterator[Episode | LeftOut]:
         moments = moments_of(span.begin, span.end, fps)
         shown = {each.camera: each for each in films(record, moments)}
         drives = heard.pose is not None if robot is None else robot.drive is not None
-        yield Episode(record, span, heard, moments, shown, drives)
+        yield Episode(record, span, heard, moments, shown, drives, name)

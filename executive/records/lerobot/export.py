@@ -95,7 +95,7 @@ class _Making:
             self._require_cameras(record, episode, chosen)
             self._features = episode.features(chosen)
             self._first = f"{record.path.name}, {episode.span.task}"
-            self._set = DataSet(self._root, record.facts.robot, self._features, self._wanted.fps)
+            self._set = DataSet(self._root, episode.robot, self._features, self._wanted.fps)
         chosen = tuple(name for name, _, _ in self._features.cameras)
         self._require_cameras(record, episode, chosen)
         self._require_same(record, episode.features(chosen))

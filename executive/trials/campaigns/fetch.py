@@ -10,6 +10,7 @@ from numpy.random import Generator
 from tandem.executive.system.systems import LockstepSystem
 from tandem.executive.trials.campaigns.oracle import Oracle
 from tandem.executive.trials.campaigns.reachable import Reachable
+from tandem.executive.trials.campaigns.recording import UNRECORDED, Runs
 from tandem.executive.trials.phase_times import Phases
 from tandem.executive.trials.trial import trial, warm_up
 from tandem.sim.draw import Draw, draw_fetch
@@ -66,11 +67,14 @@ class FetchCampaign(Message):
     runs: tuple[FetchRun, ...]
 
 
-def run_fetch(scenario: Scenario, seed: int, run: int) -> FetchRun:
-    """Draw and run fetch number ``run`` of the campaign ``seed``; the same numbers give the same run."""
+def run_fetch(scenario: Scenario, seed: int, run: int, *, runs: Runs = UNRECORDED) -> FetchRun:
+    """Draw and run fetch number ``run`` of the campaign ``seed``; the same numbers give the same run.
+
+    ``runs`` makes its system: one that is recorded, for instance.
+    """
     site = load(scenario.site)
     draw = draw_run(site, scenario, np.random.default_rng((seed, run)))
-    system = LockstepSystem(draw.scenario, seed * 1000 + run, digest=True)
+    system = runs.system(draw.scenario, seed * 1000 + run, run)
     try:
         return _fetch(system, run, draw)
     finally:

@@ -9,6 +9,7 @@ import numpy as np
 from tandem.executive.system.systems import LockstepSystem
 from tandem.executive.trials.campaigns.fetch import DEPOT, draw_run
 from tandem.executive.trials.campaigns.oracle import Oracle, Verdict
+from tandem.executive.trials.campaigns.recording import UNRECORDED, Runs
 from tandem.executive.trials.campaigns.troubles import Case, Trouble, draw_hopeless, draw_recoverable
 from tandem.executive.trials.trial import trial, warm_up
 from tandem.sim.controls import FAULTS
@@ -71,23 +72,26 @@ class RecoveryCampaign(Message):
     runs: tuple[RecoveryRun, ...]
 
 
-def run_recovery(scenario: Scenario, seed: int, run: int) -> RecoveryRun:
-    """Draw and run number ``run`` of the recoverable ones; the same numbers give the same run."""
-    return _run(scenario, seed, run, hopeless=False)
+def run_recovery(scenario: Scenario, seed: int, run: int, *, runs: Runs = UNRECORDED) -> RecoveryRun:
+    """Draw and run number ``run`` of the recoverable ones; the same numbers give the same run.
+
+    ``runs`` makes its system: one that is recorded, for instance.
+    """
+    return _run(scenario, seed, run, runs, hopeless=False)
 
 
-def run_hopeless(scenario: Scenario, seed: int, run: int) -> RecoveryRun:
+def run_hopeless(scenario: Scenario, seed: int, run: int, *, runs: Runs = UNRECORDED) -> RecoveryRun:
     """Draw and run number ``run`` of the hopeless ones."""
-    return _run(scenario, seed, run, hopeless=True)
+    return _run(scenario, seed, run, runs, hopeless=True)
 
 
-def _run(scenario: Scenario, seed: int, run: int, *, hopeless: bool) -> RecoveryRun:
+def _run(scenario: Scenario, seed: int, run: int, runs: Runs, *, hopeless: bool) -> RecoveryRun:
     site, rng = load(scenario.site), np.random.default_rng((seed, run, int(hopeless)))
     draw = draw_run(site, scenario, rng)
     case = Case(rng, draw.item, site, draw.scenario)
     trouble = draw_hopeless(case, run) if hopeless else draw_recoverable(case)
     struck = draw.scenario.model_copy(update={"faults": trouble.faults})
-    system = LockstepSystem(struck, seed * 1000 + run, digest=True, bus_faults=trouble.bus)
+    system = runs.system(struck, seed * 1000 + run, run, trouble.bus)
     try:
         return _fetch(system, site, run, draw.item, trouble)
     finally:

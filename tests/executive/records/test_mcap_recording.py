@@ -9,13 +9,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 from mocked_fetch import FACTS
+from synthetic_record import motion, one_fetch, write_mcap
 
+from tandem.executive.records.cutting import cut
 from tandem.executive.records.foxglove_view import FoxgloveView, put_picture
 from tandem.executive.records.json_schemas import JsonSchemas
 from tandem.executive.records.mcap_file import picture_in
 from tandem.executive.records.mcap_writing import McapFile
 from tandem.executive.records.pictures import as_jpeg
-from tandem.executive.records.recording import Attachment, Recorded, open_recording
+from tandem.executive.records.recording import Attachment, Recorded, Span, open_recording
 from tandem.executive.records.recovering import recover
 from tandem.skills.ports.hardware import JointStates, RgbdHeader, StopState
 from tandem.skills.ports.image import RgbdImage, encode
@@ -156,3 +158,16 @@ def test_pictures_are_read_back_as_jpeg(tmp_path: Path) -> None:
 def test_what_is_no_picture_is_none() -> None:
     assert as_jpeg(b"not a picture") == b""
     assert picture_in(b"") == b""
+
+
+def test_a_part_keeps_its_pictures(tmp_path: Path) -> None:
+    whole = open_recording(write_mcap(tmp_path / "a.mcap", [*motion(), *one_fetch()]))
+    cut(whole, tmp_path / "part.mcap", Span(2.1, 3.0))
+    part = open_recording(tmp_path / "part.mcap")
+    kept, expected = list(part.pictures()), list(whole.pictures(2.0, 3.0))
+    assert [(each.key, each.at, each.payload) for each in kept] == [
+        (each.key, each.at, each.payload) for each in expected
+    ]
+    assert kept[0].at == 2.0, "what the camera had shown last"
+    for record in (whole, part):
+        record.close()

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 from tandem.executive.records.json_schemas import JsonSchemas
+from tandem.executive.records.mcap_writing import McapFile
 from tandem.executive.records.recording import Facts, Recording, open_recording
 from tandem.executive.records.recording_sink import RecordingSink
 from tandem.executive.trials.recorded_lockstep import HeldTo, ReachedError, RecordedLockstep
@@ -51,3 +52,12 @@ def test_another_seed_is_told_from_it(record: Recording) -> None:
     with pytest.raises(ReachedError, match="the run differs from the record at") as reached:
         run(record, None, seed=2, periods=80)
     assert not reached.value.same
+
+
+def test_cameras_are_heard_where_pictures_are_written() -> None:
+    taken: list[Callable[[McapFile], None]] = []
+    system = RecordedLockstep(load_scenario("Demo"), 1, facts=FACTS, sinks=(), write_pictures=taken.append)
+    for _ in range(60):
+        system.advance()
+    system.close()
+    assert taken
