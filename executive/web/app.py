@@ -253,7 +253,8 @@ class Site:
         if self.sessions is None:
             raise WrongError(409, "on this host nobody logs in")
         try:
-            secret, who = self.sessions.log_in(str(document.get("word", "")))
+            address = "" if request.client is None else request.client.host
+            secret, who = self.sessions.log_in(str(document.get("word", "")), address)
         except LinkError as error:
             raise WrongError(401, str(error)) from error
         _LOG.info("%s (%s) has logged in", who.name, who.role)

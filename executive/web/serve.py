@@ -105,6 +105,7 @@ def _server(app: ASGIApp, secure: Secure | None = None) -> uvicorn.Server:
             ws_ping_interval=10.0,
             ws_ping_timeout=20.0,
             server_header=False,
+            proxy_headers=False,  # whoever reaches the port could name another address in them
             ssl_certfile=None if secure is None else secure.certificate,
             ssl_keyfile=None if secure is None else secure.key,
             timeout_graceful_shutdown=1,

@@ -9,7 +9,6 @@ from __future__ import annotations
 import hashlib
 import secrets
 import time
-from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,6 +18,7 @@ from tandem.executive.security.holders import Holder, KeysError
 from tandem.executive.security.links import LASTS, SKEW, LinkError, check, utc, valid
 from tandem.executive.security.rights import rights_of
 from tandem.executive.web.robot import Who
+from tandem.executive.web.throttle import Throttle
 
 COOKIE: Final = "__Host-tandem"
 """Browsers take a cookie of this name from HTTPS only, for this host and no other."""
@@ -28,8 +28,6 @@ IDLE: Final = 4 * 3600.0
 """Seconds without an order or a page opened after which it ends."""
 LOOK_EVERY: Final = 5.0
 """Seconds after which it is looked again whether a key is revoked."""
-TRIES: Final = 10
-"""Wrong log-ins in a minute, of all viewers, after which none is taken for the rest of it."""
 MOST: Final = 256
 """Sessions at once."""
 
@@ -64,19 +62,23 @@ class Sessions:
         self._began = now()
         self._open: dict[str, _Session] = {}
         self._used: dict[str, float] = {}
-        self._wrong: deque[float] = deque()
+        self._throttle = Throttle(monotonic)
 
-    def log_in(self, word: str) -> tuple[str, Who]:
-        """Return a session's secret for a word that has not been used; LinkError for any other."""
+    def log_in(self, word: str, address: str) -> tuple[str, Who]:
+        """Return a session's secret for a word that has not been used; LinkError for any other.
+
+        Args:
+            word: as `tandem keys link` prints it.
+            address: of the viewer's computer.
+        """
         at = self._monotonic()
-        while self._wrong and at - self._wrong[0] > 60.0:  # noqa: PLR2004 - a minute
-            self._wrong.popleft()
-        if len(self._wrong) >= TRIES:
-            raise LinkError("too many wrong log-ins; wait a minute")
+        closed = self._throttle.closed_to(address)
+        if closed:
+            raise LinkError(closed)
         try:
             holder, asked = check(word, self._folder, self.origin, self._now())
         except LinkError:
-            self._wrong.append(at)
+            self._throttle.note(address)
             raise
         if asked.nonce in self._used or asked.made < self._began:
             raise LinkError(

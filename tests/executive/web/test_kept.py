@@ -74,7 +74,7 @@ def test_board_beliefs_and_tree_are_as_they_were(page: TestClient) -> None:
 @pytest.mark.parametrize(
     ("seconds", "file", "status", "words"),
     [
-        ("500", None, 404, "nothing was recorded at 500.0 s; box.jsonl.gz ends 483 s before"),
+        ("500", None, 404, "nothing was recorded at 500.0 s; box.jsonl.gz ends 485 s before"),
         ("nan", None, 422, "expected robot seconds"),
         ("soon", None, 422, "expected robot seconds"),
         ("2", "", 404, "no black box has fetch-0001"),

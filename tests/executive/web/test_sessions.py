@@ -17,11 +17,13 @@ from tandem.executive.security.authority import Wanted, begin, issue, revoke
 from tandem.executive.security.identity import Identity
 from tandem.executive.security.links import LinkError, make
 from tandem.executive.web.app import application
-from tandem.executive.web.sessions import COOKIE, IDLE, LONGEST, LOOK_EVERY, TRIES, Sessions
+from tandem.executive.web.sessions import COOKIE, IDLE, LONGEST, LOOK_EVERY, Sessions
+from tandem.executive.web.throttle import TRIES
 
 PAGE = "https://robot.example:8447"
 START = dt.datetime(2026, 11, 27, tzinfo=dt.UTC)
 WAIT = {"task": "wait", "item": 3}
+HERE = "192.0.2.1"
 PEOPLE = {"anna": "operator", "rob": "requester", "rita": "requester", "vera": "viewer"}
 
 
@@ -153,7 +155,7 @@ def test_a_page_from_elsewhere_asks_nothing_with_the_cookie(
 
 @pytest.mark.parametrize("later", [IDLE + 1.0, LONGEST + 1.0])
 def test_a_session_ends(sessions: Sessions, made: Path, time: Time, later: float) -> None:
-    secret, who = sessions.log_in(word(made, "anna", time))
+    secret, who = sessions.log_in(word(made, "anna", time), HERE)
     assert sessions.who(secret) == who
     steps = 1 if later < LONGEST else 10
     for _ in range(steps):
@@ -164,7 +166,7 @@ def test_a_session_ends(sessions: Sessions, made: Path, time: Time, later: float
 
 
 def test_looking_on_does_not_keep_a_session(sessions: Sessions, made: Path, time: Time) -> None:
-    secret, _ = sessions.log_in(word(made, "anna", time))
+    secret, _ = sessions.log_in(word(made, "anna", time), HERE)
     for _ in range(4):
         time.passed += IDLE / 3
         found = sessions.who(secret, uses=False)
@@ -192,17 +194,20 @@ def test_a_word_made_before_the_page_was_started_opens_nothing(made: Path, time:
     old = word(made, "anna", time)
     time.passed += 1.0
     with pytest.raises(LinkError, match="before this page was started"):
-        Sessions(made, PAGE, time.monotonic, time.utc).log_in(old)
+        Sessions(made, PAGE, time.monotonic, time.utc).log_in(old, HERE)
 
 
-def test_guessing_is_slow(sessions: Sessions, made: Path, time: Time) -> None:
+def test_guessing_is_slow_for_who_guesses_and_for_nobody_else(
+    sessions: Sessions, made: Path, time: Time
+) -> None:
     for _ in range(TRIES):
         with pytest.raises(LinkError, match="does not open"):
-            sessions.log_in("guess")
-    with pytest.raises(LinkError, match="wait a minute"):
-        sessions.log_in(word(made, "anna", time))
+            sessions.log_in("guess", HERE)
+    with pytest.raises(LinkError, match="from your address; wait a minute"):
+        sessions.log_in(word(made, "anna", time), HERE)
+    assert sessions.log_in(word(made, "anna", time), "192.0.2.2")
     time.passed += 61.0
-    assert sessions.log_in(word(made, "anna", time))
+    assert sessions.log_in(word(made, "anna", time), HERE)
 
 
 def test_on_this_host_nobody_logs_in(page: TestClient) -> None:
