@@ -46,6 +46,9 @@ STAND_DISTANCES: Final = (0.0, 0.06, -0.06, 0.12)
 FINGER_ROOM: Final = 0.008
 """Metres on each side between an item and a finger before it closes."""
 
+STRAIGHT_DOWN: Final = 0.05
+"""Sine of the angle from the vertical below which a hand has no way ahead in plan: 3 degrees."""
+
 PALM_ROOM: Final = 0.002
 """Metres that stay free between an item and the palm."""
 
@@ -127,6 +130,9 @@ def place(
 ) -> Place:
     """Return the poses of placing what is in the hand, as it is held (eq. 3).
 
+    The hand draws back level and against the way in which it looks, whichever face it holds the item by: to
+    the side, a finger would take the item along.
+
     Args:
         slot: the point of the surface, in the map.
         facing: heading (rad) from the slot towards the robot: "away".
@@ -134,7 +140,6 @@ def place(
         height: metres of the item.
         clearance: metres above the surface at which the item is let go.
     """
-    out = (math.cos(facing), math.sin(facing), 0.0)
     item = Pose(
         position=add(slot, (0.0, 0.0, height / 2.0 + clearance)),
         orientation=about(_Z, facing),
@@ -143,9 +148,18 @@ def place(
     return Place(
         above=_moved(tool, scale(_Z, UP)),
         place=tool,
-        retraction=_moved(tool, scale(out, AWAY)),
+        retraction=_moved(tool, scale(_backwards(tool, facing), AWAY)),
         item_in_map=item,
     )
+
+
+def _backwards(tool: Pose, facing: float) -> Vector3:
+    """Return the level direction out of the hand's back; ``facing`` (rad) for one that looks down."""
+    x, y, _ = rotate(tool.orientation, (-1.0, 0.0, 0.0))
+    length = math.hypot(x, y)
+    if length < STRAIGHT_DOWN:
+        return (math.cos(facing), math.sin(facing), 0.0)
+    return (x / length, y / length, 0.0)
 
 
 def _moved(pose: Pose, by: Vector3) -> Pose:

@@ -176,6 +176,6 @@ TASK = TaskType(
     build=build,
     waits=unheard,
     result=PlaceResult,
-    needs=Needs(hands=1, drive=True),
+    needs=Needs(hands=1),
     misfits=misfits,
 )

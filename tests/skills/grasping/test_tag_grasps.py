@@ -12,6 +12,7 @@ from tandem.skills.geometry.poses import (
     angle_between,
     compose,
     from_axes,
+    invert,
     multiply,
     rotate,
     transform,
@@ -79,6 +80,25 @@ def test_equation_2_the_retraction_is_10_cm_out_of_the_face_and_10_cm_up() -> No
 
 def test_equation_3_after_placing_the_hand_goes_10_cm_back() -> None:
     put = place((0.0, 0.0, 0.71), math.pi / 2, grasp(TAG, DEPTH, 0.5).item_in_tool, 0.06)
+    assert np.subtract(put.retraction.position, put.place.position) == pytest.approx((0.0, 0.1, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("quarter_turns", "back"), [(1, (-0.1, 0.0, 0.0)), (-1, (0.1, 0.0, 0.0)), (2, (0.0, -0.1, 0.0))]
+)
+def test_a_hand_that_holds_another_face_goes_back_from_that_face(
+    quarter_turns: int, back: tuple[float, float, float]
+) -> None:
+    """To the side of the face that was seen, a finger would take the item along."""
+    held = grasp(TAG, DEPTH, 0.5).item_in_tool
+    other = compose(held, Pose(orientation=about((0, 0, 1), -quarter_turns * math.pi / 2)))
+    put = place((0.0, 0.0, 0.71), math.pi / 2, other, 0.06)
+    assert np.subtract(put.retraction.position, put.place.position) == pytest.approx(back, abs=1e-9)
+
+
+def test_a_hand_that_looks_straight_down_goes_back_to_where_the_slot_is_served_from() -> None:
+    down = Pose(orientation=from_axes((0, 0, -1), (0, 1, 0), (1, 0, 0)))
+    put = place((0.0, 0.0, 0.71), math.pi / 2, invert(down), 0.06)
     assert np.subtract(put.retraction.position, put.place.position) == pytest.approx((0.0, 0.1, 0.0))
 
 
