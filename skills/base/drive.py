@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from tandem.skills.base.journey import Course, Journey, Progress
+from tandem.skills.base.course import Course, Progress
+from tandem.skills.base.journey import Journey
 from tandem.skills.base.ride import Ride
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.wheels import Wheels

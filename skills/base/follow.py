@@ -126,9 +126,10 @@ class Follower:
             there = 0.0 if angle > SHARP else CORNER_TURN / angle
             slow = stopping_speed(max(at - self.way, 0.0) + there * there / (2 * brake), brake, LATENCY)
             allowed = min(allowed, max(slow, 0.05))
-        return min(allowed, self._tight(pose))
+        return min(allowed, self.tight(pose))
 
-    def _tight(self, pose: FloorPose) -> float:
+    def tight(self, pose: FloorPose) -> float:
+        """Return the speed (m/s) for how near things are."""
         spare = float(self.clearances.field.at(np.array([[pose.x, pose.y]]))[0]) - self.clearances.needed
         share = min(max(spare / TIGHT[0], 0.0), 1.0)
         return TIGHT[1] + share * (self.drive.forward - TIGHT[1]) if share < 1.0 else self.drive.forward

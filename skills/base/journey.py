@@ -3,47 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Generator
-from dataclasses import dataclass
 from typing import Final
 
-import numpy as np
-
-from tandem.skills.base.floor import FloatArray
+from tandem.skills.base.course import Course, Progress
 from tandem.skills.base.follow import Follower
-from tandem.skills.base.guard import Guard
-from tandem.skills.base.headway import Headway
-from tandem.skills.base.localiser import Localiser
-from tandem.skills.base.map import SiteMap
-from tandem.skills.base.obstacles import Obstacles
+from tandem.skills.base.leg import Leg
 from tandem.skills.base.path import Path
-from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.planner import Clearances, Planner
 from tandem.skills.base.ride import Motion, Ride
-from tandem.skills.base.watch import Block, Watch
+from tandem.skills.base.watch import Block
 from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback, DriveGoal, DriveResult
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import Drive
 from tandem.skills.ports.pose import FloorPose
-from tandem.skills.ports.skill import Command, Outcome, Run, Slice, canceled, failed, succeeded
+from tandem.skills.ports.skill import Outcome, Run, Slice, canceled, failed, succeeded
 
 MARGIN: Final = 0.03
 """Metres that a plan keeps between the footprint and everything."""
 SLICE_COST: Final = 0.001
 """Robot seconds that lockstep charges for one slice of planning."""
-SET_OFF: Final = 0.15
-"""Radians off the path's first piece from which on the base turns before it drives."""
-ROOMY: Final = 0.12
-"""Metres of spare clearance from which on the base may turn while it sets off."""
-LONG: Final = 0.8
-"""Metres: a shorter way is better faced first."""
-BLOCKED_FOR: Final = 0.4
-"""Robot seconds for which something must be in the way before another way is looked for."""
-CRAWL: Final = 0.05
-"""m/s: slower, the base waits for people."""
-HELD: Final = 0.02
-"""rad/s: slower commands are no turning."""
 WAIT: Final = 1.0
 """Robot seconds to wait for a way to open."""
 WAIT_FOR_PEOPLE: Final = 4.0
@@ -57,56 +35,11 @@ GOOD_YAW: Final = 0.3
 """Share of the tolerance within which the heading is left as it is."""
 NUDGE: Final = 0.25
 """Metres up to which a correction goes straight, without a new plan."""
-BACK_UP: Final = 0.8
-"""Metres up to which the base may go backwards, where the laser does not look."""
-ARRIVED: Final = 0.004
-"""Metres before the end at which the way counts as driven."""
 SETTLE: Final = 0.15
 """Robot seconds at rest before the pose is judged: a scan or two."""
 AT_PERSON: Final = 0.8
 """Metres from a person to what is in the way up to which it is the person: in a narrow place nothing is free
 beside them either."""
-
-
-@dataclass
-class Progress:
-    """What feedback tells of a run, in metres of way."""
-
-    total: float = 0.0
-    remaining: float = 0.0
-    way: tuple[tuple[float, float], ...] = ()
-    """Corners of the plan in the map (m)."""
-
-
-@dataclass(frozen=True)
-class Course:
-    """What a journey knows of the floor and of the robot."""
-
-    site_map: SiteMap
-    obstacles: Obstacles
-    localiser: Localiser
-    drive: Drive
-    radius: float
-    """The footprint's (m)."""
-
-    guard: Guard
-    caution: Caution | None = None
-    """What is heeded of people, by robots that track them."""
-
-    def radii(self) -> tuple[float, ...]:
-        """Return the radii (m) to plan with, the wished one first."""
-        reach = self.guard.reach
-        return (reach, self.radius) if reach > self.radius else (self.radius,)
-
-    def strange(self) -> FloatArray:
-        """Return points, shape (n, 2), of what stands and is on no map, people with it."""
-        points = self.obstacles.points
-        return points if self.caution is None else np.concatenate((points, self.caution.tracker.rings()))
-
-    def watch(self) -> Watch:
-        """Return a watch for one run."""
-        people = None if self.caution is None else self.caution.tracker
-        return Watch(self.localiser, self.obstacles, self.radius, people)
 
 
 class Journey:
@@ -235,7 +168,7 @@ class Journey:
         """Drive the plan, and others around what turns out to stand in the way."""
         ride, left = self._ride, self._most_replans()
         while self._plan is not None:
-            block = yield from self._follow(*self._plan)
+            block = yield from self._leg(*self._plan).drive()
             if ride.canceled or ride.failure is not None:
                 return False
             if block is None:
@@ -256,6 +189,16 @@ class Journey:
                     return False
         return False
 
+    def _leg(self, path: Path, clearances: Clearances) -> Leg:
+        end_yaw = self._goal.poses[self._chosen].yaw
+        return Leg(
+            self._course,
+            self._ride,
+            self._watch,
+            self._progress,
+            Follower(path, self._course.drive, clearances, end_yaw),
+        )
+
     def _most_replans(self) -> int:
         return MOST_REPLANS if self._course.caution is None else MOST_REPLANS_FOR_PEOPLE
 
@@ -271,82 +214,6 @@ class Journey:
             if self._ride.canceled or self._ride.failure is not None:
                 return False
         return False
-
-    def _follow(
-        self, path: Path, clearances: Clearances
-    ) -> Generator[DriveFeedback | Slice, Command, Block | None]:
-        """Drive along a path and come to rest; returns what blocks it, None at its (or the run's) end."""
-        ride, follower = self._ride, self._follower(path, clearances)
-        if self._back_is_sooner(path):
-            yield from self._back_up(path)
-            return None
-        if self._must_turn_first(follower, clearances) and not (
-            yield from ride.turn(follower.off(ride.pose))
-        ):
-            return None
-        free_at, headway = ride.active, Headway(ride.active)
-        while follower.remaining > ARRIVED:
-            block = self._watch.block(path, follower.way)
-            blocked_at = None if block is None else block.way
-            linear, angular = follower.speeds(ride.pose, ride.wheels.linear, blocked_at)
-            self._progress.remaining = max(follower.remaining, 0.0)
-            linear, angular, waits = self._heeding_people(follower, linear, angular)
-            if not (yield from ride.cycle(linear, angular)):
-                return None
-            if block is None:
-                free_at = ride.active
-            elif ride.active - free_at > BLOCKED_FOR:
-                yield from ride.rest()
-                return block
-            excused = block is not None or abs(angular) > HELD
-            if headway.look(follower.remaining, ride.active, excused=excused, waits=waits):
-                self._end_held(follower, tired=headway.tired)
-                break
-        yield from ride.rest()
-        return None
-
-    def _end_held(self, follower: Follower, *, tired: bool) -> None:
-        if tired:
-            self._ride.blocked_by_person(*follower.path.at(follower.way + LONG))
-            return
-        self._ride.fail(FailureKind.BASE_BLOCKED, "the base does not move", remaining_m=follower.remaining)
-
-    def _heeding_people(self, follower: Follower, linear: float, angular: float) -> tuple[float, float, bool]:
-        """Return speeds (m/s, rad/s) that heed people, and whether the base waits for them."""
-        caution = self._course.caution
-        if caution is None or linear <= 0.0:
-            return linear, angular, False
-        pace = caution.pace(follower.path, follower.way, linear)
-        return pace, angular * pace / linear, pace < CRAWL and pace < linear
-
-    def _follower(self, path: Path, clearances: Clearances) -> Follower:
-        end_yaw = self._goal.poses[self._chosen].yaw
-        return Follower(path, self._course.drive, clearances, end_yaw)
-
-    def _must_turn_first(self, follower: Follower, clearances: Clearances) -> bool:
-        """Say whether to face the path before driving: where there is room, the base turns on the way."""
-        here, length = self._ride.pose, follower.path.length
-        if length <= ARRIVED or abs(follower.off(here)) <= SET_OFF:
-            return False
-        spare = clearances.field.at_point(here.x, here.y) - clearances.needed
-        return spare < ROOMY or length < LONG
-
-    def _back_is_sooner(self, path: Path) -> bool:
-        """Say whether a short straight way is done sooner backwards, with less turning."""
-        if len(path.points) > 2 or not ARRIVED < path.length < BACK_UP:  # noqa: PLR2004 - one piece
-            return False
-        here, end, drive = self._ride.pose, self._goal.poses[self._chosen].yaw, self._course.drive
-        ahead = path.heading_at(0.0)
-        turns = [abs(wrap(way - here.yaw)) + abs(wrap(end - way)) for way in (ahead, ahead + math.pi)]
-        return path.length / drive.backward + turns[1] / drive.turn < (
-            path.length / drive.forward + turns[0] / drive.turn
-        )
-
-    def _back_up(self, path: Path) -> Motion[DriveFeedback]:
-        ride = self._ride
-        if not (yield from ride.turn(wrap(path.heading_at(0.0) + math.pi - ride.pose.yaw))):
-            return False
-        return (yield from ride.straight(-path.length))
 
     def _within(self, pose: FloorPose) -> bool:
         here = self._ride.pose

@@ -73,7 +73,8 @@ class Path:
 
         On the last piece it may run beyond the end, so that having gone too far is seen.
         """
-        best, best_gap = after, math.inf
+        # A base that rolls back a little is still at ``after``, not at the next corner.
+        best, best_gap = after, math.dist(self.at(after), (x, y))
         for piece in range(self._piece(after), self._piece(after + window) + 1):
             start, step = self.points[piece], self.points[piece + 1] - self.points[piece]
             span = float(np.hypot(step[0], step[1]))

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from tandem.skills.base.course import Course
 from tandem.skills.base.drive import Drive
 from tandem.skills.base.fixed import FixedBase
 from tandem.skills.base.follow_robot import Follow
 from tandem.skills.base.go import Go
 from tandem.skills.base.guard import Guard
-from tandem.skills.base.journey import Course
 from tandem.skills.base.localise import Localise
 from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.map import build_map
@@ -75,7 +75,8 @@ def assemble(
     guard = Guard(bus, clocks, description, localiser)
     drive, radius = description.driven, description.footprint_radius
     caution = None if people is None else Caution(people, site_map.plan, drive, radius, clocks)
-    course = Course(site_map, obstacles, localiser, drive, radius, guard, caution)
+    bends = site.local_planner == "band"
+    course = Course(site_map, obstacles, localiser, drive, radius, guard, caution, bends)
     around = BaseSurroundings(bus, clocks, description, localiser, guard, board)
     return Base(
         localiser=localiser,

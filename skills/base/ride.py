@@ -90,6 +90,11 @@ class Ride(Generic[F]):
         return self.now - self._paused_for
 
     @property
+    def halted(self) -> bool:
+        """Whether the base stands, or brakes, because somebody would be at it too soon."""
+        return self._halted_for > 0.0
+
+    @property
     def pose(self) -> FloorPose:
         """base_in_map now: odometry carried on to this moment, seen from the map."""
         odometry, now = self._localiser.odometry, self._clocks.robot()

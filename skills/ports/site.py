@@ -17,7 +17,7 @@ LAST_TAG: Final = 586
 MAX_NAME: Final = 64
 """Characters of an item's name, as of a depot's in a request."""
 Edge = Annotated[float, Field(gt=0.0)]
-LocalPlanner = Literal["pursuit", "people"]
+LocalPlanner = Literal["pursuit", "people", "band"]
 """``pursuit`` follows the plan and takes people for things. ``people`` follows it too, but tracks people,
 slows down for them, waits, and lets them pass."""
 

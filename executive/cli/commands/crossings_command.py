@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 class LocalPlanner(StrEnum):
     """As ``tandem.skills.ports.site.LocalPlanner``, which is not loaded for a command's help."""
 
+    BAND = "band"
     PEOPLE = "people"
     PURSUIT = "pursuit"
 

@@ -105,6 +105,11 @@ def test_a_path_knows_where_one_is_on_it() -> None:
     assert path.at(3.5) == pytest.approx((1.0, 2.5))
 
 
+def test_a_base_that_rolls_back_a_little_is_not_at_the_next_corner() -> None:
+    path = Path(np.array([[0.0, 0.0], [0.4, 0.0], [0.4, 1.0]]))
+    assert path.project(-0.001, 0.0, 0.001) == pytest.approx(0.001)
+
+
 def test_the_last_piece_is_long_enough_to_arrive_straight() -> None:
     path = plan(FloorPose(x=-0.21, y=0.5, yaw=0.0), FloorPose(x=-1.93, y=-0.98, yaw=math.pi)).path
     assert path is not None

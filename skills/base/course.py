@@ -1,0 +1,59 @@
+"""What a journey knows of the floor and of the robot, and what it tells of its progress."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tandem.skills.base.floor import FloatArray
+from tandem.skills.base.guard import Guard
+from tandem.skills.base.localiser import Localiser
+from tandem.skills.base.map import SiteMap
+from tandem.skills.base.obstacles import Obstacles
+from tandem.skills.base.people.caution import Caution
+from tandem.skills.base.watch import Watch
+from tandem.skills.ports.hardware import Drive
+
+
+@dataclass
+class Progress:
+    """What feedback tells of a run, in metres of way."""
+
+    total: float = 0.0
+    remaining: float = 0.0
+    way: tuple[tuple[float, float], ...] = ()
+    """Corners of the plan in the map (m)."""
+
+
+@dataclass(frozen=True)
+class Course:
+    """What a journey knows of the floor and of the robot."""
+
+    site_map: SiteMap
+    obstacles: Obstacles
+    localiser: Localiser
+    drive: Drive
+    radius: float
+    """The footprint's (m)."""
+
+    guard: Guard
+    caution: Caution | None = None
+    """What is heeded of people, by robots that track them."""
+    bends: bool = False
+    """Whether the base leaves its path for people: an elastic band (``skills/base/band``)."""
+
+    def radii(self) -> tuple[float, ...]:
+        """Return the radii (m) to plan with, the wished one first."""
+        reach = self.guard.reach
+        return (reach, self.radius) if reach > self.radius else (self.radius,)
+
+    def strange(self) -> FloatArray:
+        """Return points, shape (n, 2), of what stands and is on no map, people with it."""
+        points = self.obstacles.points
+        return points if self.caution is None else np.concatenate((points, self.caution.tracker.rings()))
+
+    def watch(self) -> Watch:
+        """Return a watch for one run."""
+        people = None if self.caution is None else self.caution.tracker
+        return Watch(self.localiser, self.obstacles, self.radius, people)
