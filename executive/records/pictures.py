@@ -41,7 +41,7 @@ class Pictures:
     def step(self, when: Recorded | None) -> None:
         """Write the newest picture of each camera, if it is time; ``when``: a message of now."""
         now = self._monotonic()
-        if when is None or now - self._last < EVERY:
+        if when is None or now - self._last < EVERY - 1e-6:
             return
         self._last = now
         for sample in self._inbox.drain():

@@ -27,7 +27,14 @@ def run_again(record: Recording, at: float | None) -> ExitCode:
     if not facts.lockstep:
         advice = "`tandem demo --lockstep --record-to DIR` records one"
         raise CommandError(f"{record.path}: expected a run in lockstep, found one in real time; {advice}")
+    from tandem.executive.trials.provenance import checkout  # noqa: PLC0415
     from tandem.executive.trials.recorded_lockstep import ReachedError  # noqa: PLC0415
+
+    here = checkout()[0]
+    if here and facts.commit and here != facts.commit:
+        typer.echo(
+            f"the record is of commit {facts.commit[:10]}, this is {here[:10]}: what it says may differ"
+        )
 
     until = record.span.end if at is None else at
     try:

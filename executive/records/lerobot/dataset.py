@@ -154,10 +154,10 @@ def _flat(stats: Mapping[str, statistics.Stats]) -> dict[str, object]:
 
 
 def _source(episode: Episode, number: int) -> layout.Json:
-    facts, span = episode.record.facts, episode.span
+    facts, span, path = episode.record.facts, episode.span, episode.record.path.absolute()
     return {
         "episode_index": number,
-        "file": episode.record.path.name,
+        "file": f"{path.parent.name}/{path.name}",
         "task": span.task,
         "request": dict(span.request),
         "begin": span.begin,

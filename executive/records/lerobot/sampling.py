@@ -12,8 +12,9 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import ValidationError
 
-from tandem.executive.records.recording import Recording
+from tandem.executive.records.recording import Recorded, Recording
 from tandem.skills.ports.hardware import BaseVelocity, JointStates, RobotDescription, SetPoint
 from tandem.skills.ports.keys import BASE_VELOCITY, DESCRIPTION, JOINT_STATES, group_setpoint
 from tandem.skills.ports.message import read_leniently
@@ -121,19 +122,13 @@ def signals(record: Recording, since: float, until: float) -> Signals | None:
     heard: defaultdict[str, _Heard] = defaultdict(_Heard)
     names: tuple[str, ...] = ()
     for message in record.messages(since - BEFORE, until + AFTER):
-        at, key = message.at, message.key
-        if key == JOINT_STATES.key:
-            joints = read_leniently(JointStates, message.payload)
-            names = names or joints.names
-            heard[key].add(at, joints.position_of(names))
-        elif key == ROBOT_POSE.key:
-            pose = read_leniently(RobotPose, message.payload).base_in_map
-            heard[key].add(at, (pose.x, pose.y, pose.yaw))
-        elif key == BASE_VELOCITY.key:
-            wanted = read_leniently(BaseVelocity, message.payload)
-            heard[key].add(at, (wanted.linear, wanted.angular))
-        elif key in groups:
-            heard[key].add(at, read_leniently(SetPoint, message.payload).positions)
+        try:
+            row, said = _row(message, groups, names)
+        except ValidationError:
+            continue  # a wrong message is as good as none
+        names = names or said
+        if row:
+            heard[message.key].add(message.at, row)
     positions = heard[JOINT_STATES.key].track()
     if positions is None:
         return None
@@ -145,6 +140,27 @@ def signals(record: Recording, since: float, until: float) -> Signals | None:
         set_points=tuple(_streamed(groups, heard, names)),
         dead_man=0.0 if robot is None or robot.drive is None else robot.drive.dead_man,
     )
+
+
+def _row(
+    message: Recorded, groups: Mapping[str, tuple[str, ...]], names: tuple[str, ...]
+) -> tuple[tuple[float, ...], tuple[str, ...]]:
+    """Return the numbers of a message, none if it has no part in an episode; of joints also their names."""
+    key, payload = message.key, message.payload
+    if key == JOINT_STATES.key:
+        joints = read_leniently(JointStates, payload)
+        same = not names or set(names) == set(joints.names)
+        return (joints.position_of(names or joints.names) if same else ()), joints.names
+    if key == ROBOT_POSE.key:
+        pose = read_leniently(RobotPose, payload).base_in_map
+        return (pose.x, pose.y, pose.yaw), ()
+    if key == BASE_VELOCITY.key:
+        wanted = read_leniently(BaseVelocity, payload)
+        return (wanted.linear, wanted.angular), ()
+    if key in groups:
+        positions = read_leniently(SetPoint, payload).positions
+        return (positions if len(positions) == len(groups[key]) else ()), ()
+    return (), ()
 
 
 def description_of(record: Recording) -> RobotDescription | None:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from pydantic import JsonValue
+from pydantic import JsonValue, ValidationError
 
 from tandem.executive.records.known import names_task
 from tandem.executive.records.recording import Recording
@@ -54,7 +54,10 @@ def spans(record: Recording) -> tuple[tuple[TaskSpan, ...], tuple[LeftOut, ...]]
     said: dict[str, list[tuple[float, TaskStatus]]] = {}
     for message in record.messages():
         if names_task(message.key):
-            status = read_leniently(TaskStatus, message.payload)
+            try:
+                status = read_leniently(TaskStatus, message.payload)
+            except ValidationError:
+                continue  # a wrong message is as good as none
             said.setdefault(status.task, []).append((message.at, status))
     found, left_out = [], []
     for task, statuses in said.items():

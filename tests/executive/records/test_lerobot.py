@@ -10,19 +10,28 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 from synthetic_record import (
+    BLUE,
     CLOSES,
     FACTS,
     JOINTS,
+    message,
     motion,
     one_fetch,
+    picture,
+    stamp,
     status,
     write_mcap,
 )
 
 from tandem.executive.records.lerobot.export import Exported, Wanted, export
+from tandem.executive.records.lerobot.layout import NUMBERS, Features, Place
 from tandem.executive.records.lerobot.spans import NO_LEAF, words_of
+from tandem.executive.records.lerobot.tables import FrameFiles
+from tandem.executive.records.lerobot.videos import Film, VideoFiles
 from tandem.executive.records.lines_file import write_lines
-from tandem.executive.records.recording import RecordError, Span
+from tandem.executive.records.recording import Recorded, RecordError, Span
+from tandem.skills.ports.hardware import SetPoint
+from tandem.skills.ports.keys import JOINT_STATES, group_setpoint
 from tandem.skills.ports.tasks import TaskState
 
 HEAD = "observation.images.head"
@@ -189,9 +198,9 @@ def test_statistics_are_those_of_the_columns(made: tuple[Path, Exported]) -> Non
 
 def test_it_says_of_which_records_it_was_made(made: tuple[Path, Exported]) -> None:
     first, second = json.loads((made[0] / "meta/tandem.json").read_text("utf-8"))["episodes"]
-    assert (first["file"], first["task"], first["state"]) == ("a.mcap", "fetch-0001", "SUCCEEDED")
+    assert (first["file"], first["task"], first["state"]) == ("runs/a.mcap", "fetch-0001", "SUCCEEDED")
     assert first["facts"]["commit"] == FACTS.commit
-    assert (second["file"], second["state"]) == ("b.mcap", "FAILED")
+    assert (second["file"], second["state"]) == ("runs/b.mcap", "FAILED")
 
 
 def test_a_black_box_becomes_one_too(tmp_path: Path) -> None:
@@ -246,3 +255,29 @@ def test_a_camera_that_was_not_recorded_is_refused(tmp_path: Path) -> None:
 )
 def test_a_request_as_words(request_: dict, words: str) -> None:
     assert words_of(str(request_["task"]), request_) == words
+
+
+def test_what_is_no_message_is_left_out(tmp_path: Path) -> None:
+    wrong = [
+        Recorded(JOINT_STATES.key, 1.23, stamp(1.23), 0, b'{"names": 3}'),
+        Recorded(JOINT_STATES.key, 1.24, stamp(1.24), 0, b"\x00", "bytes"),
+        Recorded("task/fetch-0001/status", 1.25, stamp(1.25), 0, b"{}"),
+        message(
+            group_setpoint("arm_right").key, 1.26, SetPoint(stamp=stamp(1.26), positions=(), velocities=())
+        ),
+    ]
+    write_mcap(tmp_path / "a.mcap", [*motion(), *one_fetch(), *wrong], cameras=())
+    assert export([tmp_path / "a.mcap"], tmp_path / "set", Wanted()).frames == FRAMES
+
+
+def test_the_next_file_begins_when_one_is_full(tmp_path: Path) -> None:
+    features = Features(("a.pos",), ("a.pos",), (("head", 36, 64),))
+    numbers = dict.fromkeys(NUMBERS, np.zeros(2))
+    columns = {"observation.state": np.zeros((2, 1)), "action": np.zeros((2, 1)), **numbers}
+    columns |= {name: np.zeros(2, bool) for name, kind in NUMBERS.items() if kind == "bool"}
+    tables = FrameFiles(tmp_path, features, file_mb=0.0)
+    assert [tables.add(columns).number for _ in range(2)] == [0, 1]
+    film = Film("head", (picture("head", BLUE, (36, 64)),), (0, 0))
+    videos = VideoFiles(tmp_path, "head", (36, 64), 10, file_mb=0.0)
+    assert [videos.add(film)[:3] for _ in range(2)] == [(Place(0), 0.0, 0.2), (Place(1), 0.0, 0.2)]
+    assert (Place(1001).chunk, Place(1001).file) == (1, 1)

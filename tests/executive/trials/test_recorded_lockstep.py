@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from tandem.executive.records.json_schemas import JsonSchemas
-from tandem.executive.records.mcap_writing import McapFile
 from tandem.executive.records.recording import Facts, Recording, open_recording
 from tandem.executive.records.recording_sink import RecordingSink
+from tandem.executive.system.systems import LockstepSystem
+from tandem.executive.trials.campaigns.recording import HeldRuns, RecordedRuns
 from tandem.executive.trials.recorded_lockstep import HeldTo, ReachedError, RecordedLockstep
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.records import RecordingState
@@ -25,10 +26,14 @@ def run(record: Recording | None, sink: RecordingSink | None, *, seed: int, peri
     assert held is not None
     system = RecordedLockstep(load_scenario("Demo"), seed, facts=FACTS, sinks=(held,))
     try:
-        for _ in range(periods):
-            system.advance()
+        advance(system, periods)
     finally:
         system.close()
+
+
+def advance(system: LockstepSystem, periods: int) -> None:
+    for _ in range(periods):
+        system.advance()
 
 
 @pytest.fixture(scope="module")
@@ -54,10 +59,16 @@ def test_another_seed_is_told_from_it(record: Recording) -> None:
     assert not reached.value.same
 
 
-def test_cameras_are_heard_where_pictures_are_written() -> None:
-    taken: list[Callable[[McapFile], None]] = []
-    system = RecordedLockstep(load_scenario("Demo"), 1, facts=FACTS, sinks=(), write_pictures=taken.append)
-    for _ in range(60):
-        system.advance()
+def test_a_run_of_a_campaign_is_recorded_with_pictures_and_repeats_its_record(tmp_path: Path) -> None:
+    system = RecordedRuns(tmp_path, "fetch", "Demo", seed=1).system(load_scenario("Demo"), 1000, 0)
+    advance(system, 80)
     system.close()
-    assert taken
+    (path,) = tmp_path.glob("fetch-0000/*.mcap")
+    record = open_recording(path)
+    assert [each.key for each in record.pictures()]
+    held = HeldRuns(record, 0.5).system(load_scenario("Demo"), 1000, 0)
+    with pytest.raises(ReachedError, match="the run is as recorded") as reached:
+        advance(held, 80)
+    held.close()
+    assert reached.value.same
+    record.close()
