@@ -85,7 +85,7 @@ class Stillness:
         self._last = now
         if not self._running or last is None:
             return
-        what = "moving" if _moves(states, self._odometry.value) else self._why()
+        what = "moving" if moves(states, self._odometry.value) else self._why()
         self.seconds[what] = self.seconds.get(what, 0.0) + now - last
         if what == "moving" and self.moved_at is None:
             self.moved_at = now
@@ -101,7 +101,8 @@ def speed(states: JointStates) -> float:
     return max((abs(velocity) for name, velocity in named if not _is_finger(name)), default=0.0)
 
 
-def _moves(states: JointStates, odometry: Odometry | None) -> bool:
+def moves(states: JointStates, odometry: Odometry | None) -> bool:
+    """Say whether base, joints or fingers move."""
     if odometry is not None and max(abs(odometry.linear), abs(odometry.angular)) > MOVING:
         return True
     named = zip(states.names, states.velocities, strict=True)

@@ -31,7 +31,7 @@ from tandem.executive.system.process_system import ProcessSystem
 from tandem.executive.system.systems import SystemFailure, wait_for
 from tandem.executive.trials.demo import ANSWER_WITHIN, Caller
 from tandem.sim.scenario import load_scenario
-from tandem.skills.ports.action import GoalState, GoalStatus
+from tandem.skills.ports.action import GoalState, GoalStatus, node_of
 from tandem.skills.ports.hardware import Stop, StopRelease
 from tandem.skills.ports.keys import DESCRIPTION, STOP, STOP_RELEASE, Latest, Nothing
 from tandem.skills.ports.tasks import TASK_CANCEL, TASK_STATUS, CancelTask, TaskState
@@ -59,6 +59,8 @@ class Trial:
 
     phase: str
     planning: bool
+    goals: str = ""
+    """The nodes whose goals were under way, in words."""
     answered: float | None = None
     canceling: float | None = None
     braked: float | None = None
@@ -92,6 +94,17 @@ class Watch:
         return any(
             "survey" in goal or (each.feedback or {}).get("phase") == "PLANNING" for goal, each in open_goals
         )
+
+    @property
+    def under_way(self) -> str:
+        """The nodes whose goals are under way, in words; of an arm also what it does."""
+        open_goals = [(node_of(goal), each) for goal, each in self.goals.items() if not each.state.terminal]
+        told = {f"{node} {(each.feedback or {}).get('phase', '')}".strip() for node, each in open_goals}
+        return " and ".join(sorted(told)) or "no goal"
+
+    def trial(self) -> Trial:
+        """Return a trial that begins now."""
+        return Trial(self.phase, planning=self.planning, goals=self.under_way)
 
     def look(self) -> None:
         """Wait for something, and take in what has come."""
@@ -170,17 +183,32 @@ def trials(count: int, *, most: float, seed: int = 1) -> tuple[list[Trial], list
         near = load_scenario("Demo").starting_at(NEAR_THE_TABLE)
         scenario.write_text(yaml.safe_dump(near.model_dump(mode="json")), encoding="utf-8")
         options = RunOptions(bus=BusOptions(endpoint=free_endpoint()), scenario=str(scenario))
-        with ProcessSystem(options) as system:
-            watch = Watch(system, _motion(system))
-            caller = Caller(system, lambda _: None)
-            began = time.monotonic()
-            while len(stops) + len(cancels) < 2 * count and time.monotonic() - began < most:
-                done, act = (stops, _stop) if len(stops) <= len(cancels) else (cancels, _cancel)
-                if _under_way(watch, caller, KINDS[len(done) % len(KINDS)], rng):
-                    done.append(act(watch))
-                elif watch.state is TaskState.SUCCEEDED:
-                    break  # the item is where it was wanted: nothing is left to be stopped
+        spent = 0.0
+        while len(stops) + len(cancels) < 2 * count and spent < most:
+            with ProcessSystem(options) as system:
+                began = time.monotonic()
+                _in_one_system(system, stops, cancels, rng, count=count, until=began + most - spent)
+                spent += time.monotonic() - began
     return stops, cancels
+
+
+def _in_one_system(
+    system: ProcessSystem,
+    stops: list[Trial],
+    cancels: list[Trial],
+    rng: np.random.Generator,
+    *,
+    count: int,
+    until: float,
+) -> None:
+    """Stop and cancel until there are enough, or the item is where it was wanted."""
+    watch, caller = Watch(system, _motion(system)), Caller(system, lambda _: None)
+    while len(stops) + len(cancels) < 2 * count and time.monotonic() < until:
+        done, act = (stops, _stop) if len(stops) <= len(cancels) else (cancels, _cancel)
+        if _under_way(watch, caller, KINDS[len(done) % len(KINDS)], rng):
+            done.append(act(watch))
+        elif watch.state is TaskState.SUCCEEDED:
+            return
 
 
 def _motion(system: ProcessSystem) -> Motion:
@@ -205,7 +233,7 @@ def _under_way(watch: Watch, caller: Caller, kind: str, rng: np.random.Generator
 
 
 def _stop(watch: Watch) -> Trial:
-    trial = Trial(watch.phase, planning=watch.planning)
+    trial = watch.trial()
     watch.motion.mark()
     began = time.perf_counter()
     pending = STOP.query(watch.system.bus, Stop(by="benchmark", reason="how soon?"))
@@ -223,7 +251,7 @@ def _stop(watch: Watch) -> Trial:
 
 
 def _cancel(watch: Watch) -> Trial:
-    trial = Trial(watch.phase, planning=watch.planning)
+    trial = watch.trial()
     watch.motion.mark()
     began = time.perf_counter()
     TASK_CANCEL.query(watch.system.bus, CancelTask(task=watch.task))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import time
 from typing import TYPE_CHECKING, Final
 
@@ -46,6 +47,9 @@ def run_paced(
         speed: simulated seconds in a second; None: as fast as the followers go.
         stopped: asked once a period.
     """
+    # As in skills/wire/loop.py: a collection of all takes 30 ms here, and a stop may have to wait for it.
+    gc.collect()
+    gc.freeze()
     period = station.model.description.period
     followers = [Followers(bus) for bus in buses]
     due = time.monotonic()

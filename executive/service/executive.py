@@ -29,6 +29,7 @@ from tandem.executive.service.running.orphaned_goals import Leftovers
 from tandem.executive.service.running.sent_goals import LedgerJournal
 from tandem.executive.service.running.timeline import Spans
 from tandem.executive.service.running.tree_run import Run
+from tandem.executive.service.running.uncollected import uncollected
 from tandem.executive.service.tasks.queue_holds import Holds
 from tandem.executive.service.tasks.resuming import Comeback, How, take_up
 from tandem.executive.service.tasks.task_book import KEPT, MAX_WAITING, TURN, TaskBook
@@ -182,7 +183,7 @@ class Executive:
     @property
     def idle(self) -> bool:
         """Whether no task runs or waits."""
-        return self._turn is None and not self.book.waiting
+        return self._turn is None and not self.book.queue
 
     @property
     def running(self) -> Run | None:
@@ -205,7 +206,7 @@ class Executive:
         self._note_tries()
         more = self._album.step() or more
         more = self._questions.step() or more
-        self._pulse.step("" if self._turn is None else self._turn.task, len(self.book.waiting))
+        self._pulse.step("" if self._turn is None else self._turn.task, len(self.book.queue))
         if self._whereabouts is not None:
             running = None if self._turn is None else self.book.get(self._turn.task)
             self._whereabouts.step(self.knowledge.robot, running)
@@ -285,7 +286,13 @@ class Executive:
             if turn is None:
                 return
             self.book.queue.remove(turn.task)
-            self._begin(turn.task, turn.asked, "go on")
+            with uncollected():
+                self._begin(turn.task, turn.asked, "go on")
+                self._go_on_if_begun()
+            return
+        self._go_on_if_begun()
+
+    def _go_on_if_begun(self) -> None:
         if self._turn is not None:
             self._go_on(self._turn)
 
@@ -300,6 +307,7 @@ class Executive:
         self._keep_spans(turn.task)
         self._note_common(turn, turn.run.ended)
         self._tell(turn.end())
+        turn.run.dissolve()
         self._ended += 1
         if self._ended % PRUNE_EVERY == 0:
             self._prune()
@@ -468,6 +476,6 @@ class Executive:
             tasks=tuple(name for name in self._kinds if name not in unable),
             unable=unable,
             running="" if self._turn is None else self._turn.task,
-            queued=len(self.book.waiting),
+            queued=len(self.book.queue),
             waits_for=self._told_first[1],
         )

@@ -22,7 +22,7 @@ from tandem.skills.perception.jobs import Shot, TagJob, TagsFound, find_tags
 from tandem.skills.perception.session import LookError, Session
 from tandem.skills.ports.actions.perception import LookFeedback
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.compute import Compute, Job
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.hardware import RgbdHeader, RobotDescription
 from tandem.skills.ports.image import decode
@@ -139,9 +139,19 @@ class Eye:
         Raises:
             LookError: TIMED_OUT when the worker does not come back.
         """
-        job = self._compute.submit(
-            find_tags, TagJob(shot, self._site.items, standing, self._detectors), cost=tags.COST
-        )
+        return (yield from self.found(view, self.reading(shot, standing)))
+
+    def reading(self, shot: Shot, standing: tuple[tuple[int, Box], ...]) -> Job[TagsFound]:
+        """Have a picture read, beside whatever comes next; ``found`` tells what it shows."""
+        job = TagJob(shot, self._site.items, standing, self._detectors)
+        return self._compute.submit(find_tags, job, cost=tags.COST)
+
+    def found(self, view: View, job: Job[TagsFound]) -> Generator[LookFeedback | Slice, Command, TagsFound]:
+        """Wait until a picture is read; return what it shows.
+
+        Raises:
+            LookError: TIMED_OUT when the worker does not come back.
+        """
         if not (yield from view.session.until(job.done, WORK_AFTER)):
             raise LookError(FailureKind.TIMED_OUT, "the picture was not read in time")
         found = job.result()

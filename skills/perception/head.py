@@ -63,11 +63,19 @@ class Head:
         """Whether no motion of ours is under way."""
         return not self._moving
 
-    def move(self, session: Session, joints: JointHistory, end: tuple[float, ...]) -> Steps:
+    def move(
+        self, session: Session, joints: JointHistory, end: tuple[float, ...], meanwhile: Steps | None = None
+    ) -> Steps:
         """Go to the end positions (rad) and come to rest there. A motion that strayed counts as over.
 
         Where the camera is, is measured; so a head that stops short spoils the view and not the poses. A
         pause halts the head; afterwards it goes on to where it was going.
+
+        Args:
+            session: of the run.
+            joints: where the head is.
+            end: one position for each joint of the head.
+            meanwhile: is done once while the head moves, and before this returns.
 
         Raises:
             LookError: when the hardware refuses, or the head does not come to rest.
@@ -79,8 +87,10 @@ class Head:
             assert newest is not None
             start = newest.position_of(self._group.joints)
             if all(math.isclose(a, b, abs_tol=_NEAR) for a, b in zip(start, end, strict=True)):
+                yield from meanwhile or ()
                 return
-            yield from self._go(session, start, end)
+            yield from self._go(session, start, end, meanwhile)
+            meanwhile = None
             if not self._interrupted:
                 return
 
@@ -88,7 +98,9 @@ class Head:
         self._interrupted = True
         self.halt()
 
-    def _go(self, session: Session, start: tuple[float, ...], end: tuple[float, ...]) -> Steps:
+    def _go(
+        self, session: Session, start: tuple[float, ...], end: tuple[float, ...], meanwhile: Steps | None
+    ) -> Steps:
         points = rest_to_rest(start, end, self._group.limits)
         self._sent += 1
         goal = TrajectoryGoal(id=f"{self._goal_id}/head{self._sent}", points=points)
@@ -101,6 +113,7 @@ class Head:
         if refused is not None:
             self._moving = ""
             raise LookError(FailureKind.NOT_READY, f"the head's goal was not taken: {refused}")
+        yield from meanwhile or ()
         if not (yield from session.until(lambda: self.at_rest, points[-1].time + _OVERTIME)):
             raise LookError(FailureKind.TIMED_OUT, "the head did not come to rest", goal=goal.id)
 

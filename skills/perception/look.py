@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -19,20 +19,20 @@ from tandem.skills.perception.detectors import Detector
 from tandem.skills.perception.eye import WORK_AFTER, Eye, Steps, View
 from tandem.skills.perception.frames import JointHistory, RobotPoseHistory
 from tandem.skills.perception.head import SETTLE, Head
-from tandem.skills.perception.jobs import ClutterJob, Shot, find_clutter
+from tandem.skills.perception.jobs import ClutterJob, Shot, TagsFound, find_clutter
 from tandem.skills.perception.merge import merge
 from tandem.skills.perception.rigid import Matrix
 from tandem.skills.perception.session import Canceled, LookError, Session
 from tandem.skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.compute import Compute
+from tandem.skills.ports.compute import Compute, Job
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import STOP_STATE, Latest
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.skill import ActionType, Run, canceled, failed, succeeded
+from tandem.skills.ports.skill import ActionType, Command, Run, Slice, canceled, failed, succeeded
 from tandem.skills.ports.world import CLUTTER, SCENE, SIGHTINGS, Box, Clutter, Sighting, Sightings
 
 WHERE: Final = "perception/look"
@@ -149,12 +149,7 @@ class Look:
     def _look(self, looking: _Looking) -> Run[LookFeedback, LookResult]:
         try:
             yield from self._eye.know_where(looking)
-            for number in range(1 if looking.goal.at is not None else len(looking.goal.tilts)):
-                yield from self._one_view(looking, self._target(looking, number), looking.goal.pictures)
-                if looking.found():
-                    break
-            if looking.goal.around > 0.0:
-                yield from self._look_around(looking)
+            yield from self._views(looking)
         except Canceled:
             looking.camera.close()
             yield from looking.head.come_to_rest(looking.session)
@@ -163,7 +158,21 @@ class Look:
             return failed(error.failure.model_copy(update={"where": WHERE}))
         return succeeded(self._result(looking))
 
-    def _look_around(self, looking: _Looking) -> Steps:
+    def _views(self, looking: _Looking) -> Steps:
+        """Take all views; the last one's pictures are read while the head turns to the next."""
+        goal, reading = looking.goal, _nothing()
+        for number in range(1 if goal.at is not None else len(goal.tilts)):
+            yield from reading
+            if looking.found():
+                break
+            reading = yield from self._one_view(looking, self._target(looking, number), goal.pictures)
+        if goal.around > 0.0:
+            reading = yield from self._look_around(looking, reading)
+        yield from reading
+
+    def _look_around(
+        self, looking: _Looking, reading: Steps
+    ) -> Generator[LookFeedback | Slice, Command, Steps]:
         """Take a picture from each further head position that shows furniture near by."""
         robot = looking.robot.newest
         assert robot is not None
@@ -180,24 +189,32 @@ class Look:
         if not (yield from looking.session.until(choice.done, WORK_AFTER)):
             raise LookError(FailureKind.TIMED_OUT, "the further views were not chosen in time")
         for head in choice.result():
-            yield from self._one_view(looking, head, 1)
+            reading = yield from self._one_view(looking, head, 1, meanwhile=reading)
+        return reading
 
-    def _one_view(self, looking: _Looking, head: tuple[float, ...], pictures: int) -> Steps:
-        """Point the head, take the pictures, publish what they show."""
-        goal, session = looking.goal, looking.session
+    def _one_view(
+        self, looking: _Looking, head: tuple[float, ...], pictures: int, *, meanwhile: Steps | None = None
+    ) -> Generator[LookFeedback | Slice, Command, Steps]:
+        """Point the head and take the pictures; return what is left to do: to read them and tell."""
+        session = looking.session
         looking.heads.append(head)
-        yield from looking.head.move(session, looking.joints, head)
-        after = session.stamp.plus(SETTLE)
+        yield from looking.head.move(session, looking.joints, head, meanwhile)
+        after, standing = session.stamp.plus(SETTLE), self._eye.standing(looking.sightings)
+        taken: list[tuple[RobotTime, Shot, Job[TagsFound]]] = []
+        for _ in range(pictures):
+            stamp, shot = yield from self._eye.shot(looking, after)
+            after = stamp.plus(1e-6)
+            taken.append((stamp, shot, self._eye.reading(shot, standing)))
+        looking.camera.close()
+        return self._read(looking, taken)
+
+    def _read(self, looking: _Looking, taken: list[tuple[RobotTime, Shot, Job[TagsFound]]]) -> Steps:
+        """Take in what the pictures of one view show, and publish it."""
+        session = looking.session
         seen: list[Sighting] = []
         missed: list[int] = []
-        shot: Shot | None = None
-        for taken in range(pictures):
-            stamp, shot = yield from self._eye.shot(looking, after)
-            if taken + 1 == pictures:
-                looking.camera.close()
-            after = stamp.plus(1e-6)
-            standing = self._eye.standing(looking.sightings)
-            found = yield from self._eye.read(looking, shot, standing)
+        for stamp, _, job in taken:
+            found = yield from self._eye.found(looking, job)
             seen.extend(found.sightings)
             missed.extend(found.absent)
             looking.hidden.difference_update((*found.absent, *found.unread))
@@ -209,11 +226,12 @@ class Look:
         session.seen = tuple(sorted({each.item for each in looking.sightings}))
         assert looking.stamp is not None
         # Only what every picture shows to be gone is gone.
-        absent = tuple(sorted(item for item in set(missed) if missed.count(item) == pictures))
+        absent = tuple(sorted(item for item in set(missed) if missed.count(item) == len(taken)))
         SIGHTINGS.publish(self._bus, Sightings(stamp=looking.stamp, sightings=view, absent=absent))
-        if self._taken is not None and shot is not None:
+        _, shot, _ = taken[-1]
+        if self._taken is not None:
             self._taken(shot)
-        if goal.clutter and shot is not None:
+        if looking.goal.clutter:
             yield from self._measure(looking, shot)
 
     def _target(self, looking: _Looking, number: int) -> tuple[float, ...]:
@@ -263,3 +281,8 @@ class Look:
             hidden=tuple(sorted(looking.hidden - seen)),
             clutter=looking.boxes,
         )
+
+
+def _nothing() -> Steps:
+    """Do nothing: no picture has been taken."""
+    yield from ()

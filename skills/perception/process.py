@@ -11,6 +11,7 @@ from tandem.skills.perception.look import Look
 from tandem.skills.perception.mapper import Mapper
 from tandem.skills.perception.snapshot import Snapshots
 from tandem.skills.perception.track import Track
+from tandem.skills.perception.turn_head import TurnHead
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.compute import Compute
@@ -31,7 +32,7 @@ def nodes(
     charge: bool = False,
     map_file: Path | None = None,
 ) -> tuple[Node, ...]:
-    """Return the servers of look and track, the snapshots, and the mapper where the site wants one.
+    """Return the servers of the actions, the snapshots, and the mapper where the site wants one.
 
     ``compute`` reads pictures, with the ``detectors``; ``charge`` is the server's, for lockstep;
     ``map_file`` is where the map of occupied space is saved.
@@ -55,6 +56,7 @@ def nodes(
     return (
         ActionServer(bus, clocks, look, charge=charge),
         ActionServer(bus, clocks, track, charge=charge),
+        ActionServer(bus, clocks, TurnHead(bus, clocks, description), charge=charge),
         Snapshots(bus, clocks, compute, description.camera.name),
         *(() if mapper is None else (mapper,)),
     )

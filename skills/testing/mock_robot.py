@@ -68,7 +68,15 @@ from tandem.skills.ports.actions.bimanual import (
     TwoHandsResult,
 )
 from tandem.skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, GripResult, grip
-from tandem.skills.ports.actions.perception import LOOK, TRACK, LookFeedback, LookGoal, LookResult
+from tandem.skills.ports.actions.perception import (
+    LOOK,
+    TRACK,
+    TURN_HEAD,
+    LookFeedback,
+    LookGoal,
+    LookResult,
+    TurnHeadResult,
+)
 from tandem.skills.ports.actions.world import EDIT, EditFeedback, EditGoal, EditResult, SceneEdit
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
@@ -224,6 +232,8 @@ class MockRobot:
         self._serve(EDIT, EditFeedback(), self._edit)
         self._serve(COORDINATE, CoordinateFeedback(episode=0), succeeded, endless=True)
         self._serve(TRACK, LookFeedback(pictures=0, seen=()), succeeded, endless=True)
+        head = TurnHeadResult(positions=())
+        self._serve(TURN_HEAD, LookFeedback(pictures=0, seen=()), lambda _: succeeded(head))
         hands = TwoHandsFeedback(left_force=0.0, right_force=0.0, progress=0.0)
         self._serve(TWO_HANDS, hands, self._two_hands)
         for side in PAIR:

@@ -6,8 +6,9 @@ import math
 
 import pytest
 
-from benchmarks import arm_planning, ledger, reaction, stillness, ticks
+from benchmarks import arm_planning, growth, ledger, reaction, stillness, stops, ticks, waits
 from benchmarks.rows import Row
+from benchmarks.stop_latency import Trial
 from tandem.skills.ports.action import GoalState, GoalStatus
 from tandem.skills.ports.hardware import JointStates, Odometry
 from tandem.skills.ports.keys import JOINT_STATES, ODOMETRY
@@ -45,6 +46,26 @@ def test_ledger() -> None:
 def test_reaction() -> None:
     rows = told(list(reaction.rows(quick=True)))
     assert rows["from a skill's end to the next goal, p99"].aim == 2.0
+
+
+def test_growth() -> None:
+    rows = told(list(growth.rows(quick=True)))
+    assert {"step with a tick, 1,000 tasks ended", "task/list, answered, 10 tasks waiting"} <= rows.keys()
+
+
+def test_late_stops_are_counted_by_what_was_under_way() -> None:
+    trials = [
+        Trial("pick", planning=False, goals=goals, answered=seconds)
+        for goals, seconds in (
+            ("grasp MOVING", 0.03),
+            ("grasp MOVING", 0.01),
+            ("close", 0.002),
+            ("open", None),
+        )
+    ]
+    rows = {row.what: row for row in stops.told("stop", trials, lambda trial: trial.answered)}
+    assert rows["stop, max"].value == pytest.approx(30.0)
+    assert [(row.value, row.note) for what, row in rows.items() if "late" in what] == [(1, "of 2 then")]
 
 
 class Scene:
@@ -109,3 +130,36 @@ def test_the_base_and_the_fingers_move_the_robot_too() -> None:
     scene.base(0.2)
     scene.joints(0.0, count=10)
     assert scene.stillness.seconds == pytest.approx({"moving": 0.2})
+
+
+def test_what_a_fetch_waits_for_is_told_by_phase_and_node_with_what_stood_meanwhile() -> None:
+    bus = MemoryBus()
+    heard, clock = waits.Waits(bus), iter(range(1000))
+
+    def tick(goals: dict[str, str], joint: float, count: int) -> None:
+        for goal, doing in goals.items():
+            state = GoalState.RUNNING if doing else GoalState.SUCCEEDED
+            status = GoalStatus(goal_id=f"t/{goal}/1", state=state, sequence=1, feedback={"phase": doing})
+            bus.publish(f"skill/{goal}/x/status", status.model_dump_json().encode())
+        for _ in range(count):
+            stamp = RobotTime(boot="b", seconds=next(clock) / 100.0)
+            moving = {"positions": (0.0,), "velocities": (joint,), "efforts": (0.0,)}
+            JOINT_STATES.publish(bus, JointStates(stamp=stamp, names=("arm_1",), **moving))
+        heard.step()
+
+    task = TaskStatus(task="t", kind="fetch", request={}, state=TaskState.RUNNING, accepted_at=0.0)
+    at = task.progress.model_copy(update={"phase": "pick"})
+    TASK_STATUS.publish(bus, task.model_copy(update={"progress": at}))
+    tick({}, 0.0, 1)
+    tick({"arm": "PLANNING", "hand": "OPENING"}, 0.0, 10)
+    tick({"arm": "MOVING", "hand": ""}, 0.5, 20)
+    tick({"arm": ""}, 0.0, 5)
+    rows = {row.what: row for row in waits.table("x", heard, "succeeded")}
+    assert {what: round(row.value, 3) for what, row in rows.items()} == {
+        "waits, x": 0.35,
+        "waits, x: pick": 0.35,
+        "waits, x: pick: arm": 0.3,
+        "waits, x: pick: hand": 0.1,
+        f"waits, x: pick: {waits.NOTHING}": 0.05,
+    }
+    assert rows["waits, x: pick: arm"].note == "planning 0.10, moving 0.20, standing 0.10"

@@ -9,6 +9,7 @@ from py_trees.common import Status
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.geometry.poses import from_axes
+from tandem.skills.ports.action import node_of
 from tandem.skills.ports.actions.base import RotateGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.pose import IDENTITY, Pose
@@ -310,3 +311,36 @@ def test_one_that_is_in_view_elsewhere_is_not_the_one_that_is_located() -> None:
     assert it.context.failures.all[0].kind is FailureKind.ITEM_NOT_FOUND
     assert "not within 0.5 m" in it.context.failures.all[0].message
     assert it.robot.calls_of("gripper_left/grip") == 0
+
+
+BESIDE = (
+    ("drive to item", "turn head to item"),
+    ("pre-grasp", "open"),
+    ("drive to slot", "turn head to slot"),
+)
+
+
+@pytest.mark.parametrize(("long", "short"), [*BESIDE, ("after place: tuck arm", "close empty")])
+def test_what_moves_something_else_goes_on_beside(long: str, short: str) -> None:
+    it = bench(duration=0.2)
+    order: list[tuple[str, str]] = []
+    it.robot.watch = lambda what, _, goal_id, __: order.append((what, node_of(goal_id)))
+    assert it.run("fetch", {"item": 29}) is Status.SUCCESS
+    ends = [order.index(("ended", name)) for name in (long, short)]
+    assert max(order.index(("began", name)) for name in (long, short)) < min(ends)
+
+
+def test_a_head_that_can_not_turn_ahead_costs_nothing_but_the_turn() -> None:
+    it = bench()
+    it.robot.faults("perception/turn_head").update({n: failing(K.NOT_READY) for n in (1, 2, 3)})
+    assert it.run("fetch", {"item": 29}) is Status.SUCCESS
+    assert it.robot.calls_of("base/drive") == 3
+
+
+def test_an_arm_comes_to_its_end_before_a_stuck_gripper_is_dealt_with() -> None:
+    it = bench(duration=0.2)
+    it.robot.faults("gripper_left/grip")[1] = failing(K.GRIPPER_STUCK)
+    ended: list[str] = []
+    it.robot.watch = lambda what, _, goal_id, __: ended.append(node_of(goal_id)) if what == "ended" else None
+    assert it.run("fetch", {"item": 29}) is Status.SUCCESS
+    assert max(ended.index("open"), ended.index("pre-grasp")) < ended.index("get: draw back: tuck arm")

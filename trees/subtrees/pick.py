@@ -11,8 +11,10 @@ from tandem.skills.grasping.item_frames import face, outward
 from tandem.skills.grasping.tag_grasps import proximity_poses
 from tandem.skills.ports.actions.gripper import Grip, GripGoal, GripResult
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.message import HandName
+from tandem.skills.ports.message import HandName, Vector3
+from tandem.trees.behaviours.side_by_side import SideBySide
 from tandem.trees.board import FetchBoard
+from tandem.trees.branch import branch
 from tandem.trees.context import TreeContext
 from tandem.trees.fetch_notes import closes
 from tandem.trees.item_failures import fallen_over
@@ -40,8 +42,7 @@ def pick(context: TreeContext, board: FetchBoard) -> Behaviour:
         memory=True,
         children=[
             approach_item(context, board),
-            pre_grasp(context, board),
-            grip_with("open", context, board, lambda: GripGoal(grip=Grip.OPEN, width=open_width)),
+            _ready_hand(context, board, open_width),
             add_to_scene(context, board),
             reach(context, board),
             grip_with("close", context, board, close),
@@ -50,6 +51,19 @@ def pick(context: TreeContext, board: FetchBoard) -> Behaviour:
             _verify(context, board, width),
             tuck(context, "after pick"),
         ],
+    )
+
+
+def _ready_hand(context: TreeContext, board: FetchBoard, width: float) -> Behaviour:
+    """Open the hand while the arm brings it before the item: the way is planned for the open hand."""
+    arm, hand = branch(context, "arm"), branch(context, "gripper")
+    return SideBySide(
+        "ready the hand",
+        context,
+        (
+            (arm, pre_grasp(arm, board)),
+            (hand, grip_with("open", hand, board, lambda: GripGoal(grip=Grip.OPEN, width=width))),
+        ),
     )
 
 
@@ -73,6 +87,10 @@ def approach_item(context: TreeContext, board: FetchBoard) -> Behaviour:
             hand_width=board.open_width(context),
         )
 
+    def sight() -> Vector3 | Failure:
+        fact = board.fact(context)
+        return unknown(board.item) if fact is None else fact.tag_in_map.position
+
     return stand_near(
         "item",
         context,
@@ -80,6 +98,7 @@ def approach_item(context: TreeContext, board: FetchBoard) -> Behaviour:
         reach,
         faces=(0, 1, -1),
         look=lambda name: look_closely(name, context, board),
+        sight=sight,
     )
 
 

@@ -19,7 +19,9 @@ from tandem.skills.ports.message import HandName
 from tandem.trees.behaviours.guarded import Guarded
 from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
+from tandem.trees.behaviours.side_by_side import SideBySide
 from tandem.trees.board import FetchBoard
+from tandem.trees.branch import branch
 from tandem.trees.conditions.item_left import item_left
 from tandem.trees.context import TreeContext
 from tandem.trees.item_failures import no_longer_held
@@ -113,6 +115,7 @@ def approach_slot(context: TreeContext, board: FetchBoard) -> Behaviour:
         touch_support=True,
         unreachable=FailureKind.DESTINATION_UNREACHABLE,
         look=look,
+        sight=lambda: board.chosen_slot(context).position,
     )
 
 
@@ -132,9 +135,8 @@ def _leave_item(context: TreeContext, board: FetchBoard) -> Behaviour:
         children=[
             Selector("item left", memory=True, children=[item_left(context, board), put]),
             withdraw(context, board),
-            grip_with("close empty", context, board, lambda: GripGoal(grip=Grip.CLOSE)),
             # An obstacle until the arm is in: a tuck that is planned without it may knock it over.
-            free_and_tuck(context, "after place"),
+            _close_and_tuck(context, board),
             remove_from_scene(context, board),
         ],
     )
@@ -143,6 +145,19 @@ def _leave_item(context: TreeContext, board: FetchBoard) -> Behaviour:
         RecoveryStep("leave: once more", trying_again_helps, LEAVES, a_moment("leave", context)),
     )
     return Recovery("get away from item", context, main, steps, within=LEAVE_WITHIN)
+
+
+def _close_and_tuck(context: TreeContext, board: FetchBoard) -> Behaviour:
+    """Close the empty hand while the arms come in: the way is planned for the hand as wide as it was."""
+    hand, arm = branch(context, "gripper"), branch(context, "arm")
+    return SideBySide(
+        "close and tuck",
+        context,
+        (
+            (hand, grip_with("close empty", hand, board, lambda: GripGoal(grip=Grip.CLOSE))),
+            (arm, free_and_tuck(arm, "after place")),
+        ),
+    )
 
 
 def _another_slot(context: TreeContext, board: FetchBoard) -> Behaviour:

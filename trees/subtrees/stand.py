@@ -13,13 +13,16 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.message import HandName
+from tandem.skills.ports.message import HandName, Vector3
 from tandem.trees.behaviours.check import Check
+from tandem.trees.behaviours.meanwhile import Meanwhile
 from tandem.trees.board import FetchBoard
+from tandem.trees.branch import branch
 from tandem.trees.conditions.at_pose import at_any
 from tandem.trees.context import TreeContext
 from tandem.trees.leaves.drive import drive
 from tandem.trees.leaves.survey import Reach, survey_stands
+from tandem.trees.leaves.turn_head import turn_head
 from tandem.trees.subtrees.arms_in import free_and_tuck, tuck
 
 FACES: Final = {0: "", 1: ", left face", -1: ", right face"}
@@ -36,6 +39,7 @@ def stand_near(
     touch_support: bool = False,
     unreachable: FailureKind = FailureKind.ITEM_UNREACHABLE,
     look: Callable[[str], Behaviour] | None = None,
+    sight: Callable[[], Vector3 | Failure] | None = None,
 ) -> Behaviour:
     """Return the subtree: SUCCESS when the base stands where the arm reaches.
 
@@ -49,6 +53,7 @@ def stand_near(
         touch_support: whether what is held will touch what it is put on.
         look: makes the leaf that looks closely from there; what it shows may ask for another face, arm or
             stand, so the survey is made once more, with the place where the robot stands first.
+        sight: the point in the map (m) that ``look`` looks at; the head turns to it while the base drives.
     """
     go = partial(
         _go,
@@ -58,6 +63,7 @@ def stand_near(
         faces=faces,
         touch_support=touch_support,
         unreachable=unreachable,
+        sight=sight,
     )
     if look is None:
         return go(what)
@@ -81,6 +87,7 @@ def _go(
     faces: tuple[int, ...],
     touch_support: bool,
     unreachable: FailureKind,
+    sight: Callable[[], Vector3 | Failure] | None,
     here_first: bool = False,
     then: Behaviour | None = None,
 ) -> Behaviour:
@@ -121,9 +128,7 @@ def _go(
                         memory=True,
                         children=[
                             (tuck if here_first else free_and_tuck)(context, f"before {what}"),
-                            drive(
-                                f"drive to {what}", context, lambda: board.stands, serves=lambda: board.item
-                            ),
+                            _drive(what, context, board, sight),
                             *(() if then is None else (then,)),
                         ],
                     ),
@@ -131,6 +136,17 @@ def _go(
             ),
         ],
     )
+
+
+def _drive(
+    what: str, context: TreeContext, board: FetchBoard, sight: Callable[[], Vector3 | Failure] | None
+) -> Behaviour:
+    """Drive to the first stand that there is a way to; the head turns meanwhile, if it can."""
+    way = drive(f"drive to {what}", context, lambda: board.stands, serves=lambda: board.item)
+    if sight is None:
+        return way
+    head = turn_head(f"turn head to {what}", branch(context, "head"), sight, lambda: board.stands[0])
+    return Meanwhile(f"drive to {what}, head ahead", context, way, head)
 
 
 def _may_use(board: FetchBoard, side: HandName) -> bool:

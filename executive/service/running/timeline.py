@@ -45,15 +45,17 @@ class Spans:
             self._close(path, span, NodeStatus.INVALID, at or span.begin, span.message)
         return self.all()
 
-    def _changed(self, node: TreeNode) -> Iterator[TreeNode]:
-        # Of a branch in which nothing has changed the very same node is told again.
-        if self._seen.get(node.path) is node:
-            return
-        self._seen[node.path] = node
-        if node.kind in WORKS or node.type == PHASE:
-            yield node
-        for child in node.children:
-            yield from self._changed(child)
+    def _changed(self, root: TreeNode) -> Iterator[TreeNode]:
+        left, seen = [root], self._seen
+        while left:
+            node = left.pop()
+            # Of a branch in which nothing has changed the very same node is told again.
+            if seen.get(node.path) is node:
+                continue
+            seen[node.path] = node
+            if node.kind in WORKS or node.type == PHASE:
+                yield node
+            left.extend(reversed(node.children))
 
     def _note(self, node: TreeNode, now: RobotTime) -> None:
         span = self._open.get(node.path)

@@ -35,6 +35,7 @@ from tandem.skills.ports.tasks import NodeStatus, Progress, TaskState, TreeNode,
 from tandem.trees.breakpoints import Gates
 from tandem.trees.clients import AnyGoal
 from tandem.trees.context import TreeContext
+from tandem.trees.dissolve import dissolve
 from tandem.trees.elapsed import Elapsed
 from tandem.trees.task import TaskType
 from tandem.trees.told_board import told_board
@@ -100,6 +101,7 @@ class Run:
         self.told_to_go_on = False
         """Whether an operator had it go on after a restart."""
         self._root, self._kind, self._clocks, self._halt = root, kind, clocks, halt
+        self._first = root  # the wind-down's may come after it
         self.result: dict[str, JsonValue] | None = None
         """What the task tells at its end."""
         self._ticked, self._waits_for, self._kept = ticked, waits, ""
@@ -166,6 +168,14 @@ class Run:
             self._hold.resume()
             self._stop_tree()
             self._end_with(Ending(TaskState.CANCELED))
+
+    def dissolve(self) -> None:
+        """Free the trees of a run that has ended; they are neither ticked nor shown again."""
+        context = self.context
+        for root in (self._first, self._root, context.wind_down):
+            if root is not None:
+                dissolve(root)
+        context.wind_down = context.closing = None
 
     def make_room(self) -> None:
         """Stop the tree for another task's sake: it ends as QUEUED when all is at rest."""

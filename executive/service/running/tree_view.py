@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Final
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from tandem.skills.ports.tasks import NodeStatus, TreeNode
 from tandem.trees.snapshot import kind_of
+
+_STATUSES: Final = {each: NodeStatus(each.name) for each in Status}
 
 
 class TreeView:
@@ -18,6 +21,18 @@ class TreeView:
     object as long as nothing has changed. Names and types of nodes don't change; children may be added and
     removed.
     """
+
+    __slots__ = (
+        "_behaviour",
+        "_behaviours",
+        "_children",
+        "_ended",
+        "_last",
+        "_message",
+        "_node",
+        "_path",
+        "_status",
+    )
 
     def __init__(
         self, behaviour: Behaviour, above: str = "", ended: dict[Behaviour, NodeStatus] | None = None
@@ -40,7 +55,7 @@ class TreeView:
         """
         for node in ticked:
             if node.status in {Status.SUCCESS, Status.FAILURE}:
-                self._ended[node] = NodeStatus(node.status.name)
+                self._ended[node] = _STATUSES[node.status]
             else:
                 self._ended.pop(node, None)
             yield node
@@ -73,7 +88,7 @@ class TreeView:
             name=seen.name,
             kind=kind_of(seen) if node is None else node.kind,
             type=type(seen).__name__,
-            status=NodeStatus(self._status.name),
+            status=_STATUSES[self._status],
             last=last,
             message=self._message,
             children=tuple(children),

@@ -10,11 +10,12 @@ from typing import Final
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.geometry.poses import from_axes
+from tandem.skills.ports.action import node_of
 from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.keys import STOP_STATE
-from tandem.skills.ports.message import Vector3
+from tandem.skills.ports.message import Message, Vector3
 from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import HeldItem, ItemFact, Placed
@@ -96,7 +97,7 @@ def fetch_corners(site: Site | None = None) -> Mapping[str, Make]:
                 other, events={"close empty": _stretch_right}, faults=("after place: tuck arm",)
             ),
             "arm in after pick": partial(world, events={"hand is full?": _tuck}),
-            "arm in after place": partial(world, events={"close empty": _tuck}),
+            "arm in after place": partial(world, begin=_tuck_once_withdrawn),
             "other stands, arms out": near_stands,
             "other stands, arms stay out": partial(near_stands, faults=("before item again: tuck arm",)),
             "other stands at the depot, arms out": slot_stands,
@@ -198,6 +199,16 @@ def _stretch(robot: MockRobot) -> None:
 
 def _tuck(robot: MockRobot) -> None:
     robot.put_arms(TUCKED)
+
+
+def _tuck_once_withdrawn(robot: MockRobot) -> None:
+    """Have the arms be in when the hand has let go: what comes next asks for it at once."""
+
+    def heard(what: str, _: str, goal_id: str, __: Message) -> None:
+        if what == "ended" and node_of(goal_id) == "withdraw":
+            robot.put_arms(TUCKED)
+
+    robot.watch = heard
 
 
 def _move_away(robot: MockRobot) -> None:

@@ -7,6 +7,7 @@ from typing import Annotated, Final
 from pydantic import Field
 
 from tandem.skills.ports.message import MOST, Count, Message, Vector3
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import ActionType
 from tandem.skills.ports.world import Sighting
 
@@ -66,7 +67,27 @@ class TrackResult(Message):
     pictures: Count
 
 
+class TurnHeadGoal(Message):
+    """Point the camera at ``at`` (m, in the map) as it will be seen from ``base``, and take no picture.
+
+    For a base that is on its way there: the head has arrived when the base does.
+    """
+
+    at: Vector3
+    base: FloorPose
+    """In the map."""
+
+
+class TurnHeadResult(Message):
+    """Where the head is, by its joints (rad)."""
+
+    positions: tuple[float, ...]
+
+
 PICTURE: Final = "skill/perception/picture"
 """Asked with nothing; answered with the head camera's next picture as JPEG, or empty when none comes."""
 LOOK: Final = ActionType("perception/look", LookGoal, LookFeedback, LookResult, timeout=30.0)
 TRACK: Final = ActionType("perception/track", TrackGoal, LookFeedback, TrackResult, timeout=600.0)
+TURN_HEAD: Final = ActionType(
+    "perception/turn_head", TurnHeadGoal, LookFeedback, TurnHeadResult, timeout=15.0
+)

@@ -10,7 +10,7 @@ import pytest
 from surroundings import NUDGE, Skill, Surroundings
 
 from tandem.executive.service.running.tree_run import REST_WITHIN, TICK_PERIOD
-from tandem.executive.service.tasks.task_book import KEPT, MAX_WAITING, start_id
+from tandem.executive.service.tasks.task_book import KEPT, MAX_WAITING, TaskBook, start_id
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.hardware import StopState
@@ -34,6 +34,20 @@ def query(here: Surroundings, service: Service[Nothing, A]) -> A:
     answer = pending.poll()
     assert answer is not None
     return service.decode_answer(answer)
+
+
+def test_a_step_does_not_list_who_waits(here: Surroundings, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With a thousand in the queue that alone would cost more than a tick."""
+
+    def listed(_: TaskBook) -> tuple[str, ...]:
+        raise AssertionError("listed")
+
+    for _ in range(3):
+        here.ask(WAIT)
+    monkeypatch.setattr(TaskBook, "waiting", property(listed))
+    here.step(3)
+    assert query(here, TASK_INFO).queued == 2
+    assert not here.executive.idle
 
 
 def states(here: Surroundings) -> list[tuple[str, str]]:

@@ -287,3 +287,16 @@ def test_goals_that_can_not_be_are_refused_at_once() -> None:
     assert unknown.kind is FailureKind.ITEM_UNKNOWN
     assert nowhere is not None
     assert nowhere.kind is FailureKind.INVALID_GOAL
+
+
+def test_the_head_is_on_its_way_to_the_next_view_before_the_last_one_is_told() -> None:
+    stage, heads = Stage(paint(TAG), ROBOT), list[int]()
+    heard, step = Latest(stage.bus, SIGHTINGS), stage.step
+
+    def listen() -> None:
+        step()
+        heads.extend(len(stage.goals) for _ in heard.take())
+
+    stage.step = listen  # type: ignore[method-assign]
+    drive(stage, LookGoal(at=(0.5, 0.05, 0.74), around=1.15), limit=6000)
+    assert heads[0] == 2
