@@ -22,10 +22,10 @@ def _numbered(said: object, info: ValidationInfo) -> object:
     site = info.context
     if not isinstance(site, Site):
         raise ValueError("expected a number: only who knows the site can read a name")  # noqa: TRY004 - pydantic's
-    named = next((each.item for each in site.items if each.name and each.name == said), None)
+    named = None if said.isdecimal() else site.meant(said)  # a number is said as one
     if named is None:
         raise ValueError(f"expected one of the site's items: {site.item_words()}")
-    return named
+    return named.item
 
 
 ItemNumber = Annotated[

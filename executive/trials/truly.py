@@ -35,11 +35,12 @@ def judged(request: Mapping[str, JsonValue], truth: Truth, site: Site, robot: st
         site: where depots are.
         robot: the name of the robot that was asked; empty for the only one.
     """
-    item, depot = request.get("item"), request.get("to")
-    if isinstance(item, int) and isinstance(depot, str):
-        there = lies_on(truth, site, item, depot)
-        words = f"item {item} {'is' if there else 'is not'} in {depot}"
-        return Judged(there, words, {"item": item, "in_depot": there})
+    said, depot = request.get("item"), request.get("to")
+    item = site.meant(said) if isinstance(said, str | int) else None
+    if item is not None and isinstance(depot, str):
+        there = lies_on(truth, site, item.item, depot)
+        words = f"item {item.item} {'is' if there else 'is not'} in {depot}"
+        return Judged(there, words, {"item": item.item, "in_depot": there})
     place = _last_place(request)
     if place is None:
         return Judged(True, "nothing that the simulation can judge was asked for")

@@ -186,8 +186,11 @@ class Site:
             wanted = Filter.model_validate_strings(dict(request.query_params))
         except ValidationError as error:
             raise _misshapen(error) from error
-        await self.past.refresh(await self.robot.client())
-        return Response(self.past.answer(wanted), media_type="application/json")
+        client = await self.robot.client()
+        await self.past.refresh(client)
+        item = (await client.site()).meant(wanted.item) if wanted.item else None
+        also = () if item is None else (item.name, str(item.item))
+        return Response(self.past.answer(wanted, also), media_type="application/json")
 
     async def request(self, request: Request) -> Response:
         """Send a request to the executive."""

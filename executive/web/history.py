@@ -38,6 +38,7 @@ class Filter(Message):
     state: str = ""
     kind: str = ""
     item: str = ""
+    """Its name or its number, whichever the request has."""
     failure: str = ""
     """A kind of failure."""
     where: str = ""
@@ -75,15 +76,15 @@ class Known:
     took: float | None
     """Robot seconds."""
 
-    def passes(self, wanted: Filter) -> bool:
-        """Say whether it is one of those."""
+    def passes(self, wanted: Filter, items: frozenset[str]) -> bool:
+        """Say whether it is one of those; ``items`` is all that the wanted item is called."""
         return (
             wanted.state in {"", self.state}
             and wanted.kind in {"", self.kind}
             and wanted.failure in {"", self.failure}
             and wanted.where in {"", self.where}
             and wanted.week in {"", self.week}
-            and (not wanted.item or wanted.item in self.items)
+            and (not items or not items.isdisjoint(self.items))
             and (not wanted.label or wanted.label in self.labels)
             and self.accepted >= wanted.since
             and (not wanted.until or self.accepted <= wanted.until)
@@ -133,11 +134,17 @@ class Past:
                     found[task] = known(await client.status(task))
         return found
 
-    def answer(self, wanted: Filter) -> str:
-        """Return a page of the tasks that pass, with counts of all that do, as JSON."""
+    def answer(self, wanted: Filter, also: Iterable[str] = ()) -> str:
+        """Return a page of the tasks that pass, with counts of all that do, as JSON.
+
+        Args:
+            wanted: which tasks.
+            also: what the wanted item is called besides.
+        """
         asked = wanted.model_copy(update={"page": 0})
         if self._answered is None or self._answered[0] != asked:  # else it is another page of the same
-            passing = [each for each in self._known.values() if each.passes(wanted)]
+            items = frozenset(filter(None, (wanted.item, *also)))
+            passing = [each for each in self._known.values() if each.passes(wanted, items)]
             self._answered = asked, passing, json.dumps(_counts(passing))
         _, passing, counts = self._answered
         start = wanted.page * SHOWN

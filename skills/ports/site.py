@@ -154,6 +154,11 @@ class Site(Message):
         """Return the item of that tag, or None."""
         return next((each for each in self.items if each.item == number), None)
 
+    def meant(self, said: str | int) -> SiteItem | None:
+        """Return the item that is called so, by its name or by its number (also as text), or None."""
+        text = str(said)
+        return next((each for each in self.items if text and text in {each.name, str(each.item)}), None)
+
     def item_words(self) -> str:
         """Return all items as words, for who asked for another."""
         return ", ".join(each.words for each in self.items)

@@ -6,7 +6,7 @@ import pytest
 from pydantic import JsonValue
 
 from tandem.executive.trials.truly import judged
-from tandem.sim.truth import TrueRobot, Truth
+from tandem.sim.truth import TrueBody, TrueRobot, Truth
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import Pose
 from tandem.skills.site import load
@@ -41,3 +41,15 @@ def test_a_robot_that_is_elsewhere_is_not_there_whatever_it_says() -> None:
     found = judged({"task": "go_to", "x": 1.0, "y": 1.0}, TRUTH, load("rocs"), "r2")
     assert not found.good
     assert found.notes == {"off_goal": 1.005}
+
+
+@pytest.mark.parametrize("said", [29, "tea"])
+def test_an_item_is_judged_whatever_it_is_called(said: JsonValue) -> None:
+    lies = TrueBody(name="item_29", tag=29, pose=Pose(position=(0.0, 0.0, 0.03), orientation=FLAT))
+    found = judged({"task": "fetch", "item": said, "to": "depot"}, with_body(lies), load("lab"), "")
+    assert not found.good
+    assert found.words == "item 29 is not in depot"
+
+
+def with_body(body: TrueBody) -> Truth:
+    return TRUTH.model_copy(update={"bodies": (body,)})
