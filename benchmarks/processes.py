@@ -14,11 +14,12 @@ from typing import Final
 from pydantic import ValidationError
 
 from benchmarks.machine import command, descendants
-from tandem.executive.config.process_settings import WorkerSettings
+from tandem.executive.config.process_settings import WAIT, WorkerSettings
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 PREFIX: Final = "bench/mock"
 _WORKER: Final = "tandem.executive.system.worker"
+_NURSERY: Final = "tandem.executive.system.nursery"
 THERE_WITHIN: Final = 20.0
 _BURN: Final = "import time\nend = time.monotonic() + {seconds}\nwhile time.monotonic() < end: pass"
 
@@ -121,8 +122,12 @@ def by_role(pid: int, figure: Callable[[int], float], *, above: str) -> dict[str
 
 def _role(pid: int) -> str | None:
     arguments = command(pid)
+    if _NURSERY in arguments:
+        return "nursery"
     if _WORKER not in arguments:
         return None
+    if WAIT in arguments:
+        return "spare"
     try:
         return WorkerSettings.model_validate_json(arguments[arguments.index(_WORKER) + 1]).role
     except (ValidationError, IndexError):

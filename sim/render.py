@@ -233,9 +233,9 @@ def _buffer(memory: SharedMemory) -> memoryview:
 def _work(pipe: Connection, memory_name: str, settings: PainterSettings) -> None:
     """Draw what comes through the pipe until its other end is closed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # whoever started this ends it
-    os.nice(NICENESS)
     memory = SharedMemory(name=memory_name)
     painter = Painter(settings)
+    os.nice(NICENESS)  # from now on: until then everybody waits for it
     try:
         while True:
             job: Job = pipe.recv()

@@ -78,10 +78,16 @@ class Station:
         self._cast = _cast_of(scenario)
         self._check(scenario)
         self.scenario = scenario
-        self.world, bodies = self._fill(scenario)
-        self.crowd = self._people(scenario, settings.seed)
-        painter = PainterSettings(urdfs=tuple(body.model.physics_urdf for body in bodies))
+        models = (registry.robot_model(each.robot) for each in scenario.placed)
+        painter = PainterSettings(urdfs=tuple(model.physics_urdf for model in models))
+        # First of all: a renderer beside loads its own world while this process makes the one that moves.
         renderer: Renderer = WorkerRenderer(painter) if settings.beside else InlineRenderer(painter)
+        try:
+            self.world, bodies = self._fill(scenario)
+        except BaseException:
+            renderer.close()
+            raise
+        self.crowd = self._people(scenario, settings.seed)
         self.studio = Studio(self.world, bodies, renderer, noise=scenario.noise, seed=settings.seed)
         if settings.beside:
             self.studio.warm_up()

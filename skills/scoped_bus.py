@@ -17,14 +17,11 @@ Taken = TypeVar("Taken")
 class _End(Generic[Taken]):
     """A subscription or a desk that is noted until it is closed."""
 
-    take: Callable[[], list[Taken]]
+    drain: Callable[[], list[Taken]]
+    """Takes all that has arrived: the inner end's own, as a process drains a hundred in each turn."""
     shut: Callable[[], None]
     open_ends: dict[int, Callable[[], None]]
     """Closes each end that is open, by its identity."""
-
-    def drain(self) -> list[Taken]:
-        """Take all that has arrived."""
-        return self.take()
 
     def close(self) -> None:
         """End it. Closing twice is allowed."""

@@ -23,6 +23,7 @@ from tandem.executive.config.run_options import DEFAULT_ROBOT, RunOptions
 from tandem.executive.ledger.port import LedgerError, LedgerLockedError
 from tandem.executive.render.failure_words import result_lines
 from tandem.executive.system import startup_notice as taking_up
+from tandem.executive.system.births import Births
 from tandem.executive.system.crews import data_of
 from tandem.executive.system.declared_reflexes import check_reflexes
 from tandem.executive.system.first_request import hint
@@ -92,14 +93,17 @@ def run_once(options: RunOptions) -> ExitCode:
     return _ended(work)
 
 
-def run_up(options: RunOptions) -> ExitCode:
-    """Start router, stand-in, skills and executive, and watch them until Ctrl-C."""
+def run_up(options: RunOptions, births: Births | None = None) -> ExitCode:
+    """Start router, stand-in, skills and executive, and watch them until Ctrl-C.
+
+    ``births``: a nursery that has begun to load.
+    """
 
     def work(console: Console) -> ExitCode:
         scenario, site, bus_faults = _checked(options)
         robots = scenario.robots_on_the_bus
         taken_up = _taken_up(options, robots)
-        with _system(options, scenario, bus_faults, console, first=taken_up) as system:
+        with _system(options, scenario, bus_faults, console, first=taken_up, births=births) as system:
             buses = tuple(replace(options.bus, robot=name) for name in robots) or (options.bus,)
             everyone = " and ".join(bus.prefix for bus in buses)
             console.print(f"ready: {options.scenario} on {everyone} at {options.bus.endpoint}")
@@ -222,6 +226,7 @@ def _system(
     console: Console,
     *,
     first: tuple[str, ...] = (),
+    births: Births | None = None,
 ) -> Iterator[LockstepSystem | ProcessSystem]:
     def say(line: str) -> None:
         console.print(line, style="yellow", markup=False)
@@ -233,7 +238,7 @@ def _system(
             yield lockstep
         return
 
-    with ProcessSystem(options, say=say, first=first) as processes:
+    with ProcessSystem(options, say=say, first=first, births=births) as processes:
         yield processes
 
 

@@ -1,7 +1,7 @@
 """How processes are put together. ``roles/`` has one file for each role.
 
 One process: worker, playing, leased_loop, skill_process, router, isolation, quiet_screen.
-All of them: systems, process_system, processes, crews, hung_processes, lockstep.
+All of them: systems, process_system, processes, births, nursery, crews, hung_processes, lockstep.
 Plug-ins: plugins, plugin_probe.
 The start: free_endpoint, startup_notice, first_request, declared_reflexes.
 """

@@ -15,6 +15,7 @@ from typing import Final, Self
 from tandem.executive.config.process_settings import REFUSED, UNKEPT, WorkerSettings
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.security.identity import Identity
+from tandem.executive.system.births import Births
 from tandem.executive.system.crews import Crew, crews_of
 from tandem.executive.system.free_endpoint import TakenError, require_vacant
 from tandem.executive.system.hung_processes import HUNG_AFTER
@@ -38,6 +39,7 @@ from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.keys import STOP_STATE, Latest, Nothing
 from tandem.skills.ports.tasks import TASK_INFO
+from tandem.skills.ports.world import ROBOT_POSE
 from tandem.skills.site import locate
 from tandem.skills.wire.clocks import ProcessClocks
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
@@ -46,6 +48,10 @@ READY_WITHIN: Final = 60.0
 """Host seconds that processes have for their start."""
 KEEPERS: Final = ("keeper", SKILLS)
 """Roles that keep what no sensor can restore."""
+POSES_WITHIN: Final = 2.0
+"""Host seconds for which robots may be asked where they are, before the system is ready all the same."""
+TELL_POSE: Final = {"base", "skills"}
+"""Roles that tell it."""
 PLUGGED_READY_WITHIN: Final = 20.0
 """Host seconds that those of plug-ins have more; ours take about 5 on a busy machine."""
 
@@ -60,6 +66,7 @@ class ProcessSystem:
         say: takes a line when a skill's process has died and is started again.
         hung_after: host seconds without a beat after which a process is killed and started again.
         first: lines to be said before anything starts, once it is clear that this system may.
+        births: a nursery that has begun to load; one of its own unless given.
 
     Raises:
         ScenarioError: when the scenario is wrong.
@@ -74,12 +81,13 @@ class ProcessSystem:
         say: Callable[[str], None] = lambda _: None,
         hung_after: float = HUNG_AFTER,
         first: Sequence[str] = (),
+        births: Births | None = None,
     ) -> None:
         scenario = load_scenario(options.scenario)
         self._crews = crews_of(scenario, options, roles, hung_after)
         self._main = self._crews[0]
         self._options, self._say = options, say
-        self._first, self._played_by = tuple(first), played_by
+        self._first, self._played_by, self._births = tuple(first), played_by, births
         plugged_in = tuple(plugged(options.left_out))
         self._plugged = frozenset(crew.called(role) for crew in self._crews for role in plugged_in)
         """Roles of other packages: the rest can do without."""
@@ -167,6 +175,7 @@ class ProcessSystem:
     def _start(self) -> None:
         self._refuse_keys()
         self.supervisor.folder.mkdir(parents=True, exist_ok=True)
+        self.supervisor.warm(self._births)
         if "router" in self._main.roles:
             self._refuse_second_router()
         for line in self._first:
@@ -189,7 +198,17 @@ class ProcessSystem:
                 answers = partial(self._executive_answers, crew)
                 self._await(answers, f"the executive of {crew.prefix} did not answer")
                 self.supervisor.keep_spare(crew.called("executive"))
+        self._await_poses()
         self._ready = True
+
+    def _await_poses(self) -> None:
+        """Wait until all robots say where they are, or for a while: until then their tasks wait."""
+        told = [Latest(c.connected(), ROBOT_POSE) for c in self._crews if TELL_POSE & {*c.roles}]
+        deadline = time.monotonic() + POSES_WITHIN
+        while any(each.refresh() is None for each in told) and time.monotonic() < deadline:
+            self.advance()
+        for each in told:
+            each.close()
 
     def _not_started(self) -> tuple[str, ...]:
         """Return the processes that are not ready yet, as they are called."""

@@ -20,6 +20,7 @@ from types import FrameType, MappingProxyType
 from typing import IO, Final, Self
 
 from tandem.executive.config.process_settings import REFUSED, UNKEPT, WAIT, WorkerSettings
+from tandem.executive.system.births import Births, Born, possible
 from tandem.executive.system.isolation import isolated, python
 from tandem.executive.system.roles.registry import role_of
 from tandem.executive.system.roles.role import Kind
@@ -78,7 +79,7 @@ class Child:
 
     settings: WorkerSettings
     log: Path
-    process: subprocess.Popen[bytes]
+    process: subprocess.Popen[bytes] | Born
     stream: IO[bytes]
     kind: Kind
     """Of its role."""
@@ -115,6 +116,8 @@ class Supervisor:
     """Processes by role that have loaded all that their role needs, and wait to be told their settings."""
     _spare_at: dict[str, float] = field(default_factory=dict)
     """Roles that shall have a spare, and when the next is made (monotonic seconds)."""
+    _births: Births | None = None
+    """Has processes born by a fork."""
     _logs: set[Path] = field(default_factory=set)
     """Logs that were begun here."""
     _trim_at: float = 0.0
@@ -129,6 +132,16 @@ class Supervisor:
         """End all."""
         self.end()
 
+    def warm(self, births: Births | None = None) -> None:
+        """Load what all processes need in one of which they are born from now on, where that can be.
+
+        ``births``: one that has begun to; it is closed in the end.
+        """
+        self._births = births
+        if births is None and possible():
+            with self._log("nursery").open("ab") as stream, _signals_later():
+                self._births = Births(stream)
+
     def start(self, settings: WorkerSettings) -> Child:
         """Start one process, in a session of its own: a Ctrl-C reaches the parent alone."""
         role, kind = settings.called, _kind_of(settings)
@@ -138,14 +151,21 @@ class Supervisor:
         born = {"lineage": self.lineage, "generation": self._generations[role]}
         told = settings.model_copy(update={"parent": os.getpid(), **born})
         with _signals_later():
-            process = self._spares.pop(role, None)
-            if process is None or not _tell_settings(process, told):
+            process = self._spare_of(role, told) or self._bear(told, stream)
+            if process is None:
                 process = _launch([told.model_dump_json()], stream, subprocess.DEVNULL)
             child = Child(settings, log, process, stream, kind)
             self.children.append(child)
         if role in self._spare_at:
             self._spare_at[role] = time.monotonic() + SPARE_AFTER
         return child
+
+    def _spare_of(self, role: str, told: WorkerSettings) -> subprocess.Popen[bytes] | None:
+        spare = self._spares.pop(role, None)
+        return None if spare is None or not _tell_settings(spare, told) else spare
+
+    def _bear(self, told: WorkerSettings, stream: IO[bytes]) -> Born | None:
+        return None if self._births is None else self._births.bear(told.model_dump_json(), stream)
 
     def logs(self) -> frozenset[Path]:
         """Return the logs of the processes that were started here."""
@@ -161,7 +181,13 @@ class Supervisor:
         return log
 
     def keep_spare(self, role: str) -> None:
-        """Have a spare of a role from soon on, made by ``tidy``: the next start needs not load anything."""
+        """Have a spare of a role from soon on, made by ``tidy``: the next start needs not load anything.
+
+        Where processes are born of one that is warm, that one loads it, and there is no other.
+        """
+        if self._births is not None and self._births.alive:
+            self._births.load_ahead(role.rpartition("/")[2])
+            return
         self._spare_at[role] = time.monotonic() + SPARE_AFTER
 
     def spare(self, role: str) -> int | None:
@@ -186,9 +212,9 @@ class Supervisor:
     def deaths(self) -> tuple[Death, ...]:
         """Return the processes that have ended by themselves."""
         return tuple(
-            Death(child.role, child.process.returncode, child.last_words())
+            Death(child.role, code, child.last_words())
             for child in self.children
-            if child.process.poll() is not None
+            if (code := child.process.poll()) is not None
         )
 
     def restart(
@@ -210,7 +236,7 @@ class Supervisor:
         child.stream.close()
         self._orphans[child.process.pid] = now + FOLLOWERS_END_WITHIN
         _tell_group(child.process.pid, signal.SIGTERM)
-        died = Death(role, child.process.returncode, child.last_words()).describe()[-QUOTED:]
+        died = Death(role, child.process.returncode or 0, child.last_words()).describe()[-QUOTED:]
         fresh: dict[str, object] = {"arguments": {}, "died": died, "stop": stop, "stops": dict(stops)}
         self.start(child.settings.model_copy(update=fresh))
         return True
@@ -242,6 +268,9 @@ class Supervisor:
         Its leaves cancel their goals while the skills still live; the hardware outlives the skills, and the
         router everybody.
         """
+        if self._births is not None:
+            self._births.close()
+            self._births = None
         for spare in self._spares.values():
             _dismiss(spare)
         self._spares.clear()

@@ -88,10 +88,10 @@ def ended(work: Callable[[], None], called: str) -> int:
     return 0
 
 
-def run() -> None:
-    """The entry point."""
+def run(words: list[str] | None = None) -> None:
+    """The entry point; ``words``: of the command line, unless given its own."""
     few_threads(os.environ)
-    code = main(sys.argv[1:])
+    code = main(sys.argv[1:] if words is None else words)
     logging.shutdown()
     end_unheard()
     sys.exit(code)

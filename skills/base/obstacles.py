@@ -126,10 +126,8 @@ class Obstacles:
     def _next_to_known(self, cells: IntArray) -> BoolArray:
         """Say which cells touch one that was hit before: noise moves hits between neighbours."""
         columns = self._map.plan.values.shape[1]
-        around = [-columns - 1, -columns, -columns + 1, -1, 1, columns - 1, columns, columns + 1]
-        touched = np.zeros(len(cells), dtype=np.bool_)
-        for offset in around:
-            touched |= np.isin(cells + offset, self._cells)
+        around = np.array([-columns - 1, -columns, -columns + 1, -1, 1, columns - 1, columns, columns + 1])
+        touched: BoolArray = np.any(np.isin(cells[:, None] + around, self._cells), axis=1)
         return touched
 
     def _clear(self, placed: PlacedScan, now: float) -> None:

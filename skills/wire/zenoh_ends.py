@@ -39,7 +39,7 @@ class ZenohInbox:
 
     def drain(self) -> list[Sample]:
         """Take all that has arrived."""
-        return list[Sample](self.waiting.drain())
+        return [*self.waiting.drain()]
 
     def close(self) -> None:
         """End the subscription."""
@@ -136,7 +136,7 @@ class ZenohDesk:
 
     def drain(self) -> list[Request]:
         """Take all that has arrived."""
-        return list[Request](self.waiting.drain())
+        return [*self.waiting.drain()]
 
     def close(self) -> None:
         """Stop serving; what waits ends without an answer."""

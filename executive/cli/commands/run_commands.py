@@ -317,9 +317,12 @@ def up(
         broken=broken,
     )
     _check_map(options)
-    from tandem.executive.cli.running_system import run_up  # noqa: PLC0415 - loads the whole system
+    from tandem.executive.system.births import begun  # noqa: PLC0415
 
-    raise typer.Exit(run_up(options))
+    with begun() as births:
+        from tandem.executive.cli.running_system import run_up  # noqa: PLC0415 - loads the whole system
+
+        raise typer.Exit(run_up(options, births))
 
 
 def _check_map(options: RunOptions) -> None:

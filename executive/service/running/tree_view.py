@@ -27,6 +27,7 @@ class TreeView:
         "_behaviours",
         "_children",
         "_ended",
+        "_flat",
         "_last",
         "_message",
         "_node",
@@ -47,6 +48,8 @@ class TreeView:
         self._status: Status | None = None
         self._message = ""
         self._node: TreeNode | None = None
+        self._flat: tuple[TreeView, ...] = ()
+        """All below, as of the last look, in the view that is asked alone. Itself would make a cycle."""
 
     def heed(self, ticked: Iterator[Behaviour]) -> Iterator[Behaviour]:
         """Pass on the nodes of a tick, and note how each ends.
@@ -62,6 +65,33 @@ class TreeView:
 
     def look(self) -> TreeNode:
         """Return the tree as it is now."""
+        if self._node is None or self._has_changed():
+            self._look()
+            self._flat = tuple(self._below())
+        assert self._node is not None, "a look makes it"
+        return self._node
+
+    def _has_changed(self) -> bool:
+        """Say whether a look would find anything: in one loop, as it is asked after each tick."""
+        ended = self._ended.get
+        never = NodeStatus.INVALID
+        for view in (self, *self._flat):
+            seen = view._behaviour  # noqa: SLF001 - one of us
+            if (
+                seen.status is not view._status  # noqa: SLF001
+                or ended(seen, never) is not view._last  # noqa: SLF001
+                or seen.feedback_message != view._message  # noqa: SLF001
+                or seen.children != view._behaviours  # noqa: SLF001
+            ):
+                return True
+        return False
+
+    def _below(self) -> Iterator[TreeView]:
+        for child in self._children:
+            yield child
+            yield from child._below()  # noqa: SLF001
+
+    def _look(self) -> TreeNode:
         seen = self._behaviour
         if seen.children != self._behaviours:
             self._behaviours = list(seen.children)
@@ -77,7 +107,7 @@ class TreeView:
         children: list[TreeNode] = []
         for child in self._children:
             before = child._node  # noqa: SLF001 - one of us
-            now = child.look()
+            now = child._look()  # noqa: SLF001
             changed = changed or now is not before
             children.append(now)
         if node is not None and not changed:

@@ -93,7 +93,7 @@ def test_the_option_reaches_who_runs_it(
 ) -> None:
     file, asked = written(tmp_path, GOOD), list[RunOptions]()
 
-    def run(options: RunOptions) -> int:
+    def run(options: RunOptions, *_: object) -> int:
         asked.append(options)
         return 0
 
