@@ -12,7 +12,7 @@ from tandem.skills.ports.tasks import MOST_ON_BOARD
 
 LONGEST: Final = 100
 """Letters of a value; what is longer is cut."""
-SHOWN: Final = 3
+SHOWN: Final = 4
 """Values of a list that are told; of a longer one their number too."""
 DIGITS: Final = 3
 

@@ -66,6 +66,8 @@ function Said({ words, bad }: { words: string; bad: boolean }) {
   );
 }
 
+const FIRST = 3000; // ms in which a page that was just opened is not said to have lost its link
+
 // How old the data is: of the link to the server, of the robot's clock, of the executive.
 function LinkState() {
   const connected = useLive((live) => live.connected);
@@ -82,7 +84,8 @@ function LinkState() {
   }, [connected]);
   let words = "live";
   let state = "good";
-  if (!connected) {
+  if (!connected && !heardAt && performance.now() < FIRST) [words, state] = ["connecting", "wait"];
+  else if (!connected) {
     const age = heardAt ? ` – data is ${Math.round((performance.now() - heardAt) / 1000)} s old` : "";
     [words, state] = [`no link to the page's server${age}`, "bad"];
   } else if (link) [words, state] = [link, "bad"];

@@ -52,5 +52,12 @@ def is_ours(url: str, address: str) -> bool:
 
 
 def picture(page: Page, name: str) -> None:
-    if PICTURES:
-        page.screenshot(path=f"{PICTURES}/{name}.png", type="png")
+    """Leave pictures of the page as it stands: as wide as it is, and as on a tablet."""
+    if not PICTURES:
+        return
+    page.screenshot(path=f"{PICTURES}/{name}.png", type="png")
+    size = page.viewport_size
+    assert size is not None
+    page.set_viewport_size({"width": 800, "height": 1000})
+    page.screenshot(path=f"{PICTURES}/{name}-800.png", type="png")
+    page.set_viewport_size(size)

@@ -8,6 +8,7 @@ Shown a key that does not allow a question, the command said after 2.5 s that th
 from __future__ import annotations
 
 import json
+import ssl
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
@@ -187,6 +188,27 @@ def test_the_page_has_the_rights_of_its_key_and_no_more(secured: Secured) -> Non
         stop = Request(f"{address}/api/verb/stop", b"{}", headers)  # noqa: S310
         with pytest.raises(HTTPError, match="403"):
             urlopen(stop)  # noqa: S310
+
+
+def test_beyond_its_host_the_page_speaks_tls_and_lets_in_who_has_a_key(secured: Secured) -> None:
+    env = secured.env | {"TANDEM_AS": "the-operator"}
+    page = f"https://localhost:{free_port()}"
+    trust = ssl.create_default_context(cafile=secured.keys / "ca.pem")
+    headers = {"Origin": page, "Content-Type": "application/json"}
+    at = page.replace("https://localhost", "0.0.0.0")  # noqa: S104 - of a test
+    with running("web", "--at", at, "--name", "localhost", env=env) as web:
+        web.await_word("a log-in: tandem keys link")
+        with pytest.raises(HTTPError, match="401"):
+            urlopen(f"{page}/api/session", context=trust)  # noqa: S310 - our own address
+        made = tandem("keys", "link", "the-viewer", "--page", page, "--word", "--folder", str(secured.keys))
+        body = json.dumps({"word": made.out.strip()}).encode()
+        entered = urlopen(Request(f"{page}/api/login", body, headers), context=trust)  # noqa: S310
+        cookie = entered.headers["Set-Cookie"].partition(";")[0]
+        asked = Request(f"{page}/api/session", headers={"Cookie": cookie})  # noqa: S310
+        session = json.loads(urlopen(asked, context=trust).read())  # noqa: S310
+        assert (session["who"], session["role"], session["may"]) == ("the-viewer", "viewer", [])
+        asked = Request(f"{page}/api/site", headers={"Cookie": cookie})  # noqa: S310
+        assert json.loads(urlopen(asked, context=trust).read())["name"], "asked of the robot behind TLS"  # noqa: S310
 
 
 def test_a_stop_tells_who_set_it_until_it_is_released(secured: Secured) -> None:

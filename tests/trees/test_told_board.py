@@ -31,7 +31,7 @@ def fetch(**fields: object) -> FetchBoard:
         ({"sides": ("left", "right")}, "sides", "left; right"),
         ({"stands": (STAND,)}, "stands", "x 1.235, y -0.5, yaw 0"),
         ({"slots_taken": {3, 1}}, "slots_taken", "(1, 3)"),
-        ({"pitches_tried": [0.1, 0.2, 0.3, 0.4]}, "pitches_tried", "(0.1, 0.2, 0.3) and 1 more"),
+        ({"pitches_tried": [0.1, 0.2, 0.3, 0.4, 0.5]}, "pitches_tried", "(0.1, 0.2, 0.3, 0.4) and 1 more"),
     ],
 )
 def test_what_is_set_is_told(fields: dict[str, object], name: str, words: str | None) -> None:

@@ -163,9 +163,8 @@ def _words(handle: GoalHandle[G, F, R]) -> str:
         return handle.state.lower()
     fields = handle.feedback.model_dump(mode="json")
     doing = [" > ".join(fields.pop("doing"))] if fields.get("doing") else []
-    shown = ", ".join(
-        doing + [f"{name} {_short(value)}" for name, value in fields.items() if not isinstance(value, dict)]
-    )
+    plain = [(name, value) for name, value in fields.items() if not isinstance(value, dict | list)]
+    shown = ", ".join(doing + [f"{name} {_short(value)}" for name, value in plain])
     return f"{handle.state.lower()}: {shown}" if shown else handle.state.lower()
 
 
