@@ -7,6 +7,7 @@ import { useLive } from "./state";
 import type { Site } from "./types";
 import { Others } from "./others";
 import { KeyedList } from "./keyed";
+import { called } from "./words";
 
 type Chosen = { item?: string; depot?: string; x?: string; y?: string };
 
@@ -21,7 +22,7 @@ export function Map({ url }: { url: URL }) {
       <Room site={site.value} chosen={chosen} radius={robot.value?.footprint_radius ?? 0.27} />
       <div class="side">
         <Offers site={site.value} kinds={kinds.value} chosen={chosen} />
-        <Believed />
+        <Believed site={site.value} />
         <Others />
       </div>
     </div>
@@ -109,7 +110,7 @@ function Offers({ site, kinds, chosen }: { site: Site; kinds: Kinds | null; chos
     }
     return found;
   }, [kinds, chosen.item, chosen.depot, chosen.x, chosen.y]);
-  const what = chosen.item ? `Item ${chosen.item}` : chosen.depot ? `Depot ${chosen.depot}` : chosen.x ? `Place ${chosen.x}, ${chosen.y} m` : "";
+  const what = chosen.item ? `Item ${called(site, Number(chosen.item))}` : chosen.depot ? `Depot ${chosen.depot}` : chosen.x ? `Place ${chosen.x}, ${chosen.y} m` : "";
   return (
     <section class="card">
       <h2>{what || "Choose an item or a place"}</h2>
@@ -124,7 +125,7 @@ function Offers({ site, kinds, chosen }: { site: Site; kinds: Kinds | null; chos
 }
 
 // What the robot believes, and how old that is.
-function Believed() {
+function Believed({ site }: { site: Site | null }) {
   const world = useLive((live) => live.world);
   const now = useLive((live) => Math.floor(live.now?.seconds ?? 0));
   const boot = useLive((live) => live.now?.boot);
@@ -137,7 +138,7 @@ function Believed() {
         const where = fact.held ? `in the ${fact.held} hand` : placed ? `in ${placed.depot}, slot ${placed.slot}`
           : `at ${fact.tag_in_map.position.map((each) => (each ?? 0).toFixed(2)).join(", ")}`;
         const age = fact.seen.boot === boot ? `seen ${Math.max(0, now - Math.floor(fact.seen.seconds))} s ago` : "seen before the last start";
-        return [String(fact.item), <><a href={`/map?item=${fact.item}`}>{fact.item}</a> {where} <span class="quiet">{age}</span></>];
+        return [String(fact.item), <><a href={`/map?item=${fact.item}`}>{called(site, fact.item)}</a> {where} <span class="quiet">{age}</span></>];
       })} />
     </section>
   );

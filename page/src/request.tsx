@@ -35,7 +35,7 @@ export function Request({ url }: { url: URL }) {
         })}
         <Favourites kept={kept} remove={remove} all={all} chosen={() => again(count + 1)} />
       </nav>
-      {kind ? <Form key={`${task} ${count}`} name={task} keep={add} schema={kind.request as Schema} given={given} items={kinds.value.items} site={site} robot={robot} />
+      {kind ? <Form key={`${task} ${count}`} name={task} keep={add} schema={kind.request as Schema} given={given} items={[...Object.keys(kinds.value.names), ...kinds.value.items]} site={site} robot={robot} />
         : <p class="quiet">{task ? `There is no task ${task}.` : "Choose what the robot is to do."}</p>}
     </div>
   );

@@ -1,5 +1,5 @@
 // Numbers and states as people read them.
-import type { Failure, TaskStatus } from "./types";
+import type { Failure, Site, TaskStatus } from "./types";
 import type { Now } from "./state";
 
 export const SIGNS: Record<string, string> = { INVALID: "·", RUNNING: "▶", SUCCESS: "✓", FAILURE: "✗" };
@@ -57,3 +57,9 @@ export function summary(request: Record<string, unknown>): string {
 
 export const command = (document: Record<string, unknown>) =>
   `tandem request json '${JSON.stringify(document).replaceAll("'", "'\\''")}'`;
+
+// An item with its name, if the site gives it one.
+export function called(site: Site | null, item: number): string {
+  const name = site?.items.find((each) => each.item === item)?.name;
+  return name ? `${item} (${name})` : String(item);
+}
