@@ -205,7 +205,7 @@ def wrong_deeds(done: Iterable[Deed], ended: Callable[[str], float | None]) -> t
     """
     found, begun, at_work = list[str](), set[str](), dict[str, str]()
     for deed in done:
-        part = _part(deed.action)
+        part = _part(deed)
         if deed.what == "born":
             at_work.clear()  # a goal dies with its process
         elif deed.what == "ended":
@@ -225,9 +225,13 @@ def wrong_deeds(done: Iterable[Deed], ended: Callable[[str], float | None]) -> t
     return tuple(found)
 
 
-def _part(action: str) -> str:
-    """Return what an action moves; nothing for one that only thinks or looks."""
-    part, _, what = action.partition("/")
-    if what in {"survey", "look", "edit"}:
-        return action
+def _part(deed: Deed) -> str:
+    """Return what a deed moves; nothing for one that only thinks or looks.
+
+    A hand that is empty may open and close while its arm moves: it is a part of its own then.
+    """
+    part, _, what = deed.action.partition("/")
+    empty = any(node in deed.goal_id for node in ("/open/", "/close empty/"))
+    if what in {"survey", "look", "edit"} or (what == "grip" and empty):
+        return deed.action
     return part.removeprefix("gripper_").removeprefix("arm_")

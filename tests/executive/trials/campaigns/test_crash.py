@@ -71,6 +71,14 @@ WRONG = {
         [began("t/a/1", action="arm_left/move"), began("t/b/1", action="gripper_left/grip")],
         "while t/a/1 was under way",
     ),
+    "by one arm and its empty hand": (
+        [began("t/pre-grasp/1", action="arm_left/move"), began("t/open/1", action="gripper_left/grip")],
+        "",
+    ),
+    "by one arm whose hand lets go": (
+        [began("t/place/1", action="arm_left/move"), began("t/let go/1", action="gripper_left/grip")],
+        "while t/place/1 was under way",
+    ),
     "done before": ([began("t/a/1", done_before=True)], "was so already"),
     "after the end": ([began("t/a/1", at=9.0)], "after its task had ended"),
 }
