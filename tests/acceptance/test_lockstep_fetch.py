@@ -69,6 +69,7 @@ def test_item_behind_the_robot() -> None:
         assert at_home(run)
 
 
+@pytest.mark.thorough
 def test_item_at_the_second_search_spot() -> None:
     with course(load_scenario("Demo").with_item(ON_THE_CABINET)) as run:
         assert run.fetch(29).state is TaskState.SUCCEEDED
