@@ -12,16 +12,14 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from benchmarks.fetch_time import NEAR_THE_TABLE, REQUESTED, WITHIN
+from benchmarks.listening import Listening
 from benchmarks.rows import Row
-from benchmarks.stillness import moves
 from tandem.executive.system.systems import LockstepSystem
 from tandem.executive.trials.demo import Caller
 from tandem.sim.scenario import Scenario, load_scenario
 from tandem.skills.ports.action import GoalStatus, node_of
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.hardware import JointStates
-from tandem.skills.ports.keys import JOINT_STATES, ODOMETRY, Latest
-from tandem.skills.ports.tasks import TASK_STATUS, TaskState
+from tandem.skills.ports.tasks import TaskState, TaskStatus
 
 NOTHING: Final = "no goal under way"
 
@@ -37,62 +35,36 @@ class Spent:
     """Of these, by what the skill told that it did."""
 
 
-class Waits:
-    """A node that listens: give it all messages of a run.
-
-    Args:
-        bus: where the robot is.
-    """
+class Waits(Listening):
+    """See ``Listening`` for the argument."""
 
     name = "waits"
 
     def __init__(self, bus: Bus) -> None:
-        self._goals = bus.subscribe("skill/*/*/status", depth=4096)
-        self._joints = Latest(bus, JOINT_STATES, depth=4096)
-        self._odometry = Latest(bus, ODOMETRY, depth=4096)
-        self._tasks = Latest(bus, TASK_STATUS, depth=1024)
-        self._open: dict[str, GoalStatus] = {}
-        self._last: float | None = None
+        super().__init__(bus)
         self._phase = ""
         self.spent: dict[tuple[str, str], Spent] = {}
         """By phase and node, in the order of their first acts."""
         self.phases: dict[str, float] = {}
         """Robot seconds of each phase."""
 
-    def step(self) -> bool:
-        """Take in what has arrived."""
-        for task in self._tasks.take():
-            self._phase = task.progress.phase if task.state is TaskState.RUNNING else ""
-        for sample in self._goals.drain():
-            status = GoalStatus.model_validate_json(sample.payload)
-            if status.state.terminal:
-                self._open.pop(status.goal_id, None)
-            else:
-                self._open[status.goal_id] = status
-        self._odometry.refresh()
-        for states in self._joints.take():
-            self._count(states)
-        return False
+    def on_task(self, status: TaskStatus) -> None:
+        """Take in the phase."""
+        self._phase = status.progress.phase if status.state is TaskState.RUNNING else ""
 
-    def close(self) -> None:
-        """Stop listening."""
-        for end in (self._goals, self._joints, self._odometry, self._tasks):
-            end.close()
-
-    def _count(self, states: JointStates) -> None:
-        now, last = states.stamp.seconds, self._last
-        self._last = now
-        if not self._phase or last is None:
+    def on_passed(self, seconds: float, now: float, *, moving: bool) -> None:
+        """Count the seconds for the phase, and for each node at work."""
+        del now
+        if not self._phase:
             return
-        passed, stands = now - last, not moves(states, self._odometry.value)
-        self.phases[self._phase] = self.phases.get(self._phase, 0.0) + passed
-        at_work = {node_of(goal): _doing(status) for goal, status in self._open.items()}
+        self.phases[self._phase] = self.phases.get(self._phase, 0.0) + seconds
+        at_work = {node_of(goal): _doing(status) for goal, (_, status) in self.open.items()}
         for node, doing in (at_work or {NOTHING: ""}).items():
             spent = self.spent.setdefault((self._phase, node), Spent())
-            spent.total += passed
-            spent.standing += passed if stands else 0.0
+            spent.total += seconds
+            spent.standing += 0.0 if moving else seconds
             if doing:
-                spent.doing[doing] = spent.doing.get(doing, 0.0) + passed
+                spent.doing[doing] = spent.doing.get(doing, 0.0) + seconds
 
 
 def _doing(status: GoalStatus) -> str:
