@@ -71,8 +71,8 @@ def _one_boot(bench: Bench) -> Steps:
 
 
 def _not_in_the_future(bench: Bench) -> Steps:
-    # What is told of a tick may come before its clock, when the last one is a period old.
-    allowed = AHEAD + (bench.robot.resting_period or bench.robot.period)
+    # What is told of a tick may come before its clock; of a robot that rests, the last one is older then.
+    allowed = AHEAD + (bench.robot.resting_period or 0.0)
     for topic in topics(bench.robot):
         for told in bench.recording.told(topic.key):
             try:

@@ -37,6 +37,8 @@ def judged(request: Mapping[str, JsonValue], truth: Truth, site: Site, robot: st
     """
     said, depot = request.get("item"), request.get("to")
     item = site.meant(said) if isinstance(said, str | int) else None
+    if said is not None and item is None:
+        return Judged(False, f"the site has no item {said}")
     if item is not None and isinstance(depot, str):
         there = lies_on(truth, site, item.item, depot)
         words = f"item {item.item} {'is' if there else 'is not'} in {depot}"

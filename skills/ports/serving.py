@@ -110,9 +110,8 @@ class _Served:
         """
         if not self.backlog:
             puts = () if self._inbox is None else self._inbox.drain()
-            if (
-                puts
-            ):  # on a wildcard it reaches its subscribers under the wildcard's name: that is no exact key
+            if puts:
+                # One on a wildcard reaches its subscribers under the wildcard's name: that is no exact key.
                 self.backlog.extend(_Put(each.key, each.payload) for each in puts if "*" not in each.key)
             self.backlog.extend(self._desk.drain())
             if not self.backlog:

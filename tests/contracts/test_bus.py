@@ -88,7 +88,7 @@ def collect(pair: Pair, key: str, count: int, send: Callable[[], None]) -> list[
 
 
 def test_what_is_put_arrives_in_order(pair: Pair) -> None:
-    """A busy machine may drop some of a burst, as nobody waits for a reader. The rest keeps its order."""
+    """Over zenoh a busy machine may drop some of a burst, as nobody waits for a reader; all keep order."""
     sent = [("task/x", bytes([number])) for number in range(50)]
 
     def burst() -> list[tuple[str, bytes]]:
@@ -96,7 +96,8 @@ def test_what_is_put_arrives_in_order(pair: Pair) -> None:
         assert got == [each for each in sent if each in got]
         return got
 
-    assert any(burst() == sent for _ in range(10))
+    tries = 10 if isinstance(pair.a, ZenohBus) else 1
+    assert any(burst() == sent for _ in range(tries))
 
 
 def test_a_star_is_one_part_of_a_key(pair: Pair) -> None:

@@ -205,33 +205,38 @@ def wrong_deeds(done: Iterable[Deed], ended: Callable[[str], float | None]) -> t
     """
     found, begun, at_work = list[str](), set[str](), dict[str, str]()
     for deed in done:
-        part = _part(deed)
+        parts = _parts(deed)
         if deed.what == "born":
             at_work.clear()  # a goal dies with its process
         elif deed.what == "ended":
-            at_work.pop(part, None)
+            at_work = {part: goal for part, goal in at_work.items() if part not in parts}
         else:
             if deed.goal_id in begun:
                 found.append(f"{deed.goal_id} was started twice")
-            if part and part in at_work:
-                found.append(f"{deed.goal_id} was started while {at_work[part]} was under way")
+            meanwhile = next((at_work[part] for part in parts if part in at_work), "")
+            if meanwhile:
+                found.append(f"{deed.goal_id} was started while {meanwhile} was under way")
             if deed.done_before:
                 found.append(f"{deed.goal_id} was started although what it brings about was so already")
             end = ended(deed.goal_id.partition("/")[0])
             if end is not None and deed.at > end:
                 found.append(f"{deed.goal_id} was started after its task had ended")
             begun.add(deed.goal_id)
-            at_work[part] = deed.goal_id
+            at_work |= dict.fromkeys(parts, deed.goal_id)
     return tuple(found)
 
 
-def _part(deed: Deed) -> str:
-    """Return what a deed moves; nothing for one that only thinks or looks.
+def _parts(deed: Deed) -> tuple[str, ...]:
+    """Return what a deed moves, in which no other may meddle; an action that only looks has itself.
 
-    A hand that is empty may open and close while its arm moves: it is a part of its own then.
+    A hand that holds something, or is about to, goes with its arm. One that is empty may open and close while
+    its arm moves, but not twice at once.
     """
     part, _, what = deed.action.partition("/")
+    if what in {"survey", "look", "edit"}:
+        return (deed.action,)
+    side = part.removeprefix("gripper_").removeprefix("arm_")
+    if what != "grip":
+        return (side,) if side else ()
     empty = any(node in deed.goal_id for node in ("/open/", "/close empty/"))
-    if what in {"survey", "look", "edit"} or (what == "grip" and empty):
-        return deed.action
-    return part.removeprefix("gripper_").removeprefix("arm_")
+    return (part,) if empty else (part, side)

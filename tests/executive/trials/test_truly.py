@@ -51,5 +51,10 @@ def test_an_item_is_judged_whatever_it_is_called(said: JsonValue) -> None:
     assert found.words == "item 29 is not in depot"
 
 
+@pytest.mark.parametrize("said", [30, "coffee"])
+def test_an_item_that_the_site_does_not_have_is_not_there(said: JsonValue) -> None:
+    assert not judged({"task": "fetch", "item": said, "to": "depot"}, TRUTH, load("lab"), "").good
+
+
 def with_body(body: TrueBody) -> Truth:
     return TRUTH.model_copy(update={"bodies": (body,)})

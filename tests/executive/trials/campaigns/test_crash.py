@@ -75,6 +75,10 @@ WRONG = {
         [began("t/pre-grasp/1", action="arm_left/move"), began("t/open/1", action="gripper_left/grip")],
         "",
     ),
+    "by an empty hand twice": (
+        [began("t/open/1", action="gripper_left/grip"), began("t/close/1", action="gripper_left/grip")],
+        "while t/open/1 was under way",
+    ),
     "by one arm whose hand lets go": (
         [began("t/place/1", action="arm_left/move"), began("t/let go/1", action="gripper_left/grip")],
         "while t/place/1 was under way",
