@@ -13,9 +13,9 @@ from typer.core import TyperCommand
 
 from tandem.executive.cli.arguments import give_parameters
 from tandem.executive.cli.commands.request_command import read_document
-from tandem.executive.cli.commands.run_commands import starts_system, system_parameters
 from tandem.executive.cli.kinds_group import KindsGroup, single
 from tandem.executive.cli.schema_options import fields_of, read_given
+from tandem.executive.cli.system_options import starts_system, system_parameters
 from tandem.executive.config.run_options import RunOptions
 
 if TYPE_CHECKING:

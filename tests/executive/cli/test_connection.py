@@ -76,7 +76,7 @@ def test_no_command_makes_its_own_idea_of_where_the_robot_is() -> None:
         for node in ast.walk(ast.parse(path.read_text("utf-8")))
         if isinstance(node, ast.Call) and ast.unparse(node.func) in {"BusOptions", "bus_options"}
     }
-    assert makers == {"arguments.py", "run_commands.py"}, "run_commands: the demo's own"
+    assert makers == {"arguments.py", "system_options.py"}, "system_options: a run's own"
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from mocked_fetch import MockedFetch
 
-from tandem.executive.cli.commands import run_commands
+from tandem.executive.cli import option_checks
 from tandem.executive.cli.commands.why_command import record_of
 from tandem.executive.cli.main import main
 from tandem.executive.config.extras import RECORD
@@ -113,7 +113,7 @@ def test_up_records_only_with_its_extra(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     lacks = "a recording: mcap missing"
-    monkeypatch.setattr(run_commands, "words_on", lambda extra, _: lacks if extra is RECORD else "")
+    monkeypatch.setattr(option_checks, "words_on", lambda extra, _: lacks if extra is RECORD else "")
     assert main(["up", "--record"]) == 2
     assert lacks in capsys.readouterr().err
 
