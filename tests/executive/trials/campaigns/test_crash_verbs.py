@@ -9,7 +9,8 @@ import pytest
 from tandem.executive.trials.campaigns import crash_points
 from tandem.executive.trials.campaigns.crash_points import CrashPoints
 from tandem.executive.trials.campaigns.crash_rig import CrashRig
-from tandem.executive.trials.campaigns.crash_verbs import CASES, spread, verb_run
+from tandem.executive.trials.campaigns.crash_verbs import spread, verb_run
+from tandem.executive.trials.campaigns.verb_cases import CASES
 from tandem.skills.ports import tasks
 from tandem.skills.ports.keys import Service
 from tandem.skills.ports.tasks import ControlAnswer
