@@ -94,8 +94,9 @@ LEROBOT: Final = Extra(
     "lerobot",
     "records as data sets that LeRobot reads",
     (
+        ("av", "av", "videos"),
         ("numpy", "numpy", "arrays"),
-        ("opencv-python-headless", "cv2", "videos"),
+        ("opencv-python-headless", "cv2", "the recorded pictures"),
         ("pyarrow", "pyarrow", "its tables"),
     ),
 )

@@ -94,6 +94,7 @@ class _Making:
             chosen = tuple(sorted(episode.films)) if cameras is None else cameras
             self._require_cameras(record, episode, chosen)
             self._features = episode.features(chosen)
+            self._require_even(record)
             self._first = f"{record.path.name}, {episode.span.task}"
             self._set = DataSet(self._root, episode.robot, self._features, self._wanted.fps)
         chosen = tuple(name for name, _, _ in self._features.cameras)
@@ -114,6 +115,16 @@ class _Making:
                 "name the cameras with --camera, leave them out with --no-pictures, or leave this file out"
             )
             raise RecordError(record.path, expected, found, advice)
+
+    def _require_even(self, record: Recording) -> None:
+        """Refuse what no video shows everywhere: a pixel's colour is that of two by two."""
+        for name, height, width in self._features.cameras:
+            if height % 2 or width % 2:
+                expected, found = (
+                    "pictures of even height and width",
+                    f"{name} with {width} x {height} pixels",
+                )
+                raise RecordError(record.path, expected, found, "leave the camera out")
 
     def _require_same(self, record: Recording, features: Features) -> None:
         if features == self._features:

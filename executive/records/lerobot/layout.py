@@ -39,8 +39,10 @@ NUMBERS: Final = {
     SUCCESS: "bool",
 }
 """Columns with one number a frame."""
-CODEC: Final = "mpeg4"
-"""FFmpeg's name for what OpenCV's ``mp4v`` writes."""
+CODEC: Final = "h264"
+"""FFmpeg's name for the codec of the videos."""
+PIXELS: Final = "yuv420p"
+"""FFmpeg's name for their pixels, the only ones that all browsers show."""
 
 Json = dict[str, object]
 
@@ -81,7 +83,7 @@ def _video(height: int, width: int, fps: int) -> Json:
             "video.width": width,
             "video.channels": 3,
             "video.codec": CODEC,
-            "video.pix_fmt": "yuv420p",
+            "video.pix_fmt": PIXELS,
             "video.is_depth_map": False,
             "has_audio": False,
         },

@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 from typing import Final
 
+import av
+import av.codec.codec
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tandem.executive.records.lerobot.layout import VIDEO, VIDEO_MB, Place, image_key
+from tandem.executive.records.lerobot.layout import PIXELS, VIDEO, VIDEO_MB, Place, image_key
 from tandem.executive.records.lerobot.sampling import BEFORE, Numbers, Track
 from tandem.executive.records.recording import Recording
 
 Picture = NDArray[np.uint8]
 """Height, width, and blue, green, red."""
-FOURCC: Final = "mp4v"
-"""MPEG-4 part 2: OpenCV's wheels encode neither H.264 nor AV1, and VP9 at twenty times the cost."""
+ENCODER: Final = "libx264"
+"""H.264: every browser plays it, and OpenCV, FFmpeg and LeRobot read it. OpenCV's wheels can't encode it.
+LeRobot's own default, AV1, is smaller, but OpenCV's wheels don't read it and older Safaris don't play it."""
+HOW: Final = {"crf": "23", "preset": "veryfast", "g": "2"}
+"""x264's own quality; a key frame every second frame, as LeRobot has it: training reads single frames."""
 SAMPLES: Final = 16
 """Pictures of an episode of which statistics are made."""
 THUMB: Final = (96, 54)
@@ -59,6 +65,41 @@ def picture_of(jpeg: bytes) -> Picture | None:
     return None if found is None else np.asarray(found, np.uint8)
 
 
+class _File:
+    """An mp4 under way."""
+
+    def __init__(self, path: Path, size: tuple[int, int], fps: int) -> None:
+        try:
+            self._container = av.open(str(path), "w")
+            self._stream = self._container.add_stream(ENCODER, rate=fps, options=dict(HOW))
+        except av.codec.codec.UnknownCodecError as error:
+            raise OSError(f"{path}: this build of PyAV has no encoder {ENCODER}") from error
+        self._stream.height, self._stream.width = size
+        self._stream.pix_fmt = PIXELS
+        self._stream.codec_context.time_base = Fraction(1, fps)
+        self._frames = 0
+
+    def write(self, picture: Picture) -> int:
+        """Write a frame; return how many bytes have come of it and of those before."""
+        frame = av.VideoFrame.from_ndarray(picture, format="bgr24")
+        frame.pts = self._frames
+        self._frames += 1
+        return self._mux(frame)
+
+    def close(self) -> None:
+        """Write what the encoder still has, and end the file."""
+        try:
+            if self._frames:
+                self._mux(None)
+        finally:
+            self._container.close()
+
+    def _mux(self, frame: av.VideoFrame | None) -> int:
+        packets = self._stream.encode(frame)
+        self._container.mux(packets)
+        return sum(packet.size for packet in packets)
+
+
 class VideoFiles:
     """The mp4 files of one camera, one after the other, each with several episodes.
 
@@ -75,8 +116,8 @@ class VideoFiles:
     ) -> None:
         self._root, self._key, self._size, self._fps = root, image_key(camera), size, fps
         self._bytes = file_mb * 1e6
-        self._place, self._frames = Place(), 0
-        self._writer: cv2.VideoWriter | None = None
+        self._place, self._frames, self._written = Place(), 0, 0
+        self._file: _File | None = None
 
     def add(self, film: Film) -> tuple[Place, float, float, Picture]:
         """Write an episode; return in which file it is, from which second to which, and some small pictures.
@@ -85,7 +126,7 @@ class VideoFiles:
             ValueError: when a picture has another size.
             OSError: when the file can't be written.
         """
-        writer = self._open()
+        file = self._open()
         begin, last, shown = self._frames, -1, np.zeros((*self._size, 3), np.uint8)
         wanted = set(
             np.linspace(0, len(film.places) - 1, min(SAMPLES, len(film.places))).astype(int).tolist()
@@ -94,34 +135,29 @@ class VideoFiles:
         for number, place in enumerate(film.places):
             if place != last:
                 shown, last = self._decoded(film.jpegs[place]), place
-            writer.write(shown)
+            self._written += file.write(shown)
             self._frames += 1
             if number in wanted:
                 thumbs.append(cv2.resize(shown, THUMB, interpolation=cv2.INTER_AREA))
         where, end = self._place, self._frames
-        if self._path().stat().st_size >= self._bytes:
+        if self._written >= self._bytes:
             self.close()
-            self._place, self._frames = Place(self._place.number + 1), 0
+            self._place, self._frames, self._written = Place(self._place.number + 1), 0, 0
         return where, begin / self._fps, end / self._fps, np.asarray(thumbs, np.uint8)
 
     def close(self) -> None:
         """End the file."""
-        if self._writer is not None:
-            self._writer.release()
-            self._writer = None
+        if self._file is not None:
+            file, self._file = self._file, None
+            file.close()
 
     def _path(self) -> Path:
         return self._place.path(self._root, VIDEO, self._key)
 
-    def _open(self) -> cv2.VideoWriter:
-        if self._writer is None:
-            height, width = self._size
-            code = cv2.VideoWriter.fourcc(*FOURCC)
-            made = cv2.VideoWriter(str(self._path()), cv2.CAP_FFMPEG, code, self._fps, (width, height))
-            if not made.isOpened():
-                raise OSError(f"{self._path()}: OpenCV has no encoder {FOURCC}, or can't write there")
-            self._writer = made
-        return self._writer
+    def _open(self) -> _File:
+        if self._file is None:
+            self._file = _File(self._path(), self._size, self._fps)
+        return self._file
 
     def _decoded(self, jpeg: bytes) -> Picture:
         found = picture_of(jpeg)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import av
 import cv2
 import numpy as np
 import pyarrow.parquet as pq
@@ -184,6 +185,17 @@ def test_the_video_has_the_frames_of_all_episodes(made: tuple[Path, Exported]) -
     assert spans == [(0.0, 2.1), (2.1, 4.2)]
 
 
+def test_the_video_is_in_the_codec_that_the_set_names(made: tuple[Path, Exported]) -> None:
+    root, _ = made
+    told = info(root)["features"][HEAD]["info"]
+    with av.open(str(root / f"videos/{HEAD}/chunk-000/file-000.mp4")) as file:
+        (stream,) = file.streams
+        assert (stream.codec.canonical_name, stream.pix_fmt) == (told["video.codec"], told["video.pix_fmt"])
+        times = [frame.time for frame in file.decode(stream)]
+    assert (told["video.codec"], told["video.pix_fmt"]) == ("h264", "yuv420p")
+    assert np.allclose(times, np.arange(2 * FRAMES) / 10, atol=1e-4), "LeRobot looks for frames by their time"
+
+
 def test_statistics_are_those_of_the_columns(made: tuple[Path, Exported]) -> None:
     root, _ = made
     stats = json.loads((root / "meta/stats.json").read_text("utf-8"))
@@ -236,6 +248,13 @@ def test_records_that_do_not_fit_together_are_refused(tmp_path: Path) -> None:
     for other, words in others.items():
         with pytest.raises(RecordError, match=words):
             export([first, other], tmp_path / "set", Wanted())
+    assert not (tmp_path / "set").exists()
+
+
+def test_pictures_of_an_odd_size_are_refused(tmp_path: Path) -> None:
+    odd = write_mcap(tmp_path / "a.mcap", [*motion(), *one_fetch()], size=(17, 32))
+    with pytest.raises(RecordError, match=r"even height and width.*head with 32 x 17 pixels"):
+        export([odd], tmp_path / "set", Wanted())
     assert not (tmp_path / "set").exists()
 
 

@@ -1,0 +1,44 @@
+"""A browser plays the videos of a LeRobot data set."""
+
+from __future__ import annotations
+
+import base64
+from pathlib import Path
+
+import pytest
+from synthetic_record import RED, picture
+
+pytest.importorskip("av", reason="no PyAV: pip install av")
+pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
+from web_chromium import MARKS, PATIENCE, launched
+
+from tandem.executive.records.lerobot.videos import Film, VideoFiles
+
+pytestmark = MARKS
+SEEN = """([source, patience]) => new Promise(done => {
+  const video = document.createElement("video");
+  video.onloadeddata = () => { video.currentTime = 0.25; };
+  video.onerror = () => done(video.error.message);
+  video.onseeked = () => {
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [video.videoWidth, video.videoHeight];
+    const pixels = canvas.getContext("2d");
+    pixels.drawImage(video, 0, 0);
+    done([canvas.width, canvas.height, video.duration, ...pixels.getImageData(5, 5, 1, 1).data.slice(0, 3)]);
+  };
+  setTimeout(() => done("nothing was shown"), patience);
+  video.src = source;
+})"""
+"""Returns width, height, seconds, and red, green and blue of a pixel at 0.25 s; words if it is not played."""
+
+
+def test_a_browser_plays_a_video(tmp_path: Path) -> None:
+    files = VideoFiles(tmp_path, "head", (36, 64), 10)
+    files.add(Film("head", (picture("head", RED, (36, 64)),), (0,) * 5))
+    files.close()
+    (path,) = tmp_path.rglob("*.mp4")
+    source = f"data:video/mp4;base64,{base64.b64encode(path.read_bytes()).decode()}"
+    with launched() as browser:
+        width, height, seconds, *colour = browser.new_page().evaluate(SEEN, [source, PATIENCE])
+    assert (width, height, seconds) == (64, 36, 0.5)
+    assert colour == pytest.approx(RED, abs=5)
