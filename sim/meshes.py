@@ -36,7 +36,7 @@ def write_shape(folder: Path, stem: str, shape: BoxShape | CylinderShape) -> Pat
     Raises:
         OSError: when the folder can't be written to.
     """
-    triangles = _box(shape.size) if isinstance(shape, BoxShape) else _cylinder(shape.radius, shape.height)
+    triangles = _box(shape.size) if isinstance(shape, BoxShape) else cylinder(shape.radius, shape.height)
     lines: list[str] = []
     faces: list[str] = []
     for number, triangle in enumerate(triangles):
@@ -60,7 +60,8 @@ def _box(size: Vector3) -> list[tuple[Corner, Corner, Corner]]:
     return triangles
 
 
-def _cylinder(radius: float, height: float) -> list[tuple[Corner, Corner, Corner]]:
+def cylinder(radius: float, height: float) -> list[tuple[Corner, Corner, Corner]]:
+    """Return the triangles of an upright cylinder about its centre, smooth about its side (m)."""
     triangles: list[tuple[Corner, Corner, Corner]] = []
     top, bottom = height / 2, -height / 2
     for segment in range(SEGMENTS):

@@ -18,8 +18,8 @@ import pybullet
 
 from tandem.sim.chatter import unheard
 from tandem.sim.meshes import write_shape
-from tandem.sim.tags import write_item
-from tandem.sim.things import BoxShape
+from tandem.sim.tags import write_item, write_tin
+from tandem.sim.things import BoxShape, CylinderShape
 from tandem.skills.geometry.poses import from_axes, rotate
 from tandem.skills.ports.packages import resolve
 from tandem.skills.ports.pose import Pose
@@ -204,6 +204,8 @@ class RenderWorld:
     def _add(self, body: SceneBody) -> int:
         if body.label is not None and isinstance(body.shape, BoxShape):
             path = write_item(self._folder, body.label.tag, body.shape.size, body.label.tag_size)
+        elif body.label is not None and isinstance(body.shape, CylinderShape):
+            path = write_tin(self._folder, body.label.tag, body.shape, body.label.tag_size)
         else:
             path = write_shape(self._folder, f"body_{self._written}", body.shape)
             self._written += 1

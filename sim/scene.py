@@ -18,10 +18,11 @@ from tandem.sim.people import path_problems
 from tandem.sim.robots import registry
 from tandem.sim.scenario import Scenario, ScenarioError
 from tandem.sim.starts import ALONE, RobotStart
-from tandem.sim.things import FLOOR, BoxShape, CylinderShape, Obstacle, TrueItem
+from tandem.sim.things import FLOOR, BoxShape, CylinderShape, Obstacle, TrueItem, shape_of
 from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.geometry.poses import about
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.shapes import extents, name_of, solid
 from tandem.skills.ports.site import Site, SiteBox
 from tandem.skills.ports.sources import Source
 from tandem.skills.ports.world import Box
@@ -35,7 +36,7 @@ ITEM_COLOUR: Final = (1.0, 1.0, 1.0)
 
 @dataclass(frozen=True)
 class Label:
-    """The tag on a body's upright sides: its number and the edge in metres of its black square."""
+    """The tag on a body's four upright sides: its number and the edge in metres of its black square."""
 
     tag: int
     tag_size: float
@@ -119,7 +120,7 @@ def item_body(site: Site, item: TrueItem) -> SceneBody:
     z = support_height(site, item.support, item.x, item.y) + known.size[2] / 2 + GAP
     return SceneBody(
         name=item_name(item.tag),
-        shape=BoxShape(size=known.size),
+        shape=shape_of(solid(known)),
         pose=Pose(position=(item.x, item.y, z), orientation=about((0, 0, 1), item.yaw)),
         mass=item.mass,
         friction=item.friction,
@@ -136,7 +137,7 @@ def obstacle_body(site: Site, obstacle: Obstacle) -> SceneBody:
         KeyError: when nothing is there to stand on.
     """
     shape = obstacle.shape
-    height = shape.size[2] if isinstance(shape, BoxShape) else shape.height
+    height = extents(shape.solid)[2]
     z = support_height(site, obstacle.support, obstacle.x, obstacle.y) + height / 2 + GAP
     return SceneBody(
         name=obstacle.name,
@@ -294,8 +295,9 @@ def _support_problem(site: Site, thing: TrueItem | Obstacle | Place, where: str,
 
 
 def as_box(body: SceneBody) -> Box:
-    """Return the box around a body, with the body's pose."""
-    if isinstance(body.shape, CylinderShape):
-        edge = 2 * body.shape.radius
-        return Box(size=(edge, edge, body.shape.height), pose=body.pose)
-    return Box(size=body.shape.size, pose=body.pose)
+    """Return the box around a body, with the body's pose; an item's with its shape.
+
+    What has no tag is told as a box whatever its shape, as perception measures it.
+    """
+    shape = body.shape.solid
+    return Box(size=extents(shape), pose=body.pose, shape="box" if body.label is None else name_of(shape))

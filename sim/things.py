@@ -7,7 +7,9 @@ from typing import Annotated, Final, Literal
 
 from pydantic import Field
 
+from tandem.skills.ports import shapes
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.shapes import Solid
 
 FLOOR: Final = "floor"
 """The support of what stands on the ground; every other support is a piece of furniture of the site."""
@@ -21,7 +23,7 @@ Colour = tuple[float, float, float]
 
 
 class TrueItem(Message):
-    """Where a tagged item really stands at the start of the run; the site file gives its size."""
+    """Where a tagged item really stands at the start of the run; the site file gives its shape."""
 
     tag: int = Field(ge=0, le=586)
     support: Name
@@ -41,6 +43,11 @@ class BoxShape(Message):
     kind: Literal["box"] = "box"
     size: tuple[Length, Length, Length]
 
+    @property
+    def solid(self) -> Solid:
+        """The shape that skills reckon with."""
+        return shapes.BoxShape(self.size)
+
 
 class CylinderShape(Message):
     """An upright cylinder, in metres."""
@@ -48,6 +55,18 @@ class CylinderShape(Message):
     kind: Literal["cylinder"] = "cylinder"
     radius: Length
     height: Length
+
+    @property
+    def solid(self) -> Solid:
+        """The shape that skills reckon with."""
+        return shapes.CylinderShape(self.radius, self.height)
+
+
+def shape_of(solid: Solid) -> BoxShape | CylinderShape:
+    """Return the shape of a body in the room."""
+    if isinstance(solid, shapes.CylinderShape):
+        return CylinderShape(radius=solid.radius, height=solid.length)
+    return BoxShape(size=solid.size)
 
 
 Shape = Annotated[BoxShape | CylinderShape, Field(discriminator="kind")]

@@ -7,6 +7,8 @@ from importlib import resources
 from pathlib import Path
 from typing import Final
 
+from pydantic import JsonValue
+
 from tandem.skills.geometry.floor_plan import FloorPlan
 from tandem.skills.ports.plugins import NONE, Group, Loaded
 from tandem.skills.ports.plugins import load as load_plugins
@@ -72,9 +74,22 @@ def load(name_or_path: str) -> Site:
     else:
         data, source = read_document(Path(locate(name_or_path)))
     site = validate(data, source, Site)
+    if twice := [f"{source.at(where)}: {reason}" for where, reason in _told_twice(data)]:
+        raise DocumentError("\n".join(twice))
     if misplaced := [f"{source.at(where)}: {reason}" for where, reason in _misplaced(site)]:
         raise DocumentError("\n".join(misplaced))
     return site
+
+
+def _told_twice(data: JsonValue) -> Iterator[tuple[str, str]]:
+    """Give the paths of sizes in a file that stand beside a diameter, with the reason.
+
+    On the wire a cylinder has both, for readers that know boxes only; in a file one would be forgotten.
+    """
+    items = data.get("items") if isinstance(data, dict) else None
+    for index, item in enumerate(items if isinstance(items, list) else ()):
+        if isinstance(item, dict) and "size" in item and "diameter" in item:
+            yield f"items.{index}.size", "expected either size, of a box, or diameter and height; found both"
 
 
 def _misplaced(site: Site) -> Iterator[tuple[str, str]]:

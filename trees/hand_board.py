@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from tandem.skills.geometry.poses import compose, invert, to_pose, yaw_of
-from tandem.skills.grasping.hand_grasps import HandGrasp, cube_grasps, item_in_tool, side_grasps
+from tandem.skills.grasping.hand_grasps import HandGrasp, item_grasps, item_in_tool, side_grasps
 from tandem.skills.grasping.item_frames import standing_in_map, turned_like
 from tandem.skills.grasping.tag_grasps import FINGER_ROOM
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.shapes import solid
 from tandem.skills.ports.world import ItemFact
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_task import HandTask
@@ -32,7 +33,7 @@ class HandBoard(HandTask):
     frame: Pose | None = None
     """The item's frame in the map that its ways were told in."""
     avoid: list[tuple[int, float]] = field(default_factory=list)
-    """Faces and pitches that have been tried in vain."""
+    """Sides and pitches that have been tried in vain."""
     safe: bool = True
     """Whether the hand is where it is in nobody's way."""
 
@@ -80,7 +81,7 @@ class HandBoard(HandTask):
         fact = self.fact(context)
         if fact is None or fact.held is not None:
             return Failure(kind=FailureKind.ITEM_GONE, message=f"item {self.item} is not known to stand")
-        frame = standing_in_map(fact.tag_in_map, fact.size)
+        frame = standing_in_map(fact.tag_in_map, fact)
         if frame is None:
             return lies(fact)
         return frame if self.frame is None else turned_like(frame, self.frame)
@@ -100,7 +101,7 @@ class HandBoard(HandTask):
             point = next(each for each in known.grasp_points if each.side == self.side)
             ways = side_grasps(point, base_heading - turned)
         else:
-            ways = cube_grasps(known.size, hand.work_heading + base_heading - turned)
+            ways = item_grasps(solid(known), hand.work_heading + base_heading - turned)
         # What was tried in vain comes last: it may still be all that there is.
         self.ways = tuple(sorted(ways, key=lambda way: (way.face, way.pitch) in self.avoid))
         return None

@@ -137,7 +137,7 @@ class Inspection:
 
 
 def _told(fact: ItemFact, name: str, spots: tuple[str, ...]) -> SeenItem:
-    stands = standing_in_map(fact.tag_in_map, fact.size)
+    stands = standing_in_map(fact.tag_in_map, fact)
     return SeenItem(
         item=fact.item,
         name=name,

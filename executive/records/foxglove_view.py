@@ -13,6 +13,7 @@ from foxglove.messages import (
     Color,
     CompressedImage,
     CubePrimitive,
+    CylinderPrimitive,
     FrameTransform,
     FrameTransforms,
     JointState,
@@ -41,6 +42,7 @@ from tandem.skills.ports.message import Vector3 as OurVector
 from tandem.skills.ports.message import read_leniently
 from tandem.skills.ports.pose import Pose as OurPose
 from tandem.skills.ports.sensors import LaserScan as OurScan
+from tandem.skills.ports.shapes import is_round, solid
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene, RobotPose
 
 EVERY: Final = 0.05
@@ -151,16 +153,20 @@ def _joints(message: Recorded) -> JointStatesShown:
 
 def _scene(message: Recorded) -> SceneUpdate:
     said = read_leniently(PlanningScene, message.payload)
-    cubes = [
-        CubePrimitive(
-            pose=_pose(each.box.pose),
-            size=_vector(each.box.size),
-            color=ORANGE if each.kind == "item" else GREY,
-        )
-        for each in said.objects
-        if each.attached_to is None
-    ]
-    entity = SceneEntity(timestamp=_time(message), frame_id=MAP, id="scene", cubes=cubes)
+    cubes: list[CubePrimitive] = []
+    cylinders: list[CylinderPrimitive] = []
+    for each in said.objects:
+        if each.attached_to is not None:
+            continue
+        pose, size = _pose(each.box.pose), _vector(each.box.size)
+        colour = ORANGE if each.kind == "item" else GREY
+        if is_round(solid(each.box)):
+            cylinders.append(
+                CylinderPrimitive(pose=pose, size=size, bottom_scale=1.0, top_scale=1.0, color=colour)
+            )
+        else:
+            cubes.append(CubePrimitive(pose=pose, size=size, color=colour))
+    entity = SceneEntity(timestamp=_time(message), frame_id=MAP, id="scene", cubes=cubes, cylinders=cylinders)
     return SceneUpdate(entities=[entity])
 
 

@@ -70,7 +70,7 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
         const item = each.item === null ? {} : { "aria-label": `item ${each.item}`, ...choose(`/map?item=${each.item}`) };
         return (
           <g key={each.name} class={`thing ${each.kind} ${each.item !== null && chosen.item === String(each.item) ? "chosen" : ""}`} {...item}>
-            <rect x={-each.box.size[0] / 2} y={-each.box.size[1] / 2} width={each.box.size[0]} height={each.box.size[1]} transform={turned(x!, y!, 2 * Math.atan2(z!, w!))} />
+            <rect x={-each.box.size[0] / 2} y={-each.box.size[1] / 2} width={each.box.size[0]} height={each.box.size[1]} rx={each.box.shape === "cylinder" ? each.box.size[0] / 2 : 0} transform={turned(x!, y!, 2 * Math.atan2(z!, w!))} />
             {each.item !== null && <text x={x} y={-y! - 0.09}>{each.item}</text>}
           </g>
         );

@@ -282,7 +282,7 @@ export class RobotScene {
     this.held = [];
     for (const each of live.scene?.objects ?? []) {
       if (each.kind === "furniture") continue;
-      const mesh = boxMesh(each.box.size, new THREE.Color(KINDS[each.kind]), each.kind === "clutter" ? 0.5 : 1);
+      const mesh = solidMesh(each.box, new THREE.Color(KINDS[each.kind]), each.kind === "clutter" ? 0.5 : 1);
       pose(mesh, each.box);
       if (each.item !== null) {
         mesh.userData.item = each.item;
@@ -327,10 +327,21 @@ export class RobotScene {
 }
 
 function boxMesh(size: readonly number[], colour: THREE.Color, opacity: number) {
-  const geometry = new THREE.BoxGeometry(size[0], size[1], size[2]);
+  return meshOf(new THREE.BoxGeometry(size[0], size[1], size[2]), colour, opacity);
+}
+
+// A robot of an older release tells no shape: all is a box to it.
+function solidMesh(box: Box, colour: THREE.Color, opacity: number) {
+  const [x, y, z] = box.size;
+  if (box.shape !== "cylinder") return boxMesh(box.size, colour, opacity);
+  const upright = new THREE.CylinderGeometry(x / 2, y / 2, z, 32).rotateX(Math.PI / 2); // three's stands along y
+  return meshOf(upright, colour, opacity);
+}
+
+function meshOf(geometry: THREE.BufferGeometry, colour: THREE.Color, opacity: number) {
   const material = new THREE.MeshLambertMaterial({ color: colour, opacity, transparent: opacity < 1 });
   const mesh = new THREE.Mesh(geometry, material);
-  mesh.add(new THREE.LineSegments(new THREE.EdgesGeometry(geometry), new THREE.LineBasicMaterial({ color: 0x555550, transparent: true, opacity: 0.45 })));
+  mesh.add(new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 30), new THREE.LineBasicMaterial({ color: 0x555550, transparent: true, opacity: 0.45 })));
   return mesh;
 }
 

@@ -1,7 +1,7 @@
 // Made of the messages' JSON Schemas by page/types_of_schemas.py; change those instead.
 export type ArmsCrossing = { k: number; gamma: number; mu: number; clearance: number; phi: number; safe_posture: string };
 export type Attempt = { at: RobotTime | null; failure: Failure; recovery: string; times: number; picture: string };
-export type Box = { size: [number, number, number]; pose: Pose };
+export type Box = { size: [number, number, number]; pose: Pose; shape: "box" | "cylinder" };
 export type Bumper = { name: string };
 export type CameraSensor = { name: string; frame: string; width: number; height: number; horizontal_fov: number };
 export type Depot = { name: string; slots: Slot[] };
@@ -15,7 +15,7 @@ export type Furniture = { name: string; boxes: SiteBox[]; colour: [number, numbe
 export type GraspPoint = { side: string; position: [number, number, number]; inwards: [number, number, number] };
 export type Gripper = { joints: string[]; max_width: number; speed: number; force: number; min_width: number; palm: number | null };
 export type HeldItem = { side: string; item: number; item_in_tool: Pose };
-export type ItemFact = { item: number; size: [number, number, number]; tag_in_map: Pose; seen: RobotTime; quality: number; position_sigma: number; held: string | null };
+export type ItemFact = { item: number; size: [number, number, number]; shape: "box" | "cylinder"; tag_in_map: Pose; seen: RobotTime; quality: number; position_sigma: number; held: string | null };
 export type JointGroup = { name: string; limits: JointLimit[] };
 export type JointLimit = { joint: string; lower: number; upper: number; velocity: number; acceleration: number; jerk: number; effort: number };
 export type JsonValue = unknown;
@@ -43,7 +43,7 @@ export type RobotTime = { boot: string; seconds: number };
 export type SceneObject = { name: string; kind: "furniture" | "clutter" | "item"; box: Box; item: number | null; attached_to: string | null };
 export type Site = { name: string; robot: string; bounds: [number, number, number, number]; furniture: Furniture[]; home: FloorPose; spots: Spot[]; depots: Depot[]; items: SiteItem[]; local_planner: "pursuit" | "people" | "band"; reflexes: ReflexSetting[]; occupancy: OccupancySetting | null; arm_planner: PlannerName };
 export type SiteBox = { size: [number, number, number]; centre: [number, number, number]; yaw: number };
-export type SiteItem = { item: number; name: string; size: [number, number, number]; tag_size: number; hands: string[]; grasp_points: GraspPoint[] };
+export type SiteItem = { item: number; name: string; shape: "box" | "cylinder"; diameter: number | null; height: number | null; size: [number, number, number]; tag_size: number; hands: string[]; grasp_points: GraspPoint[] };
 export type SkidSteerDrive = { forward: number; backward: number; acceleration: number; turn: number; turn_acceleration: number; dead_man: number; kind: "skid_steer" };
 export type Slot = { position: [number, number, number]; facing: number };
 export type Span = { path: string; kind: "sequence" | "selector" | "parallel" | "recovery" | "decorator" | "condition" | "action"; begin: RobotTime; end: RobotTime | null; status: NodeStatus; message: string };

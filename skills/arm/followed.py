@@ -52,7 +52,7 @@ class FollowedItem:
         fact = None if world is None or self._item is None else world.item(self._item)
         if fact is None or fact.held is not None:
             return None
-        stands = standing_in_map(fact.tag_in_map, fact.size)
+        stands = standing_in_map(fact.tag_in_map, fact)
         return None if stands is None else stands.position
 
     def _gone(self, message: str, moved: float = 0.0) -> Failure:

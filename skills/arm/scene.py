@@ -7,10 +7,11 @@ import math
 import numpy as np
 
 from tandem.skills.geometry.poses import compose, invert, to_pose
-from tandem.skills.kinematics.bodies import BoxShape, CellsShape, Obstacle
+from tandem.skills.kinematics.bodies import CellsShape, Obstacle
 from tandem.skills.ports.lattice import centres_of
 from tandem.skills.ports.occupancy import Occupancy
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.shapes import solid
 from tandem.skills.ports.world import PlanningScene, SceneObject
 
 PADDING = {"furniture": (0.015, 0.003), "clutter": (0.01, 0.004), "item": (0.004, 0.002)}
@@ -32,7 +33,7 @@ def obstacles(
         if each.attached_to is None and _gap(base_in_map, each) < reach:
             pose = compose(map_in_base, each.box.pose)
             padding = PADDING[each.kind] if padded else NO_PADDING
-            found.append(Obstacle(each.name, BoxShape(each.box.size), pose, padding))
+            found.append(Obstacle(each.name, solid(each.box), pose, padding))
     return (*found, *_occupied(scene.occupied, base_in_map, map_in_base, reach))
 
 

@@ -354,7 +354,7 @@ class HoldWithTwo:
         fact = None if world is None else world.item(item)
         if fact is None:
             raise self._stopped(FailureKind.ITEM_GONE, f"item {item} is not believed to be anywhere")
-        stands = standing_in_map(fact.tag_in_map, known.size)
+        stands = standing_in_map(fact.tag_in_map, known)
         if stands is None:
             raise self._stopped(FailureKind.ITEM_UNREACHABLE, f"item {item} has fallen over")
         return compose(invert(base), stands)

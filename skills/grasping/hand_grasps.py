@@ -10,13 +10,13 @@ import math
 from typing import Final
 
 from tandem.skills.geometry.poses import about, add, compose, invert, multiply, rotate, scale
-from tandem.skills.grasping.item_frames import face, tag_of_item
+from tandem.skills.grasping.item_frames import tag_of_item, turned_about
 from tandem.skills.grasping.tag_grasps import AWAY, PITCHES, UP, grasp
 from tandem.skills.ports.message import Count, Message, Vector3
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.shapes import Solid, extents, seen_from, sides
 from tandem.skills.ports.site import GraspPoint
 
-FACES: Final = 4
 MOST_AWAY: Final = math.radians(100.0)
 """Of the hand's best heading; beyond it the hand would come from behind the item."""
 LEANS: Final = tuple(math.radians(angle) for angle in (15.0, 30.0, 0.0, 45.0))
@@ -34,33 +34,38 @@ _UP: Final[Vector3] = (0.0, 0.0, 1.0)
 
 
 class HandGrasp(Message):
-    """One way to take hold: which face of the item (quarter turns from the tagged one), and how."""
+    """One way to take hold: which side of the item (its number, from the tagged one on), and how.
+
+    A box has four sides, a cylinder a ring of them (``skills.ports.shapes.sides``).
+    """
 
     face: Count
     pitch: float
     tool_in_item: Pose
 
 
-def cube_grasps(size: Vector3, heading: float) -> tuple[HandGrasp, ...]:
-    """Return the ways in which one hand takes a box with fingers on two of its sides, the best first.
+def item_grasps(shape: Solid, heading: float) -> tuple[HandGrasp, ...]:
+    """Return the ways in which one hand takes an item with a finger on either side, the best first.
+
+    A box is taken by its faces, a cylinder from each direction of its ring.
 
     Args:
-        size: full edges (m).
+        shape: of the item.
         heading: in the item's frame (rad), in which the hand points when it works best.
     """
-    tag = tag_of_item(Pose(), size[0])
+    through = extents(shape)[0]
+    tag = tag_of_item(Pose(), through)
     ways = []
-    for turns in range(FACES):
-        off = abs(math.remainder(math.pi + turns * math.pi / 2.0 - heading, 2.0 * math.pi))
+    for number, side in enumerate(sides(shape)):
+        off = abs(math.remainder(math.pi + side - heading, 2.0 * math.pi))
         if off <= MOST_AWAY:
-            depth = size[turns % 2]
-            on_face = face(tag, size[0], turns)
+            depth, on_side = seen_from(shape, side)[0], turned_about(tag, through, side)
             ways += [
-                (round(off, 3), number, turns, pitch, grasp(on_face, depth, pitch).grasp)
-                for number, pitch in enumerate(PITCHES)
+                (round(off, 3), place, number, pitch, grasp(on_side, depth, pitch).grasp)
+                for place, pitch in enumerate(PITCHES)
             ]
     ways.sort(key=lambda each: each[:2])
-    return tuple(HandGrasp(face=turns, pitch=pitch, tool_in_item=pose) for _, _, turns, pitch, pose in ways)
+    return tuple(HandGrasp(face=number, pitch=pitch, tool_in_item=pose) for _, _, number, pitch, pose in ways)
 
 
 def side_grasps(point: GraspPoint, away: float) -> tuple[HandGrasp, ...]:

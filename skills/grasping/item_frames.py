@@ -1,7 +1,9 @@
 """Where an item is: from the tag on one of its faces to the frame in its centre, and back.
 
 The item's frame has its origin in the centre, z up at rest, x out of the tagged face. An item carries its
-tag on all four sides, as a shipping label does, so the frame is known up to quarter turns about z.
+tag on all four sides, as a shipping label does, so the frame is known up to quarter turns about z. A cylinder
+has its four tags on flat labels that touch its side, so that its frame and the frame of the box about it are
+one.
 """
 
 from __future__ import annotations
@@ -22,6 +24,7 @@ from tandem.skills.geometry.poses import (
 )
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.shapes import Shaped, is_round, solid
 
 TAG_TURN: Final = from_axes((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
 """The tag on the face along the item's x: x_tag = y_item, y_tag = z_item, z_tag = x_item."""
@@ -61,13 +64,14 @@ def upright_in_map(tag_in_map: Pose, depth: float) -> Pose | None:
     return item_in_map(tag_in_map, depth)
 
 
-def standing_in_map(tag_in_map: Pose, size: Vector3) -> Pose | None:
+def standing_in_map(tag_in_map: Pose, thing: Shaped) -> Pose | None:
     """Return the item's centre frame, its z up, or None for an item that has fallen over.
 
-    A cube stands on whichever face it lies: x is out of one of its sides then. ``size``: along x, y, z (m).
+    A cube stands on whichever face it lies: x is out of one of its sides then. A cylinder never does.
     """
+    size = thing.size
     stands = upright_in_map(tag_in_map, size[0])
-    if stands is not None or max(size) - min(size) > CUBE:
+    if stands is not None or max(size) - min(size) > CUBE or is_round(solid(thing)):
         return stands
     try:
         return item_in_map(tag_in_map, size[0])
@@ -106,8 +110,16 @@ def face(tag_in_map: Pose, depth: float, quarter_turns: int) -> Pose:
 
     An item carries its tag on all four sides, as a shipping label does. ``depth``: metres through the item.
     """
+    return turned_about(tag_in_map, depth, quarter_turns * math.pi / 2.0)
+
+
+def turned_about(tag_in_map: Pose, depth: float, angle: float) -> Pose:
+    """Return the tag where it would be, were the item turned about its vertical by an angle (rad).
+
+    Of a cylinder that is a tag on another side, be there one or not. ``depth``: metres through the item.
+    """
     item = item_in_map(tag_in_map, depth)
-    turn = about(_Z, quarter_turns * math.pi / 2.0)
+    turn = about(_Z, angle)
     arm = rotate(turn, subtract(tag_in_map.position, item.position))
     return Pose(position=add(item.position, arm), orientation=multiply(turn, tag_in_map.orientation))
 

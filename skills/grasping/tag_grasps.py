@@ -14,6 +14,7 @@ See docs/conventions.md and docs/decisions/004-any-face-hand-inwards.md.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Final
 
 from tandem.skills.geometry.poses import (
@@ -25,9 +26,10 @@ from tandem.skills.geometry.poses import (
     rotate,
     scale,
 )
-from tandem.skills.grasping.item_frames import item_in_map, outward
+from tandem.skills.grasping.item_frames import item_in_map, outward, turned_about
 from tandem.skills.ports.message import Message, Quaternion, Vector3
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.shapes import Solid, extents, within_quarter
 
 APPROACH: Final = 0.10
 """Metres between pre-grasp and grasp, eq. 1."""
@@ -122,6 +124,26 @@ def grasp(tag_in_map: Pose, depth: float, pitch: float, *, back: float = 0.0) ->
         grasp=at_item,
         retraction=_moved(at_item, away),
         item_in_tool=compose(invert(at_item), item),
+    )
+
+
+def grasps_on(
+    tag_in_map: Pose, shape: Solid, pitches: Iterable[float], palm: float | None
+) -> tuple[Grasp, ...]:
+    """Return the ways to take an item on one of its quarters: for each direction in it, one for each pitch.
+
+    Args:
+        tag_in_map: the tag on the face that the hand goes for, at the middle of the quarter.
+        shape: of the item, its x out of that face. A box is taken by it, a cylinder from around it, too.
+        pitches: radians by which the hand looks down, the preferred one first.
+        palm: of the gripper (``Gripper.palm``).
+    """
+    size, tried = extents(shape), tuple(pitches)
+    return tuple(
+        grasp(on_side, size[0], pitch, back=held_back(size, pitch, palm))
+        for turn in within_quarter(shape)
+        for on_side in (tag_in_map if turn == 0.0 else turned_about(tag_in_map, size[0], turn),)
+        for pitch in tried
     )
 
 

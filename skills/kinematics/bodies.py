@@ -10,21 +10,9 @@ import numpy as np
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.shapes import BoxShape, CylinderShape
 
-
-@dataclass(frozen=True)
-class BoxShape:
-    """A box; metres along its x, y and z, its frame in the centre."""
-
-    size: tuple[float, float, float]
-
-
-@dataclass(frozen=True)
-class CylinderShape:
-    """A cylinder about z; metres, its frame in the centre."""
-
-    radius: float
-    length: float
+__all__ = ["BoxShape", "Carried", "CellsShape", "CylinderShape", "Obstacle", "Shape", "geometry"]
 
 
 @dataclass(frozen=True)

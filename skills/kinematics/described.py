@@ -7,10 +7,11 @@ from typing import Final
 
 import numpy as np
 
-from tandem.skills.kinematics.bodies import BoxShape, Carried
+from tandem.skills.kinematics.bodies import Carried
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.model import RobotKinematics
 from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.shapes import solid
 from tandem.skills.ports.world import PlanningScene
 
 HOME: Final = "home"
@@ -40,9 +41,7 @@ def carried(scene: PlanningScene, description: RobotDescription) -> tuple[Carrie
     for each in scene.objects:
         if each.attached_to is not None:
             hand = description.end_effector(each.attached_to)
-            found.append(
-                Carried(each.name, BoxShape(each.box.size), hand.frame, each.box.pose, hand.touch_links)
-            )
+            found.append(Carried(each.name, solid(each.box), hand.frame, each.box.pose, hand.touch_links))
     return tuple(found)
 
 

@@ -173,7 +173,7 @@ class Eye:
         boxes = []
         for number, tag_in_map in sorted(poses.items()):
             item = self._site.item(number)
-            stands = None if item is None else standing_in_map(tag_in_map, item.size)
+            stands = None if item is None else standing_in_map(tag_in_map, item)
             if item is not None and stands is not None:
                 boxes.append((number, Box(size=item.size, pose=stands)))
         return tuple(boxes)
@@ -186,7 +186,7 @@ class Eye:
         boxes = []
         for number, tag_in_map in tags:
             item = self._site.item(number)
-            stands = None if item is None else standing_in_map(tag_in_map, item.size)
+            stands = None if item is None else standing_in_map(tag_in_map, item)
             if item is not None and stands is not None:
                 boxes.append(Box(size=item.size, pose=stands))
         return tuple(boxes)

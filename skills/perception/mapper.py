@@ -218,7 +218,7 @@ class Mapper:
     def _standing(self, world: WorldState) -> tuple[Box, ...]:
         found = []
         for fact in (*world.items, *world.doubles):
-            stands = None if fact.held is not None else standing_in_map(fact.tag_in_map, fact.size)
+            stands = None if fact.held is not None else standing_in_map(fact.tag_in_map, fact)
             if stands is not None:
                 found.append(Box(size=fact.size, pose=stands))
         return tuple(found)

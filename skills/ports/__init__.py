@@ -1,6 +1,6 @@
 """The vocabulary that all rooms share: messages, failure kinds, protocols and keys.
 
-What a message is: message, utc, pose, image, picture_header, problems, documents, sources.
+What a message is: message, utc, pose, shapes, image, picture_header, problems, documents, sources.
 What is said: hardware, sensors, world, whereabouts, tasks, site, action, failure; goals are in ``actions/``.
 Occupied space: occupancy, lattice. Ways: planners.
 The table of keys: keys, match, delivery.

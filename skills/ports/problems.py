@@ -35,6 +35,10 @@ _EXPECTED: Final[Mapping[str, str]] = {
 }
 
 
+_FOLLOWS: Final = frozenset({"default_factory_not_called"})
+"""Kinds of pydantic's that only say that another field is wrong, which is told by itself."""
+
+
 class Problem(Message):
     """What is wrong with a document: where in it, what was expected, what was there."""
 
@@ -47,8 +51,9 @@ class Problem(Message):
 
 def problems_of(error: ValidationError, *, most: int = MAX_PROBLEMS) -> tuple[Problem, ...]:
     """Return what pydantic found as problems: the first ``most`` of them."""
+    told = error.errors(include_url=False, include_context=False)
     found = []
-    for finding in error.errors(include_url=False, include_context=False)[:most]:
+    for finding in [each for each in told if each["type"] not in _FOLLOWS][:most]:
         kind, message = finding["type"], finding["msg"]
         expected = _EXPECTED.get(kind, message.removeprefix("Input should be ").removeprefix("Value error, "))
         expected = expected.removeprefix("expected ")  # a validator's own words

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated, Final, Literal
 
 from pydantic import Field, field_validator, model_validator
@@ -11,6 +12,7 @@ from tandem.skills.ports.occupancy import OccupancySetting
 from tandem.skills.ports.planners import PlannerName
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.reflex_setting import ReflexSetting
+from tandem.skills.ports.shapes import ROUND, ShapeName
 
 LAST_TAG: Final = 586
 """The last number of the family 36h11, whose first is 0."""
@@ -71,8 +73,19 @@ class GraspPoint(Message):
     inwards: Vector3
 
 
+def _about(told: Mapping[str, object]) -> Vector3:
+    """Return the edges of the box about a cylinder out of its measures; zeros where they are not told."""
+    diameter, height = told.get("diameter"), told.get("height")
+    if isinstance(diameter, float) and isinstance(height, float):
+        return (diameter, diameter, height)
+    return (0.0, 0.0, 0.0)
+
+
 class SiteItem(Message):
-    """An item: tag number, name, full edges (m), edge of the black square (m), and its hands.
+    """An item: tag number, name, shape (m), edge of the black square (m), and its hands.
+
+    A box has ``size``, its full edges. A cylinder has ``diameter`` and ``height``; its ``size`` follows, the
+    edges of the upright box about it.
 
     One with ``grasp_points`` needs both hands at once (two-arm thesis, 4.1.1: O_H2); else ``hands`` says
     which hands it is for (O_HL, O_HR; both unless told).
@@ -81,7 +94,10 @@ class SiteItem(Message):
     item: Annotated[int, Field(ge=0, le=LAST_TAG)]
     name: Annotated[str, Field(max_length=MAX_NAME, pattern=PLAIN_TEXT)] = ""
     """What people call it, and requests may; none: its number only."""
-    size: tuple[Edge, Edge, Edge]
+    shape: ShapeName = "box"
+    diameter: Edge | None = None
+    height: Edge | None = None
+    size: tuple[Edge, Edge, Edge] = Field(default_factory=_about)
     tag_size: Edge
     hands: tuple[HandName, ...] = ()
     """Hands that it is for; none: any hand of the robot."""
@@ -100,6 +116,30 @@ class SiteItem(Message):
     def is_for(self, hand: HandName) -> bool:
         """Whether a hand may take it."""
         return not self.hands or hand in self.hands
+
+    @model_validator(mode="after")
+    def _measures_are_of_its_shape(self) -> SiteItem:
+        if self.shape == "box":
+            for name in ("diameter", "height"):
+                if getattr(self, name) is not None:
+                    raise ValueError(
+                        f"expected no {name}: an item without shape: cylinder is a box of a size"
+                    )
+            if "size" not in self.model_fields_set:
+                raise ValueError("expected a size, the three edges of a box (m)")
+            return self
+        for name in ("diameter", "height"):
+            if getattr(self, name) is None:
+                raise ValueError(f"expected a {name} (m), for its shape is cylinder")
+        if any(abs(one - two) > ROUND for one, two in zip(self.size, _about(self._measures()), strict=True)):
+            raise ValueError("expected diameter and height of a cylinder, and no other size beside them")
+        room = min(self.size)
+        if self.tag_size > room:
+            raise ValueError(f"expected a tag_size of at most {room:g} m, which is its label's edge")
+        return self
+
+    def _measures(self) -> dict[str, object]:
+        return {"diameter": self.diameter, "height": self.height}
 
     @field_validator("name")
     @classmethod

@@ -12,6 +12,7 @@ from tandem.skills.ports.keys import Nothing, Service, Topic
 from tandem.skills.ports.message import Count, HandName, Message, RobotTime
 from tandem.skills.ports.occupancy import EditMap, MapEdited, Occupancy
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.shapes import ShapeName
 
 Size = Annotated[float, Field(ge=0.0)]
 """Metres (or what the field says), none below zero."""
@@ -85,10 +86,11 @@ class Sightings(Message):
 
 
 class Box(Message):
-    """A box: full edge lengths in metres and the pose of its centre."""
+    """A box: full edge lengths in metres and the pose of its centre; ``shape``: what of it is filled."""
 
     size: tuple[Size, Size, Size]
     pose: Pose
+    shape: ShapeName = "box"
 
 
 class Clutter(Message):
@@ -127,10 +129,15 @@ class PlanningScene(Message):
 
 
 class ItemFact(Message):
-    """Beliefs about an item. ``size``: full edges (m) in the item's frame, whose z is up at rest."""
+    """Beliefs about an item.
+
+    ``size``: full edges (m) of the box about it in its frame, whose z is up at rest; it fills that as
+    ``shape`` says.
+    """
 
     item: Count
     size: tuple[Size, Size, Size]
+    shape: ShapeName = "box"
     tag_in_map: Pose
     """The tag's face last seen; meaningless while held."""
     seen: RobotTime

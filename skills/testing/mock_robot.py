@@ -436,10 +436,10 @@ class MockRobot:
         known = {fact.item: fact for fact in self.world.items}
         for sighting in sightings:
             site_item = self._site.item(sighting.item)
-            size = (0.06, 0.06, 0.06) if site_item is None else site_item.size
             known[sighting.item] = ItemFact(
                 item=sighting.item,
-                size=size,
+                size=(0.06, 0.06, 0.06) if site_item is None else site_item.size,
+                shape="box" if site_item is None else site_item.shape,
                 tag_in_map=sighting.tag_in_map,
                 seen=stamp,
                 quality=1.0,
@@ -473,7 +473,7 @@ class MockRobot:
             where = approach(f"arm_{side}").name
             return failed(Failure(kind=FailureKind.ITEM_GONE, message=message, where=where))
         self._extent[side], self._before[side] = STRETCHED, goal.item
-        at = standing_in_map(fact.tag_in_map, fact.size) or Pose(position=fact.tag_in_map.position)
+        at = standing_in_map(fact.tag_in_map, fact) or Pose(position=fact.tag_in_map.position)
         return succeeded(ApproachResult(grasp=0, positions=(0.0,), error=0.0, item_in_map=at, duration=0.0))
 
     def _two_hands(self, goal: TwoHandsGoal) -> Outcome[TwoHandsResult]:

@@ -13,7 +13,8 @@ from tandem.skills.grasping.item_frames import standing_in_map, tag_of_item
 from tandem.skills.ports.message import HandName, RobotTime, Vector3
 from tandem.skills.ports.occupancy import Occupancy
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.site import Site
+from tandem.skills.ports.shapes import Shaped
+from tandem.skills.ports.site import Site, SiteItem
 from tandem.skills.ports.world import (
     Box,
     Clutter,
@@ -132,8 +133,8 @@ class Beliefs:
         item = self.site.item(sighting.item)
         if item is None or self.hand_of(sighting.item) is not None or not self._better(sighting):
             return False
-        self._items = recorder.update(self._items, {sighting.item: _fact(sighting, item.size)})
-        box = item_box(sighting.tag_in_map, item.size)
+        self._items = recorder.update(self._items, {sighting.item: _fact(sighting, item)})
+        box = item_box(sighting.tag_in_map, item)
         self._removed.discard(sighting.item)
         self._clutter = clutter.without_item(self._clutter, box)
         if self._left_its_slot(sighting.item, box.pose.position):
@@ -153,18 +154,18 @@ class Beliefs:
         if len(sightings) == 1 and not doubles:
             return self.see(sightings[0])
         if mine is None:
-            mine, doubles = (doubles[0], doubles[1:]) if doubles else (_fact(sightings[0], item.size), ())
+            mine, doubles = (doubles[0], doubles[1:]) if doubles else (_fact(sightings[0], item), ())
             self._items[number] = mine
         known = [mine, *doubles]
-        places = [item_box(fact.tag_in_map, fact.size).pose.position for fact in known]
-        seen = [item_box(each.tag_in_map, item.size).pose.position for each in sightings]
+        places = [item_box(fact.tag_in_map, fact).pose.position for fact in known]
+        seen = [item_box(each.tag_in_map, item).pose.position for each in sightings]
         which = matched(places, seen)
         for index, sighting in enumerate(sightings):
             if which.get(index) == 0:
                 self.see(sighting)
                 continue
-            known.append(_fact(sighting, item.size))
-            self._clutter = clutter.without_item(self._clutter, item_box(sighting.tag_in_map, item.size))
+            known.append(_fact(sighting, item))
+            self._clutter = clutter.without_item(self._clutter, item_box(sighting.tag_in_map, item))
         told_anew = set(which.values())
         self._doubles.put(number, [each for at, each in enumerate(known) if at and at not in told_anew])
         self.version += 1
@@ -279,12 +280,18 @@ class Beliefs:
 
     def attach(self, number: int, side: HandName, item_in_tool: Pose, now: RobotTime) -> None:
         """Put the item into the hand."""
-        size = self._size(number)
+        thing = self._known(number)
         self._held[side] = HeldItem(side=side, item=number, item_in_tool=item_in_tool)
         self._placed.pop(number, None)
         self._removed.discard(number)
         known = self._items.get(number) or ItemFact(
-            item=number, size=size, tag_in_map=Pose(), seen=now, quality=0.0, position_sigma=0.0
+            item=number,
+            size=thing.size,
+            shape=thing.shape,
+            tag_in_map=Pose(),
+            seen=now,
+            quality=0.0,
+            position_sigma=0.0,
         )
         self._items[number] = known.model_copy(update={"held": side})
         self.version += 1
@@ -299,11 +306,12 @@ class Beliefs:
         if item_in_map_now is None:
             self._items.pop(number, None)
         else:
-            size = self._size(number)
+            thing = self._known(number)
             self._items[number] = ItemFact(
                 item=number,
-                size=size,
-                tag_in_map=tag_of_item(item_in_map_now, size[0]),
+                size=thing.size,
+                shape=thing.shape,
+                tag_in_map=tag_of_item(item_in_map_now, thing.size[0]),
                 seen=now,
                 quality=0.5,
                 position_sigma=PUT_DOWN_SIGMA,
@@ -333,7 +341,8 @@ class Beliefs:
             if number not in self._removed:
                 things.append(SceneObject(name=f"item_{number}", kind="item", box=box, item=number))
         for side, held in sorted(self._held.items()):
-            box = Box(size=self._size(held.item), pose=held.item_in_tool)
+            thing = self._known(held.item)
+            box = Box(size=thing.size, pose=held.item_in_tool, shape=thing.shape)
             name = f"item_{held.item}"
             things.append(SceneObject(name=name, kind="item", box=box, item=held.item, attached_to=side))
         return PlanningScene(
@@ -376,7 +385,7 @@ class Beliefs:
             return True
         if age < 0.0:
             return False
-        before, after = (item_box(tag, old.size).pose for tag in (old.tag_in_map, sighting.tag_in_map))
+        before, after = (item_box(tag, old).pose for tag in (old.tag_in_map, sighting.tag_in_map))
         moved = distance(before, after) > MOVED
         return moved or age > AGED or sighting.quality >= MUCH_WORSE * old.quality
 
@@ -392,26 +401,27 @@ class Beliefs:
         """Return the boxes of the items that stand somewhere, by item (two-arm thesis, Algorithm 1)."""
         held = {each.item for each in self._held.values()}
         facts = recorder.scene(self._items, held)
-        return {number: item_box(fact.tag_in_map, fact.size) for number, fact in facts.items()}
+        return {number: item_box(fact.tag_in_map, fact) for number, fact in facts.items()}
 
     def _doubled(self) -> list[tuple[str, Box]]:
         """Return the doubles' boxes with their names; no skill is to take one for the item."""
         return [
-            (f"item_{fact.item}_double_{number}", item_box(fact.tag_in_map, fact.size))
+            (f"item_{fact.item}_double_{number}", item_box(fact.tag_in_map, fact))
             for number, fact in enumerate(self._doubles.facts, start=1)
         ]
 
-    def _size(self, number: int) -> Vector3:
+    def _known(self, number: int) -> SiteItem:
         item = self.site.item(number)
         if item is None:
             raise KeyError(f"no item {number} at site {self.site.name}")
-        return item.size
+        return item
 
 
-def _fact(sighting: Sighting, size: Vector3) -> ItemFact:
+def _fact(sighting: Sighting, item: SiteItem) -> ItemFact:
     return ItemFact(
         item=sighting.item,
-        size=size,
+        size=item.size,
+        shape=item.shape,
         tag_in_map=sighting.tag_in_map,
         seen=sighting.stamp,
         quality=sighting.quality,
@@ -419,12 +429,12 @@ def _fact(sighting: Sighting, size: Vector3) -> ItemFact:
     )
 
 
-def item_box(tag_in_map: Pose, size: Vector3) -> Box:
-    """Return the item's box behind a tag; one that has fallen over is in a cube that holds it."""
-    stands = standing_in_map(tag_in_map, size)
+def item_box(tag_in_map: Pose, thing: Shaped) -> Box:
+    """Return the item behind a tag, with its shape; one that has fallen over is in a cube that holds it."""
+    stands = standing_in_map(tag_in_map, thing)
     if stands is not None:
-        return Box(size=size, pose=stands)
-    edge = max(size)
+        return Box(size=thing.size, pose=stands, shape=thing.shape)
+    edge = max(thing.size)
     out = rotate(tag_in_map.orientation, (0.0, 0.0, -edge / 2.0))
     x, y, z = tag_in_map.position
     middle = (x + out[0], y + out[1], z + out[2])

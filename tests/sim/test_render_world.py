@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -14,7 +15,7 @@ from tandem.sim.render_world import RenderWorld, View, looking_at
 from tandem.sim.robots.registry import robot_model
 from tandem.sim.scene import Label, SceneBody
 from tandem.sim.tags import tags_in_item
-from tandem.sim.things import BoxShape
+from tandem.sim.things import BoxShape, CylinderShape
 from tandem.skills.geometry.poses import about, compose, invert, transform
 from tandem.skills.ports.pose import Pose
 
@@ -37,6 +38,11 @@ def twin(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactor
 def item(yaw: float) -> SceneBody:
     pose = Pose(position=AT, orientation=about((0, 0, 1), yaw))
     return SceneBody("item_29", BoxShape(size=SIZE), pose, 0.1, 0.9, (1, 1, 1), Label(29, EDGE))
+
+
+def tin(yaw: float) -> SceneBody:
+    shape = CylinderShape(radius=SIZE[0] / 2, height=SIZE[2])
+    return replace(item(yaw), shape=shape)
 
 
 def true_corners(body: SceneBody, view: View) -> list[np.ndarray]:
@@ -74,6 +80,32 @@ def test_a_tag_is_read_where_it_is(twin: RenderWorld, distance: float, yaw: floa
         assert number == 29
         # The same corner comes first: neither mirrored nor turned. The pixels' grid is allowed for.
         assert min(np.abs(corners - expected).max() for expected in truth) < 1.6
+
+
+@pytest.mark.parametrize("yaw", [0.0, 0.5, math.pi])
+def test_a_tag_on_a_cylinders_label_is_read_where_it_would_be_on_the_box_about_it(
+    twin: RenderWorld, yaw: float
+) -> None:
+    body = tin(yaw)
+    twin.set_scene((body,))
+    view = View(looking_at((AT[0] + 0.9, AT[1], AT[2] + 0.44), AT), 1280, 720, math.radians(60))
+    seen = detect(twin.draw(view).colour)
+    assert seen
+    truth = true_corners(body, view)
+    assert all(number == 29 for number, _ in seen)
+    assert all(min(np.abs(corners - each).max() for each in truth) < 1.6 for _, corners in seen)
+
+
+def test_a_cylinder_is_round_above_its_labels(twin: RenderWorld) -> None:
+    tall = replace(tin(0.0), shape=CylinderShape(radius=SIZE[0] / 2, height=4 * SIZE[2]))
+    twin.set_scene((tall,))
+    top = AT[2] + 1.7 * SIZE[2]
+    view = View(looking_at((AT[0] + 1.0, AT[1], top), (AT[0], AT[1], top)), 320, 180, math.radians(10))
+    row = twin.draw(view).depth[90]
+    radius = SIZE[0] / 2
+    column = 160 + round(0.8 * radius / (1.0 - 0.6 * radius) * view.focal)
+    assert row[160] == pytest.approx(1.0 - radius, abs=0.002)
+    assert row[column] == pytest.approx(1.0 - 0.6 * radius, abs=0.002)
 
 
 def test_depth_is_metres_along_the_axis(twin: RenderWorld) -> None:

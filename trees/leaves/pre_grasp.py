@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from tandem.skills.grasping.tag_grasps import PITCHES, Grasp, grasp, held_back
+from tandem.skills.grasping.tag_grasps import PITCHES, Grasp, grasps_on
 from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.shapes import Solid, solid
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard
 from tandem.trees.context import TreeContext
@@ -15,24 +15,22 @@ from tandem.trees.leaves.move_hand import move_hand
 
 
 def grasp_candidates(
-    board: FetchBoard, tag_in_map: Pose, size: Vector3, palm: float | None
+    board: FetchBoard, tag_in_map: Pose, shape: Solid, palm: float | None
 ) -> tuple[Candidate, ...]:
-    """Return the ways to grasp an item: one for each pitch that has not failed.
+    """Return the ways to grasp an item: from each direction, one for each pitch that has not failed.
 
     Args:
         board: what has failed.
         tag_in_map: the tag on the face that the hand goes for.
-        size: the item's edges (m), the first along the tag's z.
+        shape: of the item, its x along the tag's z.
         palm: of the gripper (``Gripper.palm``).
     """
-    return tuple(_candidate(each) for each in _grasps(board, tag_in_map, size, palm))
+    return tuple(_candidate(each) for each in _grasps(board, tag_in_map, shape, palm))
 
 
-def _grasps(board: FetchBoard, tag_in_map: Pose, size: Vector3, palm: float | None) -> tuple[Grasp, ...]:
+def _grasps(board: FetchBoard, tag_in_map: Pose, shape: Solid, palm: float | None) -> tuple[Grasp, ...]:
     untried = [pitch for pitch in PITCHES if pitch not in board.pitches_tried]
-    return tuple(
-        grasp(tag_in_map, size[0], pitch, back=held_back(size, pitch, palm)) for pitch in untried or PITCHES
-    )
+    return grasps_on(tag_in_map, shape, untried or PITCHES, palm)
 
 
 def _candidate(way: Grasp) -> Candidate:
@@ -50,7 +48,7 @@ def pre_grasp(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeed
         if lies is not None:
             return lies
         palm = board.palm(context)
-        board.grasps = _grasps(board, board.face_in_map(fact), fact.size, palm)
+        board.grasps = _grasps(board, board.face_in_map(fact), solid(fact), palm)
         return MoveGoal(
             candidates=tuple(_candidate(each) for each in board.grasps),
             touch_item=board.item,

@@ -12,6 +12,7 @@ from tandem.skills.grasping.tag_grasps import proximity_poses
 from tandem.skills.ports.actions.gripper import Grip, GripGoal, GripResult
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.message import HandName, Vector3
+from tandem.skills.ports.shapes import solid
 from tandem.trees.behaviours.side_by_side import SideBySide
 from tandem.trees.board import FetchBoard
 from tandem.trees.branch import branch
@@ -82,7 +83,7 @@ def approach_item(context: TreeContext, board: FetchBoard) -> Behaviour:
         facing = math.atan2(out[1], out[0])
         return Reach(
             bases=proximity_poses(tag.position, facing, hand.work_point, hand.work_heading),
-            candidates=grasp_candidates(board, tag, fact.size, hand.gripper.palm),
+            candidates=grasp_candidates(board, tag, solid(fact), hand.gripper.palm),
             facing=facing,
             hand_width=board.open_width(context),
         )

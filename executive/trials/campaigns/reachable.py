@@ -20,13 +20,14 @@ from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm, Moment
 from tandem.skills.geometry.floor_plan import FloorPlan
 from tandem.skills.grasping.item_frames import face, outward, tag_of_item
-from tandem.skills.grasping.tag_grasps import FINGER_ROOM, PITCHES, grasp, held_back, proximity_poses
+from tandem.skills.grasping.tag_grasps import FINGER_ROOM, PITCHES, grasps_on, proximity_poses
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.actions.base import ARM_MARGIN
 from tandem.skills.ports.hardware import JointStates, RobotDescription
 from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.shapes import Solid, extents, solid
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import PlanningScene, SceneObject
 
@@ -65,10 +66,11 @@ class Reachable:
 
     def _reached(self, item: SceneBody, tag: int, bodies: tuple[SceneBody, ...]) -> bool:
         scene = PlanningScene(stamp=_STAMP, version=1, objects=tuple(_object(body) for body in bodies))
-        size = as_box(item).size
-        front = tag_of_item(item.pose, size[0])
+        shape = solid(as_box(item))
+        depth = extents(shape)[0]
+        front = tag_of_item(item.pose, depth)
         return any(
-            self._reaches(side, face(front, size[0], turns), size, tag, scene)
+            self._reaches(side, face(front, depth, turns), shape, tag, scene)
             for turns in FACES
             for side in self._planners
         )
@@ -77,19 +79,18 @@ class Reachable:
         self,
         side: HandName,
         tag_in_map: Pose,
-        size: tuple[float, float, float],
+        shape: Solid,
         tag: int,
         scene: PlanningScene,
     ) -> bool:
         hand, out = self._description.end_effector(side), outward(tag_in_map)
-        palm = hand.gripper.palm
-        ways = [grasp(tag_in_map, size[0], pitch, back=held_back(size, pitch, palm)) for pitch in PITCHES]
+        ways = grasps_on(tag_in_map, shape, PITCHES, hand.gripper.palm)
         goal = MoveGoal(
             candidates=tuple(
                 Candidate(pose=way.pre_grasp, followed_by=(way.grasp, way.retraction)) for way in ways
             ),
             touch_item=tag,
-            hand_width=size[1] + 2 * FINGER_ROOM,
+            hand_width=extents(shape)[1] + 2 * FINGER_ROOM,
         )
         stands = proximity_poses(
             tag_in_map.position, math.atan2(out[1], out[0]), hand.work_point, hand.work_heading

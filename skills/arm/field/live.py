@@ -11,7 +11,7 @@ from tandem.skills.arm.field.around import Around, split
 from tandem.skills.arm.problem import Arm, Moment
 from tandem.skills.arm.silence import joints_silent
 from tandem.skills.geometry.poses import floor_distance
-from tandem.skills.kinematics.bodies import BoxShape, Obstacle
+from tandem.skills.kinematics.bodies import CellsShape, Obstacle
 from tandem.skills.kinematics.described import carried, home_positions
 from tandem.skills.kinematics.proximity import Proximity
 from tandem.skills.kinematics.transforms import Array
@@ -23,6 +23,7 @@ from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.keys import JOINT_STATES, STOP_STATE, Latest, group_status
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.shapes import extents
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
 
 AHEAD: Final = 0.15
@@ -188,9 +189,9 @@ class Live:
         if stale or goal != self._goal:
             self._goal = goal
             boxes = [
-                (each.pose_in_base, each.shape.size)
+                (each.pose_in_base, extents(each.shape))
                 for each in self._obstacles
-                if isinstance(each.shape, BoxShape)
+                if not isinstance(each.shape, CellsShape)
             ]
             self.around = split(boxes, goal)
 

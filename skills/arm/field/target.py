@@ -83,7 +83,7 @@ class TargetTracker:
         self.heard, self.localised = True, robot.localised
         fact = world.item(goal.item)
         now = robot_seconds(self._clocks)
-        stands = None if fact is None or fact.held else standing_in_map(fact.tag_in_map, fact.size)
+        stands = None if fact is None or fact.held else standing_in_map(fact.tag_in_map, fact)
         if stands is not None:
             self.hidden = False
             self._last = (now, self._steady(stands))

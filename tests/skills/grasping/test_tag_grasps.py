@@ -29,6 +29,7 @@ from tandem.skills.grasping.item_frames import (
 )
 from tandem.skills.grasping.tag_grasps import PALM_ROOM, grasp, held_back, place, proximity_poses
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.world import Box
 
 FACES_SOUTH = from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0))
 TAG = Pose(position=(1.0, 2.0, 0.74), orientation=FACES_SOUTH)
@@ -133,7 +134,7 @@ def test_what_is_put_down_stands_upright_in_its_slot() -> None:
     assert rotate(item.orientation, (0.0, 0.0, 1.0)) == pytest.approx((0.0, 0.0, 1.0))
 
 
-CUBE = (DEPTH, DEPTH, DEPTH)
+CUBE = Box(size=(DEPTH, DEPTH, DEPTH), pose=Pose())
 HALF = DEPTH / 2.0
 
 
@@ -157,8 +158,13 @@ def test_a_cube_with_its_tag_on_top_stands_below_it_with_its_sides_along_the_tag
 @pytest.mark.parametrize("angle", [math.pi / 2, math.pi, -math.pi / 2])
 def test_what_is_no_cube_and_was_rolled_has_fallen_over(angle: float) -> None:
     rolled = Pose(position=TAG.position, orientation=multiply(TAG.orientation, about((0, 0, 1), angle)))
-    assert standing_in_map(rolled, (DEPTH, DEPTH, 0.2)) is None
+    assert standing_in_map(rolled, Box(size=(DEPTH, DEPTH, 0.2), pose=Pose())) is None
     assert upright_in_map(rolled, DEPTH) is None
+
+
+def test_a_cylinder_as_high_as_wide_that_was_rolled_has_fallen_over() -> None:
+    rolled = Pose(position=TAG.position, orientation=multiply(TAG.orientation, about((0, 0, 1), math.pi / 2)))
+    assert standing_in_map(rolled, CUBE.model_copy(update={"shape": "cylinder"})) is None
 
 
 @pytest.mark.parametrize(

@@ -5,10 +5,10 @@ import math
 import pytest
 
 from tandem.skills import site
-from tandem.skills.geometry.poses import rotate
+from tandem.skills.geometry.poses import about, multiply, rotate
 from tandem.skills.grasping.item_frames import tag_of_item
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.world import Clutter, Placed
+from tandem.skills.ports.world import Box, Clutter, Placed
 from tandem.skills.world.beliefs import Beliefs, item_box
 from tests.skills.world.facts import at, cube, sighting, tag
 
@@ -81,8 +81,33 @@ def test_putting_down_tells_where_and_losing_tells_nothing() -> None:
     assert [placed.item for placed in beliefs.state(at(4)).placed] == [29]
 
 
+CUBE = Box(size=(0.06, 0.06, 0.06), pose=Pose())
+
+
+def test_what_arms_must_not_hit_has_the_shape_of_the_item_on_the_table_and_in_the_hand() -> None:
+    beliefs = Beliefs(site.load("pantry"))
+    beliefs.see(sighting(20, tag(0.9, 0.0), 1.0))
+    (standing,) = (each for each in beliefs.scene(at(1)).objects if each.item == 20)
+    assert (standing.box.shape, standing.box.size) == ("cylinder", (0.066, 0.066, 0.09))
+    beliefs.attach(20, "single", Pose(), at(2))
+    (held,) = (each for each in beliefs.scene(at(3)).objects if each.item == 20)
+    assert (held.attached_to, held.box.shape) == ("single", "cylinder")
+    assert beliefs.state(at(3)).items[0].shape == "cylinder"
+
+
+def test_a_cylinder_that_has_fallen_over_is_in_a_cube_that_holds_it() -> None:
+    upright = tag(0.9, 0.0)
+    rolled = Pose(
+        position=upright.position, orientation=multiply(upright.orientation, about((0, 0, 1), math.pi / 2))
+    )
+    item = site.load("pantry").item(20)
+    assert item is not None
+    box = item_box(rolled, item)
+    assert (box.shape, box.size) == ("box", (0.09, 0.09, 0.09))
+
+
 def test_the_tag_of_an_item_is_on_its_x_side() -> None:
-    item = item_box(tag(0.6, 0.5, 0.3), (0.06, 0.06, 0.06)).pose
+    item = item_box(tag(0.6, 0.5, 0.3), CUBE).pose
     back = tag_of_item(item, 0.06)
     assert back.position == pytest.approx(tag(0.6, 0.5, 0.3).position)
     assert rotate(back.orientation, (1, 2, 3)) == pytest.approx(

@@ -91,7 +91,7 @@ def test_a_double_that_a_look_shows_gone_is_forgotten(after: float, left: list[f
     """Not at once: the views of one look are told together, and each shows a part."""
     beliefs = two(0.6, 0.9)
     (double,) = beliefs.state(at(1)).doubles
-    beliefs.look(Clutter(stamp=at(1.0 + after), boxes=(), view=(item_box(double.tag_in_map, double.size),)))
+    beliefs.look(Clutter(stamp=at(1.0 + after), boxes=(), view=(item_box(double.tag_in_map, double),)))
     assert xs(beliefs.state(at(1)).doubles) == left
 
 
