@@ -6,15 +6,13 @@ import math
 
 import pytest
 
+from tandem.executive.trials.campaigns.oracle import IN_SLOT
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.tasks import TaskState
 from tandem.skills.site import load
 from tests.acceptance.course import course
 
 pytestmark = pytest.mark.lockstep
-
-IN_SLOT = 0.03
-"""Metres between slot and item's axis: as near as the trials want boxes."""
 
 
 def test_a_tin_is_taken_from_the_table_and_put_into_its_slot() -> None:
