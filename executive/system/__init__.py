@@ -1,7 +1,9 @@
 """How processes are put together. ``roles/`` has one file for each role.
 
-One process: worker, playing, leased_loop, skill_process, router, isolation, quiet_screen.
-All of them: systems, process_system, processes, births, nursery, crews, hung_processes, lockstep.
+One process: worker, playing, leased_loop, skill_process, router, isolation, command_line,
+    quiet_screen.
+All of them: systems, process_system, processes, births, nursery, deferred_signals, crews,
+    hung_processes, lockstep.
 Plug-ins: plugins, plugin_probe.
 The start: free_endpoint, startup_notice, first_request, declared_reflexes.
 """

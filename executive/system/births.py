@@ -1,4 +1,7 @@
-"""The supervisor's side of the nursery: it asks for processes, which are its own children like all others."""
+"""The supervisor's side of the nursery: it asks for processes, which are its own children like all others.
+
+It never waits for an answer: who was asked for is polled like who is there, and comes to be meanwhile.
+"""
 
 from __future__ import annotations
 
@@ -10,15 +13,21 @@ import signal
 import socket
 import subprocess
 import sys
-from collections.abc import Iterator
+import time
+from collections import deque
+from collections.abc import Callable, Iterator
 from typing import IO, Final
 
+from tandem.executive.system.deferred_signals import signals_later
 from tandem.executive.system.isolation import isolated, python
 
 ROOM: Final = 8192
 """Characters that the nursery's command line has for that of a process which is born."""
 BORN_WITHIN: Final = 20.0
-"""Host seconds in which a nursery answers; it may be loading for several of them on a busy machine."""
+"""Host seconds in which a nursery answers; it may be loading for several of them on a busy machine. Then
+it is killed, and whoever waits for it is started without it."""
+AT_ONCE: Final = 8
+"""Births that are asked for before the first is answered: Linux takes 11 messages that nobody has read."""
 PR_SET_CHILD_SUBREAPER: Final = 36
 ONE_THREAD: Final = {"OPENBLAS_NUM_THREADS": "1"}
 """numpy would start threads as it is loaded, and what has threads must not be forked. A robot's matrices are
@@ -72,6 +81,98 @@ class Born:
             os.kill(self.pid, number)
 
 
+class Birth:
+    """A process that a nursery is asked for, and then what came of it; like ``subprocess.Popen``.
+
+    Args:
+        births: whom it is asked of.
+        settings: the process's.
+        stream: where its words go; open until it is born or not wanted any more.
+        otherwise: starts it without the nursery, where that fails.
+    """
+
+    def __init__(
+        self,
+        births: Births,
+        settings: str,
+        stream: IO[bytes],
+        otherwise: Callable[[], subprocess.Popen[bytes]],
+    ) -> None:
+        self.settings, self.stream = settings, stream
+        self._births, self._otherwise = births, otherwise
+        self._process: subprocess.Popen[bytes] | Born | None = None
+        self._ended: int | None = None
+        """How it ended, when it was ended before it was born."""
+        self._told: signal.Signals | None = None
+        """A signal that came before it was born."""
+
+    @property
+    def born(self) -> bool:
+        """Whether the nursery has made it."""
+        return isinstance(self._process, Born)
+
+    @property
+    def pid(self) -> int | None:
+        """Its process id; None until it is there."""
+        return None if self._process is None else self._process.pid
+
+    @property
+    def returncode(self) -> int | None:
+        """How it ended, as it was last polled."""
+        return self._ended if self._process is None else self._process.returncode
+
+    def poll(self) -> int | None:
+        """Return the exit code, negative for a signal; None while it runs, and until it is born."""
+        if self._process is None:
+            self._births.step()
+        return self._ended if self._process is None else self._process.poll()
+
+    def wait(self, timeout: float | None = None) -> int:
+        """Wait for its end.
+
+        Raises:
+            subprocess.TimeoutExpired: it is not born, or still runs, after ``timeout`` seconds.
+        """
+        deadline = None if timeout is None else time.monotonic() + timeout
+        while self.poll() is None and self._process is None:
+            left = BORN_WITHIN if deadline is None else deadline - time.monotonic()
+            if left <= 0.0:
+                raise subprocess.TimeoutExpired("a birth", timeout or 0.0)
+            self._births.await_answer(left)
+        if self._process is None:
+            return self._ended or 0
+        return self._process.wait(None if deadline is None else max(0.0, deadline - time.monotonic()))
+
+    def terminate(self) -> None:
+        """Tell it to end; one that is not born yet is told then."""
+        self._tell(signal.SIGTERM)
+
+    def kill(self) -> None:
+        """Kill it; one that is not born yet dies then."""
+        self._tell(signal.SIGKILL)
+
+    def come(self, number: int) -> None:
+        """Be this process from now on; 0: be started without the nursery."""
+        if number:
+            self._process = Born(number)
+            if self._told is not None:
+                self._tell(self._told)
+        elif self._told is not None:
+            self.never()
+        else:
+            self._process = self._otherwise()
+
+    def never(self) -> None:
+        """Have ended before it began."""
+        self._ended = -(self._told or signal.SIGTERM)
+
+    def _tell(self, number: signal.Signals) -> None:
+        if self._process is None:
+            self._told = number
+        elif self._process.poll() is None:
+            os.kill(self._process.pid, number)
+
+
 class Births:
     """A nursery. Close it when no more shall be born; those that were go on.
 
@@ -81,7 +182,13 @@ class Births:
 
     def __init__(self, log: IO[bytes] | int) -> None:
         self._line, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        self._line.settimeout(BORN_WITHIN)
+        self._line.setblocking(False)
+        self._queue: deque[Birth] = deque()
+        """Those that are to be asked for."""
+        self._asked: deque[Birth] = deque()
+        """Those that were asked for, in the order in which they are answered."""
+        self._answer_by = 0.0
+        """When the next answer must have come (monotonic seconds)."""
         with theirs:
             self._process = subprocess.Popen(  # noqa: S603 - our own interpreter and our own module
                 python("-m", "tandem.executive.system.nursery", " " * ROOM),
@@ -102,18 +209,29 @@ class Births:
         """Whether it can be asked."""
         return self._process.poll() is None
 
-    def bear(self, settings: str, stream: IO[bytes]) -> Born | None:
-        """Have a process born with these settings; None where that can't be."""
-        if not self.alive:
-            return None
-        try:
-            with _adopting():
-                socket.send_fds(self._line, [settings.encode()], [stream.fileno()])
-                number = int(self._line.recv(32) or b"0")
-        except OSError:
-            self._process.kill()  # late answers would be taken for those of others
-            return None
-        return Born(number) if number else None
+    def bear(
+        self, settings: str, stream: IO[bytes], otherwise: Callable[[], subprocess.Popen[bytes]]
+    ) -> Birth:
+        """Have a process born with these settings; poll what is returned. See ``Birth``."""
+        birth = Birth(self, settings, stream, otherwise)
+        if not self._queue and not self._asked:
+            self._answer_by = time.monotonic() + BORN_WITHIN
+        self._queue.append(birth)
+        self.step()
+        return birth
+
+    def step(self) -> None:
+        """Take in who was born, ask for who is next, give up a nursery that takes too long. Never waits."""
+        with signals_later():
+            self._hear()
+            self._ask()
+            if (self._asked or self._queue) and (time.monotonic() >= self._answer_by or not self.alive):
+                self._give_up()
+            _adopt(bool(self._asked))
+
+    def await_answer(self, seconds: float) -> None:
+        """Wait for a word of the nursery, or for so long."""
+        select.select([self._line], [], [], min(seconds, max(0.0, self._answer_by - time.monotonic())))
 
     def load_ahead(self, role: str) -> None:
         """Load what a role needs, so that its next process begins at once."""
@@ -121,10 +239,57 @@ class Births:
             self._line.send(role.encode())
 
     def close(self) -> None:
-        """End it. Closing twice is allowed."""
+        """End it, and who is not born yet never is. Closing twice is allowed."""
+        if self._line.fileno() < 0:
+            return
+        for birth in self._queue:
+            birth.never()
+        self._queue.clear()
+        for birth in self._asked:
+            birth.terminate()
+        with signals_later():
+            self._give_up()
         self._line.close()
+
+    def _ask(self) -> None:
+        while self._queue and len(self._asked) < AT_ONCE and self.alive:
+            birth = self._queue[0]
+            _adopt(True)
+            try:
+                socket.send_fds(self._line, [birth.settings.encode()], [birth.stream.fileno()])
+            except BlockingIOError:
+                return
+            except OSError:
+                self._process.kill()  # it has closed its end
+                self._process.wait()
+                return
+            self._asked.append(self._queue.popleft())
+
+    def _hear(self) -> None:
+        while self._asked:
+            try:
+                said = self._line.recv(32)
+            except OSError:
+                return  # nothing yet
+            if not said:
+                return
+            self._asked.popleft().come(int(said))
+            self._answer_by = time.monotonic() + BORN_WITHIN
+
+    def _give_up(self) -> None:
+        """Kill it. Whoever is born by then says so; who would say it later can't, and ends (``nursery``)."""
         self._process.kill()
         self._process.wait()
+        with contextlib.suppress(OSError):
+            self._line.shutdown(socket.SHUT_RD)
+        self._hear()
+        self._without()
+        _adopt(False)
+
+    def _without(self) -> None:
+        """Start those without a nursery that wait for it."""
+        while self._asked or self._queue:
+            (self._asked or self._queue).popleft().come(0)
 
 
 @contextlib.contextmanager
@@ -148,12 +313,6 @@ def possible() -> bool:
     return sys.platform == "linux" and hasattr(os, "pidfd_open")
 
 
-@contextlib.contextmanager
-def _adopting() -> Iterator[None]:
-    """Take in processes whose parent ends meanwhile, below this one: they become its children."""
-    prctl = ctypes.CDLL(None).prctl
-    prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
-    try:
-        yield
-    finally:
-        prctl(PR_SET_CHILD_SUBREAPER, 0, 0, 0, 0)
+def _adopt(yes: bool) -> None:  # noqa: FBT001 - as the system's call has it
+    """Take in processes whose parent ends from now on, below this one, as its own children; or no longer."""
+    ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, int(yes), 0, 0, 0)

@@ -10,7 +10,6 @@ its words go to; or, without a file, the name of a role that shall be loaded ahe
 
 from __future__ import annotations
 
-import ctypes
 import gc
 import os
 import socket
@@ -20,6 +19,7 @@ from typing import Final
 
 from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.system import playing, worker
+from tandem.executive.system.command_line import show
 from tandem.executive.system.isolation import python
 from tandem.executive.system.roles.registry import role_named
 
@@ -84,18 +84,24 @@ class Nursery:
                 os.sched_yield()
             os.close(told)
             self._become(settings, log)
-            os.write(tell, str(os.getpid()).encode())
+            try:
+                # Where the supervisor hears nobody any more, nobody may be: it says itself that it is there.
+                self._line.send(str(os.getpid()).encode())
+            except OSError:
+                os._exit(1)
+            self._line.close()
+            os.write(tell, b"1")
             os.close(tell)
             return True
         os.close(tell)
         os.waitpid(between, 0)
-        self._line.send(os.read(told, 32) or b"0")
+        if not os.read(told, 1):
+            self._line.send(b"0")
         os.close(told)
         return False
 
     def _become(self, settings: WorkerSettings, log: int) -> None:
         os.setsid()
-        self._line.detach()
         nothing = os.open(os.devnull, os.O_RDONLY)
         for source, target in ((nothing, 0), (log, 1), (log, 2)):
             os.dup2(source, target)
@@ -112,15 +118,6 @@ def _load(modules: tuple[str, ...]) -> None:
             continue  # of an extra that is not installed: who plays the role says so
     gc.collect()
     gc.freeze()  # a collection would write to all pages, and none would be shared any more
-
-
-def show(words: list[str]) -> None:
-    """Write this process's command line anew, for ``ps`` and for who looks for a role; if there is room."""
-    fields = Path("/proc/self/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
-    start, end = int(fields[45]), int(fields[46])
-    text = b"\0".join(word.encode() for word in words) + b"\0"
-    if start and len(text) <= end - start:
-        ctypes.memmove(start, text.ljust(end - start, b"\0"), end - start)
 
 
 def run() -> None:

@@ -150,8 +150,9 @@ class ProcessSystem:
         self._look_after()
 
     def pids(self) -> dict[str, int]:
-        """Return the processes' ids by role."""
-        return {child.role: child.process.pid for child in self.supervisor.children}
+        """Return the processes' ids by role, of those that are there."""
+        pids = {child.role: child.process.pid for child in self.supervisor.children}
+        return {role: pid for role, pid in pids.items() if pid is not None}
 
     def close(self) -> None:
         """End all processes and remove what they left on disk."""

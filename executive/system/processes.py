@@ -13,14 +13,16 @@ import threading
 import time
 import uuid
 from collections import Counter, deque
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
-from types import FrameType, MappingProxyType
+from types import MappingProxyType
 from typing import IO, Final, Self
 
 from tandem.executive.config.process_settings import REFUSED, UNKEPT, WAIT, WorkerSettings
-from tandem.executive.system.births import Births, Born, possible
+from tandem.executive.system.births import Birth, Births, possible
+from tandem.executive.system.deferred_signals import signals_later
 from tandem.executive.system.isolation import isolated, python
 from tandem.executive.system.roles.registry import role_of
 from tandem.executive.system.roles.role import Kind
@@ -79,7 +81,7 @@ class Child:
 
     settings: WorkerSettings
     log: Path
-    process: subprocess.Popen[bytes] | Born
+    process: subprocess.Popen[bytes] | Birth
     stream: IO[bytes]
     kind: Kind
     """Of its role."""
@@ -139,7 +141,7 @@ class Supervisor:
         """
         self._births = births
         if births is None and possible():
-            with self._log("nursery").open("ab") as stream, _signals_later():
+            with self._log("nursery").open("ab") as stream, signals_later():
                 self._births = Births(stream)
 
     def start(self, settings: WorkerSettings) -> Child:
@@ -150,10 +152,8 @@ class Supervisor:
         self._generations[role] += 1
         born = {"lineage": self.lineage, "generation": self._generations[role]}
         told = settings.model_copy(update={"parent": os.getpid(), **born})
-        with _signals_later():
-            process = self._spare_of(role, told) or self._bear(told, stream)
-            if process is None:
-                process = _launch([told.model_dump_json()], stream, subprocess.DEVNULL)
+        with signals_later():
+            process = self._spare_of(role, told) or self._begin(told, stream)
             child = Child(settings, log, process, stream, kind)
             self.children.append(child)
         if role in self._spare_at:
@@ -164,8 +164,12 @@ class Supervisor:
         spare = self._spares.pop(role, None)
         return None if spare is None or not _tell_settings(spare, told) else spare
 
-    def _bear(self, told: WorkerSettings, stream: IO[bytes]) -> Born | None:
-        return None if self._births is None else self._births.bear(told.model_dump_json(), stream)
+    def _begin(self, told: WorkerSettings, stream: IO[bytes]) -> subprocess.Popen[bytes] | Birth:
+        settings = told.model_dump_json()
+        launch = partial(_launch, [settings], stream, subprocess.DEVNULL)
+        if self._births is None or not self._births.alive:
+            return launch()
+        return self._births.bear(settings, stream, launch)
 
     def logs(self) -> frozenset[Path]:
         """Return the logs of the processes that were started here."""
@@ -199,7 +203,7 @@ class Supervisor:
         now = time.monotonic()
         for role, at in self._spare_at.items():
             if now >= at and role not in self._spares:
-                with self._log(role).open("ab") as stream, _signals_later():
+                with self._log(role).open("ab") as stream, signals_later():
                     self._spares[role] = _launch([WAIT, role.rpartition("/")[2]], stream, subprocess.PIPE)
 
     def child(self, role: str) -> Child:
@@ -234,8 +238,9 @@ class Supervisor:
         times.append(now)
         self.children.remove(child)
         child.stream.close()
-        self._orphans[child.process.pid] = now + FOLLOWERS_END_WITHIN
-        _tell_group(child.process.pid, signal.SIGTERM)
+        if child.process.pid is not None:
+            self._orphans[child.process.pid] = now + FOLLOWERS_END_WITHIN
+            _tell_group(child.process.pid, signal.SIGTERM)
         died = Death(role, child.process.returncode or 0, child.last_words()).describe()[-QUOTED:]
         fresh: dict[str, object] = {"arguments": {}, "died": died, "stop": stop, "stops": dict(stops)}
         self.start(child.settings.model_copy(update=fresh))
@@ -297,30 +302,6 @@ def _kind_of(settings: WorkerSettings) -> Kind:
         return "skills"
 
 
-@contextlib.contextmanager
-def _signals_later() -> Iterator[None]:
-    """Have Ctrl-C and SIGTERM wait: a process that was just started, and is not noted yet, would be left."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    came: list[tuple[int, FrameType | None]] = []
-    numbers = (signal.SIGINT, signal.SIGTERM)
-    handlers = [signal.getsignal(number) for number in numbers]
-    caught = [number for number, known in zip(numbers, handlers, strict=True) if callable(known)]
-    for number in caught:
-        signal.signal(number, lambda which, frame: came.append((which, frame)))
-    try:
-        yield
-    finally:
-        for number, known in zip(numbers, handlers, strict=True):
-            if number in caught:
-                signal.signal(number, known)
-        for which, frame in came:
-            known = signal.getsignal(which)
-            if callable(known):
-                known(which, frame)
-
-
 def _launch(words: list[str], stream: IO[bytes], stdin: int) -> subprocess.Popen[bytes]:
     return subprocess.Popen(  # noqa: S603 - our own interpreter and our own module
         python("-m", "tandem.executive.system.worker", *words),
@@ -359,7 +340,8 @@ def _end(child: Child, deadline: float) -> None:
     except subprocess.TimeoutExpired:
         child.process.kill()
         child.process.wait()
-    _end_group(child.process.pid)
+    if child.process.pid is not None:
+        _end_group(child.process.pid)
     child.stream.close()
 
 

@@ -42,7 +42,7 @@ def stopped(state: Latest[StopState]) -> bool:
 
 
 def replaced(system: ProcessSystem, name: str, dead: int) -> bool:
-    return system.pids()[name] != dead
+    return system.pids().get(name) not in (None, dead)
 
 
 def knows_of(neighbours: Neighbours, name: str) -> bool:

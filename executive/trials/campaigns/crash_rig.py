@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import signal
 from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
@@ -100,7 +98,7 @@ class CrashRig:
         """Kill by SIGKILL: one process, or all."""
         roles = PROCESSES if victim == "all" else (victim,)
         for role in roles:
-            os.kill(self._supervisor.child(role).process.pid, signal.SIGKILL)
+            self._supervisor.child(role).process.kill()
         for role in roles:
             self.bury(role)
 
