@@ -176,11 +176,12 @@ class _Writing:
     ) -> None:
         assert boxes is not None, "only where boxes are kept something is due"
         self._boxes, self._utc, self._facts, self._attachments = boxes, utc, facts, attachments
-        self._span, self._messages = ring.span, ring.messages()
+        self._span, self._kept = ring.span, ring.kept()
 
     def __call__(self) -> None:
+        messages = self._kept.messages()
         try:
-            path = self._boxes.keep(self._utc, self._facts, self._span, self._attachments, self._messages)
+            path = self._boxes.keep(self._utc, self._facts, self._span, self._attachments, messages)
         except OSError as error:
             where = error.filename or self._boxes.folder
             _LOG.error("no black box was written: %s: %s", where, error.strerror or error)

@@ -12,12 +12,15 @@ from typing import TYPE_CHECKING
 
 from tandem.executive.config.extras import words_on
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
+from tandem.executive.system.command_line import show
+from tandem.executive.system.isolation import python
 from tandem.executive.system.roles.registry import part_of, role_named, role_of
 from tandem.executive.system.roles.role import Role, Stage
 from tandem.skills.ports.lease import Claim
 
 if TYPE_CHECKING:
     from tandem.skills.wire.credentials import Credentials
+    from tandem.skills.wire.forked_worker import ForkedWorker
 
 
 def load_ahead(name: str) -> None:
@@ -47,6 +50,7 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
     from tandem.skills.wire.presence import Presence, RivalError  # noqa: PLC0415
     from tandem.skills.wire.zenoh_bus import ZenohBus  # noqa: PLC0415
 
+    worker = _fork_worker(role)  # while there is no session, and no thread of its
     bus = ZenohBus(
         settings.endpoint,
         settings.prefix,
@@ -58,7 +62,7 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         # Settled long before ``process/...`` says that the role is ready to be played.
         presence = Presence(bus, settings.role, claim_of(settings))
         presence.settle(stopped)
-        stage = Stage(settings, bus, presence, stopped)
+        stage = Stage(settings, bus, presence, stopped, worker)
         if role.play is not None:
             role.play(stage)
         else:
@@ -72,6 +76,17 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         ) from rival
     finally:
         bus.close()
+
+
+def _fork_worker(role: Role) -> ForkedWorker | None:
+    """Return the worker of a role that has one from the start; None for the others, and where none can be."""
+    if role.worker == "spawned":
+        return None
+    from tandem.skills.wire.forked_worker import fork_worker  # noqa: PLC0415
+
+    if role.ahead is not None:
+        role.ahead()
+    return fork_worker(lambda: show(python("-m", "tandem.skills.wire.forked_worker", role.name)))
 
 
 def claim_of(settings: WorkerSettings) -> Claim:

@@ -44,7 +44,7 @@ def play_skills(stage: Stage, role: Role) -> None:
     settings, site = stage.settings, load(stage.settings.site)
     if settings.data is not None:
         Path(settings.data).mkdir(parents=True, exist_ok=True)
-    compute = ProcessCompute(stage.bus.waker.wake)
+    compute = ProcessCompute(stage.bus.waker.wake, stage.worker, once=role.worker == "once")
     try:
         description = _ask_description(stage.bus, stage.stopped)
 

@@ -22,6 +22,10 @@ NEVER_WAITS: Final = (
 """What the router does with all that passes, whoever sent it: it drops what a reader has no room for. Of
 large payloads one at a time may wait for room, beside the others' way."""
 
+SHARED: Final = {"pool_size": 6 * 1024 * 1024, "message_size_threshold": LARGE}
+"""Of the memory that processes of a host share: room for three pictures of 640 x 480 with their depth (1.5 MB
+each; one for which there is none is copied), and for nothing smaller. zenoh's own is 16 MB for all above
+3 KB, which hardware, router and perception each touch to the last byte: 48 MB."""
 MOST_AT_ONCE: Final = 64 * 1024 * 1024
 """Bytes of one message that a router takes in; zenoh would keep up to 1 GB of one while its parts come."""
 
@@ -39,7 +43,7 @@ def client_config(
             process 50 times a second for its upkeep, so that only those have it that tell or hear pictures.
     """
     connect = {"endpoints": [endpoint], "timeout_ms": round(patience * 1000), "exit_on_failure": True}
-    entries = {"mode": "client", "connect": connect, "transport/shared_memory/enabled": pictures}
+    entries = {"mode": "client", "connect": connect, **_shared_memory(pictures=pictures)}
     return _config(entries, credentials)
 
 
@@ -59,6 +63,7 @@ def router_config(
     """
     entries: dict[str, object] = {
         "mode": "router",
+        **_shared_memory(pictures=True),
         "transport/link/rx/max_message_size": MOST_AT_ONCE,
         "listen": {"endpoints": list(endpoints), "exit_on_failure": True},
     }
@@ -77,6 +82,13 @@ def router_config(
     if bounds is not None:
         entries["low_pass_filter"] = json.loads(bounds)
     return _config(entries, credentials)
+
+
+def _shared_memory(*, pictures: bool) -> dict[str, object]:
+    return {
+        "transport/shared_memory/enabled": pictures,
+        **{f"transport/shared_memory/transport_optimization/{name}": value for name, value in SHARED.items()},
+    }
 
 
 def _config(entries: Mapping[str, object], credentials: Credentials | None) -> zenoh.Config:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import multiprocessing
+import threading
 from collections.abc import Callable
-from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Generic
 
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.compute import Argument, Job, Result
+from tandem.skills.wire.forked_worker import ForkedWorker
 
 
 @dataclass(frozen=True)
@@ -28,12 +30,22 @@ class ProcessJob(Generic[Result]):
 
 
 class ProcessCompute:
-    """One worker process, started with the first work. ``wake`` is called when a result is there."""
+    """One worker process: one that was forked, while it lives, else one that is spawned with the next work.
 
-    def __init__(self, wake: Callable[[], None]) -> None:
-        """Remember whom to wake."""
-        self._wake = wake
-        self._pool: ProcessPoolExecutor | None = None
+    Args:
+        wake: called when a result is there.
+        worker: was forked before this process had threads.
+        once: whether the worker ends when it has nothing to do: more will hardly come.
+    """
+
+    def __init__(
+        self, wake: Callable[[], None], worker: ForkedWorker | None = None, *, once: bool = False
+    ) -> None:
+        self._wake, self._worker, self._once = wake, worker, once
+        self._pool: Executor | None = None
+        self._under_way = 0
+        self._lock = threading.RLock()
+        """Results come in another thread; what is cancelled ends in the one that cancels."""
 
     def submit(
         self,
@@ -43,19 +55,48 @@ class ProcessCompute:
         cost: float,  # noqa: ARG002 - real work costs what it costs
     ) -> Job[Result]:
         """Start the work."""
-        if self._pool is None:
-            self._pool = ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn"))
-        future = self._pool.submit(function, argument)
-        future.add_done_callback(lambda _: self._wake())
+        worker = self._worker
+        with self._lock:
+            if worker is not None and not worker.there:
+                worker = self._worker = None
+                self._end_pool()
+            if self._pool is None:
+                self._pool = _spawned() if worker is None else ThreadPoolExecutor(1)
+            self._under_way += 1
+            future = self._pool.submit(
+                *((function, argument) if worker is None else (worker.run, function, argument))
+            )
+        future.add_done_callback(self._ended)
         return ProcessJob(future)
 
     def close(self) -> None:
         """End the worker, whatever it is at: a process that is told to end must not wait for its work."""
-        if self._pool is not None:
-            self._pool.shutdown(wait=False, cancel_futures=True)
-            self._pool = None
+        with self._lock:
+            if self._worker is not None:
+                self._worker.kill()
+            spawned = self._worker is None and self._pool is not None
+            self._end_pool()
+        if spawned:
             for child in multiprocessing.active_children():  # the pool's worker: this process starts no other
                 child.terminate()
+
+    def _ended(self, _: Future[Result]) -> None:
+        with self._lock:
+            self._under_way -= 1
+            if self._once and not self._under_way:
+                if self._worker is not None:
+                    self._worker.kill()
+                self._end_pool()
+        self._wake()
+
+    def _end_pool(self) -> None:
+        pool, self._pool = self._pool, None
+        if pool is not None:
+            pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _spawned() -> Executor:
+    return ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn"))
 
 
 @dataclass(frozen=True)

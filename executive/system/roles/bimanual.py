@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Sequence
 
 from tandem.executive.config.extras import SKILLS
@@ -31,6 +32,10 @@ def _nodes(at: Surroundings) -> Sequence[Node]:
     ]
 
 
+def _load() -> None:
+    importlib.import_module("tandem.skills.bimanual.process")
+
+
 def _needed(description: RobotDescription) -> bool:
     return set(PAIR) <= set(description.hands)
 
@@ -43,6 +48,8 @@ ROLES = (
         extra=SKILLS,
         needed=_needed,
         nodes=_nodes,
+        ahead=_load,
+        worker="once",  # the workspace zones are found at the start
         rights=skill_rights(
             tells=("hw/group/*/setpoint",),
             asks=("hw/group/*/goal", "hw/group/*/cancel", "hw/gripper/*/command"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Sequence
 
 from tandem.executive.config.extras import SKILLS
@@ -27,6 +28,10 @@ def _nodes(at: Surroundings) -> Sequence[Node]:
     )
 
 
+def _load() -> None:
+    importlib.import_module("tandem.skills.perception.process")
+
+
 def _needed(description: RobotDescription) -> bool:
     return bool(description.cameras)
 
@@ -40,6 +45,8 @@ ROLES = (
         needed=_needed,
         pictures=True,
         nodes=_nodes,
+        ahead=_load,
+        worker="forked",
         rights=skill_rights(tells=("world/**",), asks=("hw/group/*/goal", "hw/group/*/cancel")),
     ),
 )

@@ -22,12 +22,18 @@ from tandem.skills.ports.node import Node
 from tandem.skills.ports.site import Site
 
 if TYPE_CHECKING:
+    from tandem.skills.wire.forked_worker import ForkedWorker
     from tandem.skills.wire.presence import Presence
     from tandem.skills.wire.zenoh_bus import ZenohBus
 
 Kind = Literal["router", "hardware", "skills", "executive", "observer", "recorder"]
 """Whose certificate a role shows, where keys are used: an observer that of the skills, a recorder that of the
 supervisor, which hears everything too."""
+
+Worker = Literal["spawned", "forked", "once"]
+"""A worker process beside a process of skills. ``spawned``: with the first work, which hardly ever comes.
+``forked``: there from the start, for work that comes again and again. ``once``: forked, too, and ended when
+it has done what the start asks of it."""
 
 
 @dataclass(frozen=True)
@@ -62,12 +68,14 @@ class Stage:
         bus: its end of the bus; a router has none.
         presence: its claim, which is settled.
         stopped: says when to end.
+        worker: see ``Role.worker``.
     """
 
     settings: WorkerSettings
     bus: ZenohBus
     presence: Presence
     stopped: Callable[[], bool]
+    worker: ForkedWorker | None = None
 
 
 def always(description: RobotDescription) -> bool:  # noqa: ARG001 - as the others are called
@@ -100,7 +108,10 @@ class Role:
     on_request: bool = False
     """Whether it is started only when somebody asks for it."""
     ahead: Callable[[], None] | None = None
-    """Loads what playing the role will need, in a process that waits to take the place of a dead one."""
+    """Loads what playing the role will need: in a process that waits to take the place of a dead one, and
+    before a worker is forked."""
+    worker: Worker = "spawned"
+    """Skills: where work is done that can't be sliced."""
 
 
 @dataclass(frozen=True)

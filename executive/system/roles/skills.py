@@ -6,6 +6,7 @@ theirs, so that one that can't be trusted takes no other with it.
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Iterable, Sequence
 from typing import Final
 
@@ -33,6 +34,11 @@ def _nodes(at: Surroundings) -> Sequence[Node]:
     return [node for role in skill_roles(at.description) if role.nodes is not None for node in role.nodes(at)]
 
 
+def _load() -> None:
+    importlib.import_module("tandem.skills.perception.process")
+    importlib.import_module("tandem.skills.bimanual.process")
+
+
 ROLES = (
     Role(
         name=NAME,
@@ -41,6 +47,8 @@ ROLES = (
         extra=SKILLS,
         pictures=True,
         nodes=_nodes,
+        ahead=_load,
+        worker="forked",
         rights=skill_rights(),  # all that any role of skills may: they share a certificate
         on_request=True,
     ),

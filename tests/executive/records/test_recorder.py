@@ -16,7 +16,7 @@ from tandem.executive.records.json_schemas import JsonSchemas
 from tandem.executive.records.known import ALIVE
 from tandem.executive.records.recording import Recorded, Recording, Span, open_recording
 from tandem.executive.records.recording_sink import Bounds, RecordingSink
-from tandem.executive.records.ring import Ring
+from tandem.executive.records.ring import BLOCK, Ring
 from tandem.skills.ports.match import matches
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.records import TASK_RECORDS, AskRecords, RecordingState
@@ -216,6 +216,22 @@ def test_the_ring_is_bounded(ring: Callable[[], Ring], left: int) -> None:
         made.add(message)
     assert len(made.messages()) == left + 1  # and the last one from before
     assert made.span.end == 99.0
+
+
+def test_the_ring_packs_what_it_holds_and_returns_it_as_it_was() -> None:
+    ring, said = Ring(seconds=1e9), [*moments(3 * BLOCK + 7)]
+    for message in said:
+        ring.add(message)
+    assert ring.messages() == said
+    assert len(ring.kept().blocks) == 2  # the oldest is open, for what goes next
+    assert len(ring.kept().blocks[0]) < sum(len(each.payload) for each in said[:BLOCK])
+
+
+def test_the_ring_lets_go_of_one_message_at_a_time_out_of_what_it_packed() -> None:
+    ring = Ring(seconds=1.5 * BLOCK)
+    for message in moments(3 * BLOCK):
+        ring.add(message)
+    assert ring.span == Span(1.5 * BLOCK - 1.0, 3.0 * BLOCK - 1.0)
 
 
 def test_the_ring_keeps_a_minute_of_both_clocks() -> None:
