@@ -16,6 +16,7 @@ import sys
 import time
 from collections import deque
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import IO, Final
 
 from tandem.executive.system.deferred_signals import signals_later
@@ -24,8 +25,12 @@ from tandem.executive.system.isolation import isolated, python
 ROOM: Final = 8192
 """Characters that the nursery's command line has for that of a process which is born."""
 BORN_WITHIN: Final = 20.0
-"""Host seconds in which a nursery answers; it may be loading for several of them on a busy machine. Then
-it is killed, and whoever waits for it is started without it."""
+"""Host seconds in which a nursery answers, or at least computes: on a busy machine it may be loading for as
+long. Otherwise it is killed, and whoever waits for it is started without it."""
+WORKS: Final = 0.1
+"""Processor seconds of that time from which on it computes: what hangs takes none."""
+PATIENCE: Final = 3
+"""Times that it may compute for so long without an answer; loading takes some 3 s of a processor."""
 AT_ONCE: Final = 8
 """Births that are asked for before the first is answered: Linux takes 11 messages that nobody has read."""
 PR_SET_CHILD_SUBREAPER: Final = 36
@@ -189,6 +194,7 @@ class Births:
         """Those that were asked for, in the order in which they are answered."""
         self._answer_by = 0.0
         """When the next answer must have come (monotonic seconds)."""
+        self._computed, self._patience = 0.0, PATIENCE
         with theirs:
             self._process = subprocess.Popen(  # noqa: S603 - our own interpreter and our own module
                 python("-m", "tandem.executive.system.nursery", " " * ROOM),
@@ -215,7 +221,7 @@ class Births:
         """Have a process born with these settings; poll what is returned. See ``Birth``."""
         birth = Birth(self, settings, stream, otherwise)
         if not self._queue and not self._asked:
-            self._answer_by = time.monotonic() + BORN_WITHIN
+            self._wait_anew()
         self._queue.append(birth)
         self.step()
         return birth
@@ -225,7 +231,7 @@ class Births:
         with signals_later():
             self._hear()
             self._ask()
-            if (self._asked or self._queue) and (time.monotonic() >= self._answer_by or not self.alive):
+            if (self._asked or self._queue) and (not self.alive or self._hangs()):
                 self._give_up()
             _adopt(bool(self._asked))
 
@@ -274,7 +280,18 @@ class Births:
             if not said:
                 return
             self._asked.popleft().come(int(said))
-            self._answer_by = time.monotonic() + BORN_WITHIN
+            self._wait_anew()
+
+    def _wait_anew(self) -> None:
+        self._answer_by, self._patience = time.monotonic() + BORN_WITHIN, PATIENCE
+
+    def _hangs(self) -> bool:
+        """Say whether it has neither answered nor computed for too long; it may do the latter a few times."""
+        if time.monotonic() < self._answer_by:
+            return False
+        before, self._computed = self._computed, _processor_seconds(self._process.pid)
+        self._answer_by, self._patience = time.monotonic() + BORN_WITHIN, self._patience - 1
+        return self._patience < 0 or self._computed - before < WORKS
 
     def _give_up(self) -> None:
         """Kill it. Whoever is born by then says so; who would say it later can't, and ends (``nursery``)."""
@@ -311,6 +328,15 @@ def begun() -> Iterator[Births | None]:
 def possible() -> bool:
     """Say whether this system can do it."""
     return sys.platform == "linux" and hasattr(os, "pidfd_open")
+
+
+def _processor_seconds(pid: int) -> float:
+    """Return what a process has computed; 0 when it is gone."""
+    try:
+        fields = Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+    except OSError:
+        return 0.0
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def _adopt(yes: bool) -> None:  # noqa: FBT001 - as the system's call has it
