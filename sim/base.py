@@ -64,7 +64,9 @@ class BaseController:
         """Return the wheels' speeds (rad/s) for the next period, in the order of ``wheels.joints``."""
         linear, angular = self._wish if self._age <= self._drive.dead_man + 1e-9 else (0.0, 0.0)
         self._age += period
-        self.linear = _towards(self.linear, linear, self._drive.acceleration * period)
+        # Told to stand at once, it uses its brakes; who slows down step by step is not told so.
+        most = self._drive.hardest if linear == 0.0 else self._drive.acceleration
+        self.linear = _towards(self.linear, linear, most * period)
         self.angular = _towards(self.angular, angular, self._drive.turn_acceleration * period)
         sideways = self.angular * self._wheels.track / 2.0
         left, right = (way / self._wheels.radius for way in (self.linear - sideways, self.linear + sideways))

@@ -84,9 +84,14 @@ def break_hardware(standing: Sequence[Standing], link: FaultyLink, hardware: Har
 def _ranges(
     kind: type[RangeSilent | RangeStuck], faults: Sequence[Fault], robot: RobotDescription
 ) -> frozenset[str]:
-    """Return the range sensors that faults of a kind are about."""
+    """Return the range and cliff sensors that faults of a kind are about."""
     meant = [fault.sensor for fault in faults if isinstance(fault, kind)]
-    return frozenset(each.name for each in robot.range_sensors if None in meant or each.name in meant)
+    return frozenset(name for name in _down_or_ahead(robot) if None in meant or name in meant)
+
+
+def _down_or_ahead(robot: RobotDescription) -> list[str]:
+    """Return the names of the range sensors and of the cliff sensors."""
+    return [each.name for each in robot.range_sensors] + [each.name for each in robot.cliff_sensors]
 
 
 def _stalls(each: Standing, robot: RobotDescription) -> list[tuple[str, JointStall]]:
@@ -141,9 +146,11 @@ def _bumper_misfit(fault: BumperPressed, robot: RobotDescription) -> str:
 
 
 def _range_misfit(fault: RangeSilent | RangeStuck, robot: RobotDescription) -> str:
-    there = [each.name for each in robot.range_sensors]
+    there = _down_or_ahead(robot)
     if not there:
-        return f"kind: expected a robot with range sensors, found {robot.name}, which has none"
+        return (
+            f"kind: expected a robot with range sensors or cliff sensors, found {robot.name}, which has none"
+        )
     if fault.sensor is None or fault.sensor in there:
         return ""
     return f"sensor: expected one of {', '.join(there)}, found {fault.sensor}"

@@ -127,14 +127,14 @@ class LaserSilent(_Lasting):
 
 
 class RangeSilent(_Lasting):
-    """A range sensor tells nothing; without a name: all of them."""
+    """A range or a cliff sensor tells nothing; without a name: all of them."""
 
     kind: Literal["range_silent"] = "range_silent"
     sensor: PartName | None = None
 
 
 class RangeStuck(_Lasting):
-    """A range sensor repeats its last distance, with new stamps; without a name: all of them."""
+    """A range or a cliff sensor repeats its last distance, with new stamps; without a name: all of them."""
 
     kind: Literal["range_stuck"] = "range_stuck"
     sensor: PartName | None = None

@@ -19,6 +19,8 @@ SOFT_DAMPING: Final = 0.01
 
 Rays = Sequence[Sequence[float]]
 
+FLOOR_EDGE: Final = 60.0
+"""Metres from the map's origin to which a floor with a hole reaches: beyond every room of a scenario."""
 GRAVITY: Final = 9.81
 """m/s2, along -z."""
 
@@ -115,6 +117,34 @@ class Physics:
     def add_floor(self, *, friction: float = 1.0) -> int:
         """Lay an endless floor at z = 0 and return its body."""
         shape = pybullet.createCollisionShape(pybullet.GEOM_PLANE, physicsClientId=self.client)
+        body: int = pybullet.createMultiBody(0.0, shape, physicsClientId=self.client)
+        self.set_surface(body, -1, friction=friction)
+        return body
+
+    def add_floor_around(
+        self, lower: tuple[float, float], upper: tuple[float, float], depth: float, *, friction: float = 1.0
+    ) -> int:
+        """Lay a floor at z = 0 with a rectangle that lies ``depth`` metres lower; return its one body.
+
+        Four slabs about the rectangle, ``FLOOR_EDGE`` long, and one below it.
+        """
+        (x0, y0), (x1, y1), far = lower, upper, FLOOR_EDGE
+        slabs = (
+            ((-far, -far), (x0, far), 0.0),
+            ((x1, -far), (far, far), 0.0),
+            ((x0, -far), (x1, y0), 0.0),
+            ((x0, y1), (x1, far), 0.0),
+            (lower, upper, -depth),
+        )
+        thick = depth + 0.1
+        shape = pybullet.createCollisionShapeArray(
+            shapeTypes=[pybullet.GEOM_BOX] * len(slabs),
+            halfExtents=[[(b[0] - a[0]) / 2, (b[1] - a[1]) / 2, thick / 2] for a, b, _ in slabs],
+            collisionFramePositions=[
+                [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, top - thick / 2] for a, b, top in slabs
+            ],
+            physicsClientId=self.client,
+        )
         body: int = pybullet.createMultiBody(0.0, shape, physicsClientId=self.client)
         self.set_surface(body, -1, friction=friction)
         return body

@@ -18,7 +18,7 @@ from tandem.sim.demonstration import Demonstration
 from tandem.sim.faults import Fault
 from tandem.sim.people import MOST_PEOPLE, Person
 from tandem.sim.starts import ALONE, MOST_ROBOTS, ROBOT, RobotStart
-from tandem.sim.things import Angle, Coordinate, Name, Obstacle, TrueItem
+from tandem.sim.things import Angle, Coordinate, Drop, Name, Obstacle, TrueItem
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.sources import DocumentError, Source
@@ -87,6 +87,8 @@ class Scenario(Message):
     """Where the only robot starts. Read ``placed``, which has both forms."""
     items: tuple[TrueItem, ...] = ()
     obstacles: tuple[Obstacle, ...] = ()
+    drop: Drop | None = None
+    """Where the floor is lower, which nobody has told the robot."""
     people: Annotated[tuple[Person, ...], Field(max_length=MOST_PEOPLE)] = ()
     """Who walks about in the room."""
     noise: Noise = Noise()
@@ -127,6 +129,14 @@ class Scenario(Message):
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:
                 raise ValueError(f"duplicate {what}: {', '.join(twice)}")
+        return self
+
+    @model_validator(mode="after")
+    def _on_the_floor(self) -> Scenario:
+        if self.drop is not None:
+            for each in self.placed:
+                if self.drop.has(each.start.x, each.start.y):
+                    raise ValueError(f"drop: expected it elsewhere than where {each.name} starts")
         return self
 
     @model_validator(mode="after")

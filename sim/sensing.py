@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from tandem.sim.cliff_sensor import CliffFinder
 from tandem.sim.pose_sensor import PoseFinder, floor_pose
 from tandem.sim.range_sensor import RangeFinder
 from tandem.sim.robot_sensor import RobotFinder
-from tandem.sim.sensor_nodes import PoseNode, RangesNode, RobotsNode
+from tandem.sim.sensor_nodes import PoseNode, RangesNode, RobotsNode, cliffs_node, ranges_node
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -33,9 +34,10 @@ def sensor_nodes(
     noise: Noise,
     ranging: np.random.Generator,
     posing: np.random.Generator,
+    falling: np.random.Generator,
     others: Callable[[], Mapping[str, FloorPose]],
 ) -> tuple[RangesNode | PoseNode | RobotsNode, ...]:
-    """Return the nodes of a robot's range, pose and robot sensors.
+    """Return the nodes of a robot's range, cliff, pose and robot sensors.
 
     Args:
         bus: where they publish.
@@ -43,12 +45,15 @@ def sensor_nodes(
         noise: ``range_sigma`` of it; a pose sensor's errors stand in its description.
         ranging: source of the range sensors' errors.
         posing: source of the pose sensors' errors.
+        falling: source of the cliff sensors' flicker.
         others: returns the other robots' bases in map, by name.
     """
     description, sigma = robot.model.description, noise.range_sigma
     ranges = [RangeFinder(robot, each, sigma=sigma, rng=ranging) for each in description.range_sensors]
+    cliffs = [CliffFinder(robot, each, rng=falling) for each in description.cliff_sensors]
     return (
-        *([RangesNode(bus, ranges)] if ranges else []),
+        *([ranges_node(bus, ranges)] if ranges else []),
+        *([cliffs_node(bus, cliffs)] if cliffs else []),
         *(PoseNode(bus, PoseFinder(robot, each, rng=posing)) for each in description.pose_sensors),
         *(RobotsNode(bus, RobotFinder(robot, each, others=others)) for each in description.robot_sensors),
     )

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Protocol
 
 from tandem.skills.ports import keys
-from tandem.skills.ports.sensors import PoseReading, RangeReading, Ranges, RobotsSeen
+from tandem.skills.ports.sensors import Cliffs, PoseReading, RangeReading, Ranges, RobotsSeen
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from tandem.sim.pose_sensor import PoseFinder
-    from tandem.sim.range_sensor import RangeFinder
     from tandem.sim.robot_sensor import RobotFinder
     from tandem.skills.ports.bus import Bus
     from tandem.skills.ports.message import RobotTime
+    from tandem.skills.ports.sensors import CliffSensor, RangeSensor
 
 SLACK: Final = 1e-6
 """Seconds that sums of periods may be off by."""
@@ -38,16 +38,31 @@ class _Due:
         return True
 
 
+class Finder(Protocol):
+    """Measures a distance with one sensor."""
+
+    @property
+    def sensor(self) -> RangeSensor | CliffSensor:
+        """What it is."""
+        ...
+
+    def measure(self) -> float:
+        """Return metres."""
+        ...
+
+
 class RangesNode:
-    """Publishes the last reading of each range sensor whenever one has measured.
+    """Tells the last reading of each range sensor, or of each cliff sensor, whenever one has measured.
 
     Args:
-        bus: where readings go.
         finders: one for each sensor.
+        tell: publishes the readings.
     """
 
-    def __init__(self, bus: Bus, finders: Sequence[RangeFinder]) -> None:
-        self._bus = bus
+    def __init__(
+        self, finders: Sequence[Finder], tell: Callable[[RobotTime, tuple[RangeReading, ...]], None]
+    ) -> None:
+        self._tell = tell
         self._finders = [(each, _Due(each.sensor.period)) for each in finders]
         self._last: dict[str, float] = {}
         self.silent: frozenset[str] = frozenset()
@@ -68,7 +83,17 @@ class RangesNode:
                 for name, distance in self._last.items()
                 if name not in self.silent
             )
-            keys.RANGES.publish(self._bus, Ranges(stamp=now, readings=told))
+            self._tell(now, told)
+
+
+def ranges_node(bus: Bus, finders: Sequence[Finder]) -> RangesNode:
+    """Return the node of the range sensors."""
+    return RangesNode(finders, lambda now, told: keys.RANGES.publish(bus, Ranges(stamp=now, readings=told)))
+
+
+def cliffs_node(bus: Bus, finders: Sequence[Finder]) -> RangesNode:
+    """Return the node of the cliff sensors."""
+    return RangesNode(finders, lambda now, told: keys.CLIFFS.publish(bus, Cliffs(stamp=now, readings=told)))
 
 
 class PoseNode:

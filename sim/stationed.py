@@ -176,6 +176,7 @@ class StationedRobot:
             noise=noise,
             ranging=self._rng(4),
             posing=self._rng(5),
+            falling=self._rng(6),
             others=lambda: others_in(world, self.body),
         )
         return (*lasers, *others, *self.cameras)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, Final, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from tandem.skills.ports import shapes
 from tandem.skills.ports.message import Message
@@ -70,6 +70,28 @@ def shape_of(solid: Solid) -> BoxShape | CylinderShape:
 
 
 Shape = Annotated[BoxShape | CylinderShape, Field(discriminator="kind")]
+
+
+class Drop(Message):
+    """A part of the floor that lies lower, such as a step down or an open hatch: no site file has it.
+
+    ``lower`` and ``upper`` are opposite corners in map (m). Cameras don't see it: the floor is drawn whole.
+    """
+
+    lower: tuple[Coordinate, Coordinate]
+    upper: tuple[Coordinate, Coordinate]
+    depth: Annotated[float, Field(ge=0.02, le=2.0)] = 0.15
+    """Metres."""
+
+    @model_validator(mode="after")
+    def _ordered(self) -> Drop:
+        if self.lower[0] >= self.upper[0] or self.lower[1] >= self.upper[1]:
+            raise ValueError("each coordinate of lower must be below that of upper")
+        return self
+
+    def has(self, x: float, y: float) -> bool:
+        """Say whether a place in map (m) is in it."""
+        return self.lower[0] < x < self.upper[0] and self.lower[1] < y < self.upper[1]
 
 
 class Obstacle(Message):

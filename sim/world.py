@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from tandem.sim.crowd import PersonTouch
     from tandem.sim.physics import Physics
     from tandem.sim.scenario import Scenario
+    from tandem.sim.things import Drop
     from tandem.sim.walker_body import WalkerBody
     from tandem.skills.ports.site import Site
 
@@ -37,9 +38,13 @@ class World:
     ``revision`` counts such changes, so that a drawing of the world knows when it is out of date.
     """
 
-    def __init__(self, physics: Physics) -> None:
+    def __init__(self, physics: Physics, drop: Drop | None = None) -> None:
         self.physics = physics
-        self.floor = physics.add_floor()
+        self.floor = (
+            physics.add_floor()
+            if drop is None
+            else physics.add_floor_around(drop.lower, drop.upper, drop.depth)
+        )
         self.revision = 0
         self._bodies: dict[str, SceneBody] = {}
         self._ids: dict[str, int] = {}
@@ -139,7 +144,7 @@ def spawn(physics: Physics, site: Site, scenario: Scenario) -> World:
     Raises:
         ScenarioError: when the scenario doesn't fit the site.
     """
-    world = World(physics)
+    world = World(physics, scenario.drop)
     for body in build_scene(site, scenario):
         world.put(body)
     return world

@@ -60,6 +60,7 @@ def _frames(robot: RobotDescription) -> list[tuple[str, str]]:
         *((f"the frame of camera {camera.name}", camera.frame) for camera in robot.cameras),
         *((f"the frame of laser {laser.name}", laser.frame) for laser in robot.lasers),
         *((f"the frame of range sensor {each.name}", each.frame) for each in robot.range_sensors),
+        *((f"the frame of cliff sensor {each.name}", each.frame) for each in robot.cliff_sensors),
         *((f"the frame of robot sensor {each.name}", each.frame) for each in robot.robot_sensors),
     ]
 

@@ -22,7 +22,7 @@ from tandem.skills.ports.keys import Topic
 from tandem.skills.ports.lease import Leases
 from tandem.skills.ports.message import Message, RobotTime, RobotTimer
 from tandem.skills.ports.picture_header import split
-from tandem.skills.ports.sensors import Bumpers, LaserScan, PoseReading, Ranges, RobotsSeen
+from tandem.skills.ports.sensors import Bumpers, Cliffs, LaserScan, PoseReading, Ranges, RobotsSeen
 
 if TYPE_CHECKING:
     from tandem.skills.ports.bus import Bus
@@ -42,6 +42,7 @@ AnyTopic = (
     | Topic[Wrench]
     | Topic[LaserScan]
     | Topic[Ranges]
+    | Topic[Cliffs]
     | Topic[PoseReading]
     | Topic[RobotsSeen]
 )
@@ -52,6 +53,7 @@ ALWAYS: Final = (
     keys.ODOMETRY.key,
     keys.BUMPERS.key,
     keys.RANGES.key,
+    keys.CLIFFS.key,
     keys.POSE_READING.key,
     keys.ROBOTS_SEEN.key,
     keys.STOP_STATE.key,
@@ -141,7 +143,7 @@ class Recording:
 def topics(robot: RobotDescription) -> tuple[Topic[Message], ...]:
     """Return the topics on which a robot may tell something."""
     driven = () if robot.drive is None else (keys.ODOMETRY, keys.BUMPERS)
-    seen = (keys.RANGES, keys.POSE_READING, keys.ROBOTS_SEEN)
+    seen = (keys.RANGES, keys.CLIFFS, keys.POSE_READING, keys.ROBOTS_SEEN)
     return (
         *(
             _any(topic)

@@ -1,4 +1,4 @@
-"""Clauses about lasers, cameras and odometry."""
+"""Clauses about lasers, cliff sensors, cameras and odometry."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from tandem.executive.conformance.clause import Broken, Clause, Skip, Steps
 from tandem.executive.conformance.recording import Pictures
+from tandem.skills.geometry.chain import Chain
 from tandem.skills.ports import keys
 
 if TYPE_CHECKING:
@@ -23,6 +24,8 @@ PICTURES: Final = 2
 FOCAL: Final = 0.02
 """Share by which a focal length may differ from the described field of view: 1 cm in 50 cm sideways, which is
 what a hand forgives."""
+FLOOR: Final = 0.02
+"""Metres by which a cliff sensor may be off over an even floor: within it, a base at an edge goes on."""
 ODOMETRY_WITHIN: Final = 0.5
 """Robot seconds without odometry after which the base brakes."""
 JUMP: Final = (0.03, 0.05)
@@ -44,6 +47,25 @@ def _lasers(bench: Bench) -> Steps:
         mean = sum(steps) / len(steps)
         if abs(mean - laser.period) > SCAN_JITTER * laser.period:
             raise Broken(f"a scan every {laser.period:g} s on {topic.key}", f"one every {mean:.3f} s")
+    yield
+
+
+def _cliffs(bench: Bench) -> Steps:
+    if not bench.robot.cliff_sensors:
+        raise Skip("the robot has no cliff sensor")
+    told = bench.recording.messages(keys.CLIFFS)
+    for sensor in bench.robot.cliff_sensors:
+        read = [(each.stamp, far) for each in told if (far := each.of(sensor.name)) is not None]
+        if len(read) < 2:  # noqa: PLR2004 - a period lies between two
+            raise Broken(f"readings of {sensor.name} on {keys.CLIFFS.key}", f"{len(read)}")
+        mean = (read[-1][0].since(read[0][0]) or 0.0) / (len(read) - 1)
+        if mean > (1.0 + SCAN_JITTER) * sensor.period:
+            raise Broken(f"a reading of {sensor.name} every {sensor.period:g} s", f"one every {mean:.3f} s")
+        mount = Chain.from_urdf(bench.robot.urdf, bench.robot.base_frame, sensor.frame).pose({})
+        height = mount.position[2]
+        worst = max((far for _, far in read), key=lambda far: abs(far - height))
+        if abs(worst - height) > FLOOR:
+            raise Broken(f"{sensor.name} to read {height:.3f} m over an even floor", f"{worst:.3f} m")
     yield
 
 
@@ -124,6 +146,12 @@ CLAUSES: Final = (
         "Each laser tells scans with the described number of beams, at its period.",
         "interface.md#lasersensor",
         _lasers,
+    ),
+    Clause(
+        "cliffs_fit",
+        "Each cliff sensor tells at its period how far the floor is; over an even one, how high it is.",
+        "interface.md#cliffsensor",
+        _cliffs,
     ),
     Clause(
         "camera_fits",

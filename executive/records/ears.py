@@ -22,6 +22,7 @@ HEARD: Final = (
     "hw/base/*",
     "hw/*/laser",
     "hw/ranges",
+    "hw/cliffs",
     "hw/pose",
     "hw/robots",
     "hw/stop/state",

@@ -21,7 +21,7 @@ from tandem.skills.ports.hardware import (
     Posture,
     RobotDescription,
 )
-from tandem.skills.ports.sensors import Bumper, CameraSensor, LaserSensor
+from tandem.skills.ports.sensors import Bumper, CameraSensor, CliffSensor, LaserSensor
 
 if TYPE_CHECKING:
     from tandem.sim.urdf import UrdfDocument
@@ -41,9 +41,19 @@ FOOTPRINT_RADIUS: Final = 0.21
 HEIGHT: Final = 0.63
 BODY_RADIUS: Final = 0.178
 DRIVE: Final = DifferentialDrive(
-    forward=0.7, backward=0.2, acceleration=0.5, turn=1.5, turn_acceleration=1.5, dead_man=0.3
+    forward=0.7, backward=0.2, acceleration=0.5, turn=1.5, turn_acceleration=1.5, dead_man=0.3, braking=3.0
 )
-"""0.7 m/s is Kobuki's; it could turn with 3.1 rad/s. The rest is ours."""
+"""0.7 m/s is Kobuki's; it could turn with 3.1 rad/s. The rest is ours, as are the brakes: 3 m/s2 is
+what wheels hold on a floor with a friction of 1 while the caster takes a third of the weight."""
+CLIFFS: Final = {
+    "cliff_left": (0.0873, 0.1360, 0.0316),
+    "cliff_center": (0.156, 0.0, 0.0316),
+    "cliff_right": (0.0850, -0.1360, 0.0316),
+}
+"""Kobuki's three, where its URDF has them."""
+CLIFF_LEAD: Final = 0.041
+"""Metres from the middle one to the caster in front. The wheels carry on behind that, but a base
+that brakes with its caster in the air dives."""
 WHEELS: Final = Wheels(("left_wheel_joint",), ("right_wheel_joint",), radius=0.035, track=0.230, effort=3.0)
 FLOOR_FRICTIONS: Final = {"left_wheel_link": 1.0, "right_wheel_link": 1.0, CASTERS: 0.0}
 SIXTH: Final = math.pi / 6
@@ -211,6 +221,10 @@ def _urdf() -> str:
         f'<link name="{TOOL}"/>'
         + _fixed("ee_gripper", MOUNT, TOOL, (0.050575, 0.0, 0.0))
         + primitives.frame(LASER, *LASER_IN_BASE, 0.0)
+        + "".join(
+            f'<link name="{name}"/>' + _fixed(f"{name}_joint", ROOT, name, at, f"0 {math.pi / 2} 0")
+            for name, at in CLIFFS.items()
+        )
     )
     return f"""<robot name="{NAME}">
       <link name="{ROOT}">{_inertial(6.5, (-0.03, 0.0, 0.14), (0.05, 0.05, 0.07))}{body}</link>
@@ -338,6 +352,10 @@ def _describe(document: UrdfDocument) -> RobotDescription:
                 range_max=12.0,
                 period=0.1,
             ),
+        ),
+        cliff_sensors=tuple(
+            CliffSensor(name=name, frame=name, range_max=0.15, lead=CLIFF_LEAD, period=0.02)
+            for name in CLIFFS
         ),
         bumpers=tuple(Bumper(name=each.name) for each in BUMPERS),
         drive=DRIVE,

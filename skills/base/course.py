@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tandem.skills.base.cliffs import Cliffs
 from tandem.skills.base.floor import FloatArray
 from tandem.skills.base.guard import Guard
 from tandem.skills.base.localiser import Localiser
@@ -42,6 +43,13 @@ class Course:
     """What is heeded of people, by robots that track them."""
     bends: bool = False
     """Whether the base leaves its path for people: an elastic band (``skills/base/band``)."""
+
+    cliffs: Cliffs | None = None
+    """Where the floor ends, for robots that feel it."""
+
+    def speed(self, wished: float) -> float:
+        """Return how fast (m/s) the base may go ahead, as its cliff sensors are."""
+        return wished if self.cliffs is None else self.cliffs.speed(wished)
 
     def radii(self) -> tuple[float, ...]:
         """Return the radii (m) to plan with, the wished one first."""

@@ -100,6 +100,14 @@ class Leg:
     def _speeds(
         self, block: Block | None
     ) -> Generator[DriveFeedback | Slice, Command, tuple[float, float, bool]]:
+        """Return speeds (m/s, rad/s) as its cliff sensors allow them, and whether it waits for people."""
+        linear, angular, waits = yield from self._heeding_people(block)
+        most = self._course.speed(linear)
+        return most, angular * most / linear if most < linear else angular, waits
+
+    def _heeding_people(
+        self, block: Block | None
+    ) -> Generator[DriveFeedback | Slice, Command, tuple[float, float, bool]]:
         """Return speeds (m/s, rad/s) that heed people, and whether the base waits for them."""
         ride, follower, caution = self._ride, self._follower, self._course.caution
         blocked_at = None if block is None else block.way

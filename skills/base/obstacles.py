@@ -10,6 +10,7 @@ from typing import Final
 
 import numpy as np
 
+from tandem.skills.base.cliffs import Cliffs
 from tandem.skills.base.field import DistanceField
 from tandem.skills.base.floor import BoolArray, FloatArray, IntArray, compose, invert, points_in
 from tandem.skills.base.localiser import Localiser, PlacedScan
@@ -51,6 +52,7 @@ class Obstacles:
         localiser: scans with the pose at which they were taken.
         occupied: what depth shows besides.
         people: who walks about; what hits them marks nothing.
+        cliffs: where the floor ends, which no laser sees.
     """
 
     def __init__(
@@ -62,8 +64,9 @@ class Obstacles:
         occupied: OccupiedFloor | None = None,
         *,
         people: Tracker | None = None,
+        cliffs: Cliffs | None = None,
     ) -> None:
-        self._occupied, self._people = occupied, people
+        self._occupied, self._people, self._cliffs = occupied, people, cliffs
         self._clocks, self._map, self._localiser = clocks, site_map, localiser
         self._geometry = ScanGeometry(sensor, site_map.laser_in_base)
         self._cells: IntArray = np.empty(0, dtype=np.int64)
@@ -78,8 +81,10 @@ class Obstacles:
 
     @property
     def points(self) -> FloatArray:
-        """The confirmed cells' centres in the map, shape (n, 2), and what depth shows to be occupied."""
+        """The confirmed cells' centres in the map, shape (n, 2), and what depth and cliff sensors show."""
         seen = self._centres(self._cells[self._hits >= CONFIRMED])
+        if self._cliffs is not None:
+            seen = np.concatenate((seen, self._cliffs.edges()))
         if self._occupied is None:
             return seen
         shown = self._occupied.points()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from tandem.skills.base.cliffs import Cliffs
 from tandem.skills.base.course import Course
 from tandem.skills.base.drive import Drive
 from tandem.skills.base.fixed import FixedBase
@@ -27,6 +28,7 @@ from tandem.skills.base.surround import Surround
 from tandem.skills.base.tracker import PoseTracker
 from tandem.skills.base.way_back import WayBack
 from tandem.skills.base.wheels import Wheels
+from tandem.skills.base.whereabouts import Whereabouts
 from tandem.skills.pipeline import Pipeline
 from tandem.skills.ports.actions.base import LOCALISE
 from tandem.skills.ports.bus import Bus
@@ -47,6 +49,8 @@ class Base:
     localiser: Localiser
     people: Tracker | None
     """Who walks about; None where the site's local planner does not care."""
+    cliffs: Cliffs | None
+    """Where the floor ends; None of a robot without cliff sensors."""
     obstacles: Obstacles
     board: BaseStatusBoard
     reflexes: Reflexes
@@ -69,18 +73,22 @@ def assemble(
     people = None
     if site.local_planner != "pursuit":
         people = Tracker(bus, description.laser, site_map, localiser)
-    obstacles = Obstacles(clocks, description.laser, site_map, localiser, occupied, people=people)
+    cliffs = _cliffs(bus, clocks, description, localiser)
+    obstacles = Obstacles(
+        clocks, description.laser, site_map, localiser, occupied, people=people, cliffs=cliffs
+    )
     pipeline = Pipeline(BASE)
     board = BaseStatusBoard(bus, clocks, pipeline)
     guard = Guard(bus, clocks, description, localiser)
     drive, radius = description.driven, description.footprint_radius
     caution = None if people is None else Caution(people, site_map.plan, drive, radius, clocks)
     bends = site.local_planner == "band"
-    course = Course(site_map, obstacles, localiser, drive, radius, guard, caution, bends)
-    around = BaseSurroundings(bus, clocks, description, localiser, guard, board)
+    course = Course(site_map, obstacles, localiser, drive, radius, guard, caution, bends, cliffs)
+    around = BaseSurroundings(bus, clocks, description, localiser, guard, board, cliffs=cliffs)
     return Base(
         localiser=localiser,
         people=people,
+        cliffs=cliffs,
         obstacles=obstacles,
         board=board,
         reflexes=Reflexes(bus, clocks, (pipeline,), _fitted(types, around, site)),
@@ -129,6 +137,7 @@ def build(
     return [
         base.localiser,
         *([base.people] if base.people is not None else []),
+        *([base.cliffs] if base.cliffs is not None else []),
         base.obstacles,
         base.board,
         base.reflexes,
@@ -154,12 +163,13 @@ def _by_pose_sensor(
         return []
     drive, pipeline = description.driven, Pipeline(BASE)
     tracker, board = PoseTracker(bus, clocks, description), BaseStatusBoard(bus, clocks, pipeline)
+    cliffs = _cliffs(bus, clocks, description, tracker)
     guard, sees = (
         Guard(bus, clocks, description, tracker),
-        Surround(bus, clocks, description, lambda: tracker.moving),
+        Surround(bus, clocks, description, lambda: tracker.moving, cliffs),
     )
     ranges = sees if description.range_sensors else None
-    around = BaseSurroundings(bus, clocks, description, tracker, guard, board, ranges)
+    around = BaseSurroundings(bus, clocks, description, tracker, guard, board, ranges, cliffs)
     servers: list[Node] = [
         ActionServer(
             bus,
@@ -182,7 +192,13 @@ def _by_pose_sensor(
     )
     servers.append(ActionServer(bus, clocks, follow, charge=charge, pipelines=(pipeline,)))
     runner = Reflexes(bus, clocks, (pipeline,), _fitted(types, around, site))
-    return [tracker, sees, board, runner, *servers]
+    return [tracker, sees, *([] if cliffs is None else [cliffs]), board, runner, *servers]
+
+
+def _cliffs(bus: Bus, clocks: Clocks, description: RobotDescription, monitor: Whereabouts) -> Cliffs | None:
+    if not description.cliff_sensors:
+        return None
+    return Cliffs(bus, clocks, description, lambda: monitor.moving)
 
 
 def _fitted(types: Sequence[BaseReflex], around: BaseSurroundings, site: Site) -> list[Fitted]:

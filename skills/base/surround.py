@@ -8,24 +8,19 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Final
 
+from tandem.skills.base.cliffs import Cliffs
+from tandem.skills.base.ranger import SLOWLY, Ranger
 from tandem.skills.geometry.chain import Chain
 from tandem.skills.geometry.poses import to_floor, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import RANGES, ROBOTS_SEEN, Latest
-from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
-from tandem.skills.ports.sensors import RangeSensor, SeenRobot
+from tandem.skills.ports.sensors import SeenRobot
 
 log = logging.getLogger(__name__)
 
-SILENT: Final = 3.5
-"""Periods of a sensor without a reading after which it is said to be silent."""
-STUCK_AFTER: Final = 30
-"""Readings in a row, while the base moves, that are the same to the last digit."""
-SLOWLY: Final = 0.15
-"""m/s at the most while a range sensor that looks ahead is deaf: what comes into its gap is met slowly."""
 AHEAD: Final = math.radians(60.0)
 """To either side of the heading."""
 OTHER_RADIUS: Final = 0.30
@@ -41,23 +36,6 @@ class Echo:
     sensor: str
 
 
-@dataclass
-class _Ranger:
-    sensor: RangeSensor
-    in_base: FloorPose
-    said: float | None = None
-    at: RobotTime | None = None
-    same: int = 0
-    """Readings in a row, on the way, that are the same."""
-
-    def hear(self, said: float | None, at: RobotTime, *, moving: bool) -> None:
-        """Take a reading; None: it was missing."""
-        if said is not None:
-            repeats = moving and said == self.said and said < self.sensor.range_max
-            self.same = self.same + 1 if repeats else 0 if moving else self.same
-            self.said, self.at = said, at
-
-
 class Surround:
     """Hears the sensors that see what is near; a ``Node``.
 
@@ -66,18 +44,25 @@ class Surround:
         clocks: robot time.
         description: the sensors, their frames and the footprint.
         moving: says whether the base moves.
+        cliffs: what its cliff sensors tell, if it has any.
     """
 
     name: Final = "base/surround"
 
     def __init__(
-        self, bus: Bus, clocks: Clocks, description: RobotDescription, moving: Callable[[], bool]
+        self,
+        bus: Bus,
+        clocks: Clocks,
+        description: RobotDescription,
+        moving: Callable[[], bool],
+        cliffs: Cliffs | None = None,
     ) -> None:
+        self._cliffs = cliffs
         self._clocks, self._radius, self._moving = clocks, description.footprint_radius, moving
         self._deaf = tuple(each.name for each in description.range_sensors)
         self._ranges = Latest(bus, RANGES)
         self._robots = {each.name: Latest(bus, ROBOTS_SEEN) for each in description.robot_sensors}
-        self._rangers = [_Ranger(each, _mount(description, each.frame)) for each in description.range_sensors]
+        self._rangers = [Ranger(each, _mount(description, each.frame)) for each in description.range_sensors]
 
     def step(self) -> bool:
         """Hear what has come; nothing is published."""
@@ -109,16 +94,12 @@ class Surround:
     def speed(self, wished: float) -> float:
         """Return how fast (m/s) the base may go ahead: slowly where a sensor that looks there is deaf."""
         ahead = {each.sensor.name for each in self._rangers if abs(each.in_base.yaw) < AHEAD}
-        return min(wished, SLOWLY) if ahead & {*self._deaf} else wished
+        slow = min(wished, SLOWLY) if ahead & {*self._deaf} else wished
+        return slow if self._cliffs is None else self._cliffs.speed(slow)
 
     def _find_deaf(self) -> tuple[str, ...]:
         now = self._clocks.robot()
-        ages = [None if now is None or each.at is None else now.since(each.at) for each in self._rangers]
-        return tuple(
-            each.sensor.name
-            for each, age in zip(self._rangers, ages, strict=True)
-            if age is None or age > SILENT * each.sensor.period or each.same >= STUCK_AFTER
-        )
+        return tuple(each.sensor.name for each in self._rangers if each.is_deaf(now))
 
     @property
     def robots(self) -> tuple[SeenRobot, ...]:

@@ -58,6 +58,7 @@ DELIVERY: Final[tuple[tuple[str, Delivery], ...]] = (
     ("hw/base/odometry", Delivery.CONTROL),
     ("hw/*/laser", Delivery.CONTROL),
     ("hw/ranges", Delivery.CONTROL),
+    ("hw/cliffs", Delivery.CONTROL),
     ("hw/pose", Delivery.CONTROL),
     ("hw/robots", Delivery.CONTROL),
     ("hw/group/*/setpoint", Delivery.CONTROL),

@@ -16,6 +16,7 @@ from tandem.skills.ports.reflex_setting import ReflexSetting
 from tandem.skills.ports.sensors import (
     Bumper,
     CameraSensor,
+    CliffSensor,
     LaserSensor,
     PoseSensor,
     RangeSensor,
@@ -123,6 +124,13 @@ class _DriveLimits(Message):
     turn_acceleration: Positive
     dead_man: Positive
     """Seconds after which an old velocity command means stop."""
+    braking: Positive | None = None
+    """m/s2 at which it brakes when it is told to stand at once; None: as it slows down else."""
+
+    @property
+    def hardest(self) -> float:
+        """m/s2 at which it stops when it must."""
+        return self.braking or self.acceleration
 
 
 class DifferentialDrive(_DriveLimits):
@@ -190,6 +198,7 @@ class RobotDescription(Message):
     lasers: tuple[LaserSensor, ...] = ()
     """The first is the one that the base localises with."""
     range_sensors: tuple[RangeSensor, ...] = ()
+    cliff_sensors: tuple[CliffSensor, ...] = ()
     pose_sensors: tuple[PoseSensor, ...] = ()
     robot_sensors: tuple[RobotSensor, ...] = ()
     bumpers: tuple[Bumper, ...] = ()
@@ -207,7 +216,8 @@ class RobotDescription(Message):
 
     @model_validator(mode="after")
     def _each_sensor_once(self) -> RobotDescription:
-        for what in ("cameras", "lasers", "range_sensors", "pose_sensors", "robot_sensors", "bumpers"):
+        sensing = ("range_sensors", "cliff_sensors", "pose_sensors", "robot_sensors")
+        for what in ("cameras", "lasers", *sensing, "bumpers"):
             if twice := repeated(each.name for each in getattr(self, what)):
                 raise ValueError(f"{what}: expected unique names, several are called {', '.join(twice)}")
         return self

@@ -32,7 +32,7 @@ from tandem.skills.ports.hearing import Entrance
 from tandem.skills.ports.lease import LeaseAnswer, Leased, LeaseRequest, Leases
 from tandem.skills.ports.limits import SMALL, Limits
 from tandem.skills.ports.message import Message, read_leniently
-from tandem.skills.ports.sensors import Bumpers, LaserScan, PoseReading, Ranges, RobotsSeen
+from tandem.skills.ports.sensors import Bumpers, Cliffs, LaserScan, PoseReading, Ranges, RobotsSeen
 
 TOLD: Final = ("task/", "tree/", "world/")
 """How the keys begin whose messages and answers are for clients, of any version."""
@@ -152,6 +152,7 @@ BASE_VELOCITY: Final = Topic("hw/base/velocity", BaseVelocity)
 ODOMETRY: Final = Topic("hw/base/odometry", Odometry)
 BUMPERS: Final = Topic("hw/base/bumpers", Bumpers)
 RANGES: Final = Topic("hw/ranges", Ranges)
+CLIFFS: Final = Topic("hw/cliffs", Cliffs)
 POSE_READING: Final = Topic("hw/pose", PoseReading)
 ROBOTS_SEEN: Final = Topic("hw/robots", RobotsSeen)
 STOP: Final = Service("hw/stop", Stop, StopState, limits=Limits(per_step=128, rate=math.inf))

@@ -35,6 +35,29 @@ class Threshold(Message):
         return value < (self.releases if holds else self.fires)
 
 
+class Excess(Message):
+    """A bound with hysteresis on something that must not become too large, as ``Threshold`` is for too small.
+
+    A reflex fires above ``fires`` and holds until the value is below ``releases``.
+    """
+
+    fires: Annotated[float, Field(gt=0.0)]
+    releases: Annotated[float, Field(gt=0.0)]
+
+    @model_validator(mode="after")
+    def _apart(self) -> Excess:
+        if self.releases >= self.fires:
+            raise ValueError(
+                f"contradictory thresholds: expected releases below fires, "
+                f"found {self.releases:g} and {self.fires:g}"
+            )
+        return self
+
+    def above(self, value: float, *, holds: bool) -> bool:
+        """Say whether the reflex fires, or goes on when it ``holds`` already."""
+        return value > (self.releases if holds else self.fires)
+
+
 class ReflexSetting(Message):
     """A reflex as a robot's description or a site's file declares it."""
 

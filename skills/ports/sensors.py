@@ -66,6 +66,21 @@ class RangeSensor(Message):
         return self
 
 
+class CliffSensor(Message):
+    """Looks down before the wheels, and tells how far the floor is.
+
+    ``frame`` has x straight down: how high it is above the base's frame is what it reads over an even floor.
+    """
+
+    name: PartName
+    frame: str
+    range_max: Positive
+    """Metres: a floor as far away as this or farther reads as this."""
+    lead: Positive
+    """Metres between it and what carries the base behind it: how far the base may go on that sees an edge."""
+    period: Positive
+
+
 class PoseSensor(Message):
     """Tells where the base is in the map, as motion capture does: it doesn't drift."""
 
@@ -123,6 +138,10 @@ class Ranges(Message):
     def of(self, sensor: str) -> float | None:
         """Return the distance that a sensor measured, in metres, or None: it is silent."""
         return next((each.distance for each in self.readings if each.sensor == sensor), None)
+
+
+class Cliffs(Ranges):
+    """The last distance to the floor of each cliff sensor, in metres; one that is silent is missing."""
 
 
 class PoseReading(Message):

@@ -15,6 +15,7 @@ from tandem.skills.ports.hardware import (
 from tandem.skills.ports.sensors import (
     Bumper,
     CameraSensor,
+    CliffSensor,
     LaserSensor,
     PoseSensor,
     RangeSensor,
@@ -75,6 +76,9 @@ def mock_description() -> RobotDescription:
                 range_max=5.0,
                 period=0.1,
             ),
+        ),
+        cliff_sensors=(
+            CliffSensor(name="front", frame="base_footprint", range_max=0.15, lead=0.04, period=0.02),
         ),
         pose_sensors=(PoseSensor(name="markers", period=0.05, position_sigma=0.01, yaw_sigma=0.009),),
         robot_sensors=(

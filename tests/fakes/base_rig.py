@@ -53,7 +53,8 @@ class Rig:
         start = process_time()
         people = () if self.base.people is None else (self.base.people,)
         base = self.base
-        for node in (base.localiser, *people, base.obstacles, base.board, base.reflexes):
+        cliffs = () if base.cliffs is None else (base.cliffs,)
+        for node in (base.localiser, *people, *cliffs, base.obstacles, base.board, base.reflexes):
             node.step()
         self.longest = max(self.longest, process_time() - start)
 

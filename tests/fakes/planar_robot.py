@@ -7,6 +7,7 @@ odometry and laser err as they are told to. Truth is at hand for tests: ``truth`
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -27,10 +28,19 @@ from tandem.skills.ports.hardware import (
     RobotDescription,
     StopState,
 )
-from tandem.skills.ports.keys import BASE_VELOCITY, BUMPERS, CLOCK, ODOMETRY, STOP_STATE, Latest, laser
+from tandem.skills.ports.keys import (
+    BASE_VELOCITY,
+    BUMPERS,
+    CLIFFS,
+    CLOCK,
+    ODOMETRY,
+    STOP_STATE,
+    Latest,
+    laser,
+)
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
-from tandem.skills.ports.sensors import Bumpers, CameraSensor, LaserScan, LaserSensor
+from tandem.skills.ports.sensors import Bumpers, CameraSensor, Cliffs, LaserScan, LaserSensor, RangeReading
 from tandem.skills.ports.site import Site, SiteBox
 
 FloatArray = npt.NDArray[np.float64]
@@ -131,6 +141,10 @@ class PlanarRobot:
     laser_on: bool = True
     stopped: bool = False
     pressed: tuple[str, ...] = ()
+    floor: Callable[[PlanarRobot], dict[str, float]] = lambda _: {}
+    """What each cliff sensor reads (m), to which a little noise comes; one that is not there is silent."""
+    stuck: bool = False
+    """Whether cliff sensors read without noise."""
     tick: int = 0
     driven: float = 0.0
     linear: float = 0.0
@@ -166,6 +180,12 @@ class PlanarRobot:
                 self.bus,
                 Odometry(stamp=stamp, base_in_odom=self._odometry, linear=self.linear, angular=self.angular),
             )
+        if self.description.cliff_sensors and self.tick % 2 == 0:
+            noise = 0.0 if self.stuck else 1e-5 * (self.tick % 7)
+            readings = (
+                RangeReading(sensor=name, distance=far + noise) for name, far in self.floor(self).items()
+            )
+            CLIFFS.publish(self.bus, Cliffs(stamp=stamp, readings=tuple(readings)))
         if self.laser_on and self.tick % round(self.description.laser.period / period) == 0:
             laser("base").publish(self.bus, LaserScan(stamp=stamp, ranges=tuple(self.ranges().tolist())))
         if self.tick % 20 == 0:

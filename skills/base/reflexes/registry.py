@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, Final
 
-from tandem.skills.base.reflexes import approach, avoid_collision, base_guard, bumper
+from tandem.skills.base.reflexes import approach, avoid_collision, base_guard, bumper, cliff
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.plugins import NONE, Group, Loaded, installed, load
@@ -18,7 +18,7 @@ BaseReflex = ReflexType[BaseSurroundings, Any]
 """A reflex of the base, whatever its parameters."""
 
 SHIPPED: Final[Mapping[str, BaseReflex]] = MappingProxyType(
-    {each.REFLEX.name: each.REFLEX for each in (bumper, base_guard, avoid_collision, approach)}
+    {each.REFLEX.name: each.REFLEX for each in (cliff, bumper, base_guard, avoid_collision, approach)}
 )
 """Those that come along, by name."""
 

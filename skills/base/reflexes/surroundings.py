@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from tandem.skills.base.cliffs import Cliffs
 from tandem.skills.base.guard import Guard
 from tandem.skills.base.macros import Macros
 from tandem.skills.base.status import BaseStatusBoard
@@ -28,6 +29,8 @@ class BaseSurroundings:
     board: BaseStatusBoard
     surround: Surround | None = None
     """What range sensors see; None for a robot without any."""
+    cliffs: Cliffs | None = None
+    """What cliff sensors see; None for a robot without any."""
 
     def wheels(self, reflex: str) -> Wheels:
         """Return the wheels as a reflex commands them, from the speeds that odometry tells."""

@@ -62,7 +62,7 @@ def test_what_a_file_says_is_what_is_read(tmp_path: Path) -> None:
         ("faults: [{kind: item_gone, tag: 500}]", "faults.0.tag", "one of 3"),
         ("faults: [{kind: joint_stall, group: leg}]", "faults.0.group", "one of arm_left"),
         ("faults: [{kind: bumper, bumper: front_left}]", "faults.0.bumper", "one of front, left"),
-        ("faults: [{kind: range_stuck}]", "faults.0.kind", "a robot with range sensors"),
+        ("faults: [{kind: range_stuck}]", "faults.0.kind", "a robot with range sensors or cliff sensors"),
         ("bus: {drop: 2}", "bus.drop", "less than or equal to 1"),
     ],
 )

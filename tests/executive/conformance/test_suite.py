@@ -17,12 +17,22 @@ LISTENING = frozenset(each.name for each in SUITE if not each.moving and not eac
 @pytest.mark.parametrize(
     ("scenario", "lacks"),
     [
-        ("Demo", set[str]()),
-        ("Bench", {"laser_fits", "odometry_continuous", "velocity_obeyed", "velocity_dead_man"}),
-        ("NoArms", {"gripper_state_told", "gripper_moves"}),
+        ("Demo", {"cliffs_fit"}),
+        (
+            "Bench",
+            {"laser_fits", "cliffs_fit", "odometry_continuous", "velocity_obeyed", "velocity_dead_man"},
+        ),
+        ("NoArms", {"cliffs_fit", "gripper_state_told", "gripper_moves"}),
         (
             "RocsP3dx",
-            {"laser_fits", "camera_fits", "group_status_told", "gripper_state_told", "unreadable_answered"}
+            {
+                "laser_fits",
+                "cliffs_fit",
+                "camera_fits",
+                "group_status_told",
+                "gripper_state_told",
+                "unreadable_answered",
+            }
             | {"stop_refuses", "trajectory_reaches", "cancel_rests", "bad_start_refused"}
             | {"beyond_limits_refused", "setpoints_hold", "gripper_moves"},
         ),

@@ -231,6 +231,11 @@ def narrow(command: Document) -> Document:
     return command | {"width": 0.5 * command["width"]}
 
 
+def in_feet(cliffs: Document) -> Document:
+    readings = [each | {"distance": each["distance"] / 0.3048} for each in cliffs["readings"]]
+    return cliffs | {"readings": readings}
+
+
 def always(document: Document) -> Document:
     return document | {"accepted": True}
 
@@ -243,6 +248,8 @@ JOINTS: Final = keys.JOINT_STATES.key
 DESCRIPTION: Final = keys.DESCRIPTION.key
 DRIVES: Final = "NoArms"
 """The scenario of a robot that has a drive and a laser; the others are tried with the Panda's."""
+FALLS: Final = "Locobot"
+"""The scenario of a robot with cliff sensors."""
 PANDA: Final = "Bench"
 
 WRONG: Final[Mapping[str, tuple[str, Callable[[], Driver]]]] = {
@@ -264,6 +271,7 @@ WRONG: Final[Mapping[str, tuple[str, Callable[[], Driver]]]] = {
         DRIVES,
         lambda: Telling(keys.laser("base").key, lambda d: d | {"ranges": d["ranges"][1:]}),
     ),
+    "cliffs_fit": (FALLS, lambda: Telling(keys.CLIFFS.key, in_feet)),
     "camera_fits": (PANDA, Zooming),
     "odometry_continuous": (DRIVES, lambda: EveryOther(keys.ODOMETRY.key, beside)),
     "group_status_told": (PANDA, lambda: Telling("hw/group/", nothing)),

@@ -23,7 +23,7 @@ def test_a_shipped_robot_is_called_as_its_description_says(name: str) -> None:
 def test_each_sensor_sits_on_a_frame_of_the_robot(name: str) -> None:
     model = robot_model(name)
     told = model.description
-    sensors = (*told.cameras, *told.lasers, *told.range_sensors, *told.robot_sensors)
+    sensors = (*told.cameras, *told.lasers, *told.range_sensors, *told.cliff_sensors, *told.robot_sensors)
     assert {each.frame for each in sensors} <= model.frames.keys()
     assert f'name="{sensors[0].frame}"' in told.urdf
 

@@ -20,6 +20,7 @@ from tandem.skills.ports.hardware import (
 from tandem.skills.ports.hearing import KINDS, Ear, Heard, Reason
 from tandem.skills.ports.image import header_of
 from tandem.skills.ports.keys import (
+    CLIFFS,
     CLOCK,
     JOINT_STATES,
     POSE_READING,
@@ -35,7 +36,7 @@ from tandem.skills.ports.keys import (
 from tandem.skills.ports.message import Message, RobotTime
 from tandem.skills.ports.pose import IDENTITY, FloorPose
 from tandem.skills.ports.refusals import CHANGED_EVERY, REPEATED_EVERY, RefusalTeller
-from tandem.skills.ports.sensors import LaserScan, PoseReading, RangeReading, Ranges, RobotsSeen
+from tandem.skills.ports.sensors import Cliffs, LaserScan, PoseReading, RangeReading, Ranges, RobotsSeen
 from tandem.skills.ports.world import (
     SCENE,
     WORLD,
@@ -141,6 +142,7 @@ def test_a_wrong_message_is_silence(stand: Stand, payload: bytes, reason: Reason
         (laser("tail"), LaserScan(stamp=at(1), ranges=(1.0,) * ROBOT.laser.beams)),
         (RANGES, Ranges(stamp=at(1), readings=(RangeReading(sensor="tail", distance=1.0),))),
         (RANGES, Ranges(stamp=at(1), readings=(RangeReading(sensor="front", distance=0.1),))),
+        (CLIFFS, Cliffs(stamp=at(1), readings=(RangeReading(sensor="tail", distance=0.03),))),
         (POSE_READING, PoseReading(stamp=at(1), sensor="tail", base_in_map=FloorPose(x=0, y=0, yaw=0))),
         (ROBOTS_SEEN, RobotsSeen(stamp=at(1), sensor="tail", robots=())),
         (SCENE, PlanningScene(stamp=at(1), version=1, objects=(CARRIED,))),
@@ -158,6 +160,7 @@ def test_a_wrong_message_is_silence(stand: Stand, payload: bytes, reason: Reason
         "no laser of the robot",
         "no range sensor of the robot",
         "nearer than the sensor can see",
+        "no cliff sensor of the robot",
         "no pose sensor of the robot",
         "no robot sensor of the robot",
         "carried by no hand of the robot",

@@ -34,6 +34,7 @@ SONAR = ROBOT.range_sensors[0].model_dump()
         {"cameras": ROBOT.cameras * 2},
         {"lasers": ROBOT.lasers * 2},
         {"range_sensors": ROBOT.range_sensors * 2},
+        {"cliff_sensors": ROBOT.cliff_sensors * 2},
         {"pose_sensors": ROBOT.pose_sensors * 2},
         {"robot_sensors": ROBOT.robot_sensors * 2},
         {"bumpers": (Bumper(name="front"), Bumper(name="front"))},
@@ -75,7 +76,7 @@ def test_a_description_with_all_sensors_is_the_same_after_the_wire() -> None:
 
 
 def test_a_description_of_before_these_sensors_still_reads() -> None:
-    new = ("range_sensors", "pose_sensors", "robot_sensors", "bumpers")
+    new = ("range_sensors", "cliff_sensors", "pose_sensors", "robot_sensors", "bumpers")
     old = {key: value for key, value in ROBOT.model_dump().items() if key not in new}
     assert RobotDescription.model_validate(old).range_sensors == ()
 
