@@ -13,7 +13,7 @@ from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.logs import LogOptions
 from tandem.executive.config.extras import RECORD, WEB, words_on
 from tandem.executive.config.on_restart import OnRestart
-from tandem.executive.config.run_options import BusOptions, Processes
+from tandem.executive.config.run_options import FILMS, BusOptions, Processes
 
 
 def _one_of(texts: tuple[str, ...], text: str, option: str) -> str:
@@ -128,6 +128,13 @@ def traces_address(text: str) -> str:
             f"expected a URL such as http://127.0.0.1:4318; found {text!r}", param_hint="--traces"
         )
     return text
+
+
+def checked_film(file: Path | None) -> Path | None:
+    """Return where a moving picture goes; CommandError when its ending is none of one."""
+    if file is not None and file.suffix not in FILMS:
+        raise CommandError(f"--film: expected a name that ends in {', '.join(FILMS)}, found {file.name}")
+    return file
 
 
 def checked_scenario(name_or_path: str, site: str, faults: Path | None) -> str:

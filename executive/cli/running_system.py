@@ -15,6 +15,7 @@ from pydantic import JsonValue
 from rich.console import Console
 
 from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.film import Film
 from tandem.executive.cli.lockstep_run import lockstep_of
 from tandem.executive.cli.sending import describe_problems
 from tandem.executive.cli.task_lines import TaskLines
@@ -37,7 +38,7 @@ from tandem.executive.system.systems import (
     System,
     SystemFailure,
 )
-from tandem.executive.trials.demo import Caller, succeeded
+from tandem.executive.trials.demo import Caller, Together, succeeded
 from tandem.executive.trials.run_report import Recorder, write_report
 from tandem.executive.trials.truly import judged
 from tandem.sim.demonstration import Beside, Demonstration, View
@@ -81,11 +82,13 @@ def run_once(options: RunOptions) -> ExitCode:
         scenario, _, bus_faults = _checked(options)
         robot = _asked_robot(options, scenario)
         with _system(options, scenario, bus_faults, console) as system:
-            ran = _carry_out(options, system.of(robot) if robot else system, options.request, console)
+            asked: System = system.of(robot) if robot else system
+            view = (scenario.demo or USUAL).view
+            ran = _carry_out(options, asked, options.request, view, console)
             if ran is None:
                 return ExitCode.BAD_INPUT
             if options.picture is not None:
-                _show_end(options.picture, ran.caller, (scenario.demo or USUAL).view, console)
+                _show_end(options.picture, ran.caller, view, console)
             _tell_end(ran, console)
             _write_report(options, ran.recorder, system, notes={}, start=ran.before, end=ran.after)
             return ExitCode.OK if succeeded(ran.status) else ExitCode.TASK_FAILED
@@ -254,10 +257,14 @@ class _Ran:
     truth: Truth
 
 
-def _carry_out(options: RunOptions, system: System, request: str, console: Console) -> _Ran | None:
-    """Send a request and see it to its end, told as it goes; None when it was rejected."""
+def _carry_out(
+    options: RunOptions, system: System, request: str, view: View | None, console: Console
+) -> _Ran | None:
+    """Send a request, and tell and film it to its end; None when it was rejected."""
     recorder = Recorder(system.bus, system.clocks)
-    caller = Caller(system, lambda line: console.print(line, markup=False), also=recorder)
+    film = None if options.film is None else Film(system.bus, system.clocks, view or USUAL_VIEW)
+    also = recorder if film is None else Together((recorder, film))
+    caller = Caller(system, lambda line: console.print(line, markup=False), also=also)
     before = caller.truth()
     console.print(f"request: {request}", markup=False)
     answer = caller.request(request)
@@ -266,6 +273,9 @@ def _carry_out(options: RunOptions, system: System, request: str, console: Conso
         return None
     status = caller.follow(answer.task, within=options.within)
     after = caller.truth()
+    if film is not None and options.film is not None:
+        film.write(options.film)
+        console.print(f"moving picture: {options.film.resolve()}", markup=False)
     return _Ran(status, caller, recorder, _items(before), _items(after), after)
 
 
@@ -284,7 +294,7 @@ def _ask_beside(system: System, beside: Beside, console: Console) -> None:
 def _show(
     options: RunOptions, system: System, site: Site, demo: Demonstration, *, robot: str, console: Console
 ) -> ExitCode:
-    ran = _carry_out(options, system, json.dumps(demo.request), console)
+    ran = _carry_out(options, system, json.dumps(demo.request), demo.view, console)
     if ran is None:
         return ExitCode.BAD_INPUT
     found = judged(demo.request, ran.truth, site, robot)

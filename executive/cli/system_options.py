@@ -20,6 +20,7 @@ from tandem.executive.cli.arguments import (
 )
 from tandem.executive.cli.completing import scenarios
 from tandem.executive.cli.option_checks import (
+    checked_film,
     checked_scenario,
     folder_of_run,
     logs_of,
@@ -111,6 +112,14 @@ Picture = Annotated[
     Path | None,
     typer.Option("--picture", metavar="FILE", help="Save a picture of the final scene to this file."),
 ]
+FilmFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--film",
+        metavar="FILE",
+        help="Save a small moving picture of room and tree to this file: .webp, .gif or .png.",
+    ),
+]
 Listen = Annotated[
     list[str] | None,
     typer.Option(
@@ -190,6 +199,7 @@ def _whole_system(
     lockstep: Lockstep = False,
     report: ReportFile = None,
     picture: Picture = None,
+    film: FilmFile = None,
     record_to: RunRecord = None,
     connect: OwnEndpoint = DEFAULT_ENDPOINT,
     site_key: OwnSite = DEFAULT_SITE,
@@ -214,6 +224,7 @@ def _whole_system(
         report=report,
         broken=broken_plugins(),
         picture=picture,
+        film=checked_film(film),
         record=folder_of_run(record_to, lockstep=lockstep),
         log=logs.file,
         verbose=logs.verbose,

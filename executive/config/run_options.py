@@ -14,6 +14,8 @@ from tandem.skills.ports.plugins import Broken
 from tandem.skills.wire.pulse import SILENT_AFTER
 
 Processes = Literal["few", "many"]
+FILMS: Final = (".webp", ".gif", ".png")
+"""Endings of moving pictures; .png is an animated one."""
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 DEFAULT_SITE: Final = "lab"
 DEFAULT_ROBOT: Final = "tiago"
@@ -71,6 +73,8 @@ class RunOptions:
     """Where the run's report goes (JSON)."""
     picture: Path | None = None
     """Where the demo's picture of the last scene goes; None: a file of the demo's choice."""
+    film: Path | None = None
+    """Where a moving picture of room and tree goes; None: none is taken."""
     log: Path | None = None
     """Where logs of all processes go; None: standard error when ``verbose``."""
     verbose: bool = False

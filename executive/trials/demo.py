@@ -70,6 +70,24 @@ def _leaves(node: TreeNode) -> list[TreeNode]:
     return [leaf for child in node.children for leaf in _leaves(child)]
 
 
+@dataclass(frozen=True)
+class Together:
+    """Several nodes that are stepped and closed as one."""
+
+    nodes: tuple[Node, ...]
+    name: str = "together"
+
+    def step(self) -> bool:
+        """Step each."""
+        more = [node.step() for node in self.nodes]
+        return any(more)
+
+    def close(self) -> None:
+        """Close each."""
+        for node in self.nodes:
+            node.close()
+
+
 class Caller:
     """A client of the executive that lets the system go on while it waits.
 

@@ -6,7 +6,7 @@ import os
 import platform
 import re
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -26,6 +26,8 @@ PACKAGES: Final = (
     "coal",
 )
 """Whose versions change what comes out."""
+OUTPUTS: Final = ("--report", "--figures")
+"""Options that say where results are written."""
 GIT_WITHIN: Final = 10.0
 """Host seconds for a question to git."""
 
@@ -34,7 +36,7 @@ class Provenance(Message):
     """Where a result comes from."""
 
     command: str
-    """As it was typed."""
+    """As it was typed, without the files that it writes: they are of one machine and change nothing."""
     commit: str
     """Hash of the checkout's commit; empty where the program runs from no checkout."""
     changed: bool
@@ -64,7 +66,7 @@ def provenance(words: Sequence[str], utc: float) -> Provenance:
     """
     commit, changed = checkout()
     return Provenance(
-        command=" ".join((Path(words[0]).name, *words[1:])),
+        command=" ".join((Path(words[0]).name, *_without_outputs(words[1:]))),
         commit=commit,
         changed=changed,
         date=datetime.fromtimestamp(utc, UTC).date().isoformat(),
@@ -73,6 +75,15 @@ def provenance(words: Sequence[str], utc: float) -> Provenance:
         python=platform.python_version(),
         packages=installed_packages(),
     )
+
+
+def _without_outputs(words: Sequence[str]) -> Iterator[str]:
+    rest = iter(words)
+    for word in rest:
+        if word in OUTPUTS:
+            next(rest, "")
+        elif not word.startswith(tuple(f"{option}=" for option in OUTPUTS)):
+            yield word
 
 
 def installed(package: str) -> str:

@@ -156,8 +156,9 @@ def test_shell_commands_exist(where: str, line: str) -> None:
 
 
 def test_pictures_are_small() -> None:
-    big = [path.name for path in (ROOT / "docs" / "images").iterdir() if path.stat().st_size > 200_000]
-    assert big == []
+    most = {".webp": 450_000}  # a moving one is many
+    pictures = (ROOT / "docs" / "images").iterdir()
+    assert [path.name for path in pictures if path.stat().st_size > most.get(path.suffix, 200_000)] == []
 
 
 def tandem(*words: str) -> str:

@@ -1,15 +1,20 @@
-"""Which robot of a scenario a command asks."""
+"""Which robot of a scenario a command asks, and what it films."""
 
 from __future__ import annotations
 
 import json
 from pathlib import Path
 
+import cv2
 import pytest
 
+from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.film import SIZE
+from tandem.executive.cli.option_checks import checked_film
 from tandem.executive.cli.running_system import run_once
 from tandem.executive.config.run_options import BusOptions, RunOptions
+from tandem.executive.render.frame import TREE_WIDTH
 
 PAIR = """
 name: pair
@@ -20,11 +25,11 @@ robots:
 """
 
 
-def run(folder: Path, bus: BusOptions) -> ExitCode:
+def run(folder: Path, bus: BusOptions, film: Path | None = None) -> ExitCode:
     scenario = folder / "pair.yaml"
     scenario.write_text(PAIR, "utf-8")
     request = json.dumps({"task": "follow", "robot": "r2", "seconds": 1.0})
-    return run_once(RunOptions(bus=bus, scenario=str(scenario), lockstep=True, request=request))
+    return run_once(RunOptions(bus=bus, scenario=str(scenario), lockstep=True, request=request, film=film))
 
 
 def test_the_robot_that_is_named_is_asked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -42,3 +47,19 @@ def test_a_robot_that_is_not_there_is_refused(tmp_path: Path, capsys: pytest.Cap
     assert run(tmp_path, BusOptions(robot="r9")) is ExitCode.BAD_INPUT
     said = " ".join(capsys.readouterr().out.split())
     assert "pair.yaml: expected --robot to name one of r2, r3, found r9" in said
+
+
+def test_a_run_is_filmed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    film = tmp_path / "run.webp"
+    assert run(tmp_path, BusOptions(robot="r3"), film) is ExitCode.OK
+    assert f"moving picture: {film}" in " ".join(capsys.readouterr().out.split())
+    _, animation = cv2.imreadanimation(str(film))
+    assert len(animation.frames) >= 2, "a second and more has passed"
+    assert animation.frames[0].shape[:2] == (SIZE[1], SIZE[0] + TREE_WIDTH)
+
+
+def test_a_film_of_an_unknown_kind_is_refused_before_anything_starts() -> None:
+    with pytest.raises(
+        CommandError, match=r"--film: expected a name that ends in .webp, .gif, .png, found a.mp4"
+    ):
+        checked_film(Path("a.mp4"))
