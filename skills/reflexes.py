@@ -102,6 +102,7 @@ class Fitted:
     reflex: Reflex
     on: bool = True
     by: str = ""
+    declared: bool = True
     fired: int = 0
     act: Act | None = None
 
@@ -181,6 +182,7 @@ def fitted(choice: Sequence[Chosen[W]], at: W, pipelines: Mapping[str, Pipeline]
             tuple(pipelines[resource] for resource in each.type.resources),
             each.type.make(at, each.parameters),
             on=each.on,
+            declared=each.on,
         )
         for each in choice
     ]
@@ -295,6 +297,7 @@ class Reflexes:
             reflex=each.name,
             on=each.on,
             by=each.by,
+            declared=each.declared,
             resources=tuple(pipeline.resource for pipeline in each.pipelines),
             rank=each.rank,
             holds=each.holds,

@@ -50,6 +50,8 @@ class ReflexState(Message):
     on: bool
     by: str = ""
     """Who switched it last; empty: it is as declared."""
+    declared: bool = True
+    """Whether it is on as the robot and its site declare it, before somebody switches it."""
     resources: tuple[PartName, ...]
     rank: Count
     holds: bool

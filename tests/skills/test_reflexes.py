@@ -152,6 +152,7 @@ def test_an_operator_switches_it_off_and_on() -> None:
     assert answer is not None
     told = reflex_switch("avoid").decode_answer(answer)
     assert (told.on, told.by, told.holds) == (False, "Ada", False)
+    assert told.declared, "it would be on"
     assert pipeline.override is None
     reflex_switch("avoid").query(bench.bus, ReflexSwitch(on=True, by="Ada"))
     bench.step()

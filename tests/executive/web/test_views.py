@@ -161,6 +161,19 @@ def test_a_reflex_is_switched_where_it_is_shown_who_has_what(page: Page, robot: 
     expect(page.locator(".warn")).to_have_count(0)
 
 
+def test_a_reflex_that_is_off_by_declaration_is_named_once_it_is_on(page: Page, robot: FakeRobot) -> None:
+    off = REFLEX.model_copy(update={"on": False, "declared": False})
+    page.goto("/")
+    expect(page.locator(".link")).to_contain_text("nothing heard")
+    robot.reflexes[REFLEX.reflex] = off
+    tell(robot)
+    expect(page.locator(".resources .chip")).to_have_text("off")
+    expect(page.locator(".warn")).to_have_count(0)
+    robot.reflexes[REFLEX.reflex] = off.model_copy(update={"on": True, "by": "anna"})
+    tell(robot)
+    expect(page.locator(".warn")).to_contain_text("avoid_collision is on, by anna")
+
+
 KIND = KindOfTask(
     name="fetch",
     summary="Fetch an item.",
