@@ -9,13 +9,12 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from pydantic import JsonValue
 from rich.console import Console
 
 from tandem.executive.cli.exit_codes import ExitCode
-from tandem.executive.cli.film import Film
 from tandem.executive.cli.lockstep_run import lockstep_of
 from tandem.executive.cli.sending import describe_problems
 from tandem.executive.cli.task_lines import TaskLines
@@ -51,6 +50,9 @@ from tandem.skills.ports.sources import DocumentError
 from tandem.skills.ports.tasks import TaskStatus
 from tandem.skills.site import load, locate
 from tandem.skills.testing.faulty_bus import BusFaults
+
+if TYPE_CHECKING:
+    from tandem.executive.cli.film import Film
 
 USUAL_VIEW: Final = View(eye=(0.9, -2.9, 2.2), target=(-1.6, 0.3, 0.5))
 """From the lab's south wall: depot, home and shelf."""
@@ -262,7 +264,7 @@ def _carry_out(
 ) -> _Ran | None:
     """Send a request, and tell and film it to its end; None when it was rejected."""
     recorder = Recorder(system.bus, system.clocks)
-    film = None if options.film is None else Film(system.bus, system.clocks, view or USUAL_VIEW)
+    film = None if options.film is None else _film(system, view or USUAL_VIEW)
     also = recorder if film is None else Together((recorder, film))
     caller = Caller(system, lambda line: console.print(line, markup=False), also=also)
     before = caller.truth()
@@ -277,6 +279,12 @@ def _carry_out(
         film.write(options.film)
         console.print(f"moving picture: {options.film.resolve()}", markup=False)
     return _Ran(status, caller, recorder, _items(before), _items(after), after)
+
+
+def _film(system: System, view: View) -> Film:
+    from tandem.executive.cli.film import Film  # noqa: PLC0415 - OpenCV, which a host with the executive alone lacks
+
+    return Film(system.bus, system.clocks, view)
 
 
 def _ask_beside(system: System, beside: Beside, console: Console) -> None:

@@ -179,7 +179,10 @@ def test_what_is_clear_is_taken(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("declared", "reason"),
     [
-        ("avoid_colision", "no reflex 'avoid_colision'; expected one of bumper, base_guard, avoid_collision"),
+        (
+            "avoid_colision",
+            "no reflex 'avoid_colision'; expected one of cliff, bumper, base_guard, avoid_collision",
+        ),
         (
             "avoid_collision, parameters: {ahead: {fires: 0.3, releases: 0.2}}",
             "contradictory thresholds: expected releases above fires",

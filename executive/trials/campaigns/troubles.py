@@ -194,9 +194,10 @@ HOPELESS: Final[Mapping[str, tuple[Draw, frozenset[FailureKind]]]] = MappingProx
             frozenset((_K.HARDWARE_LOST,)),
         ),
         "arms stall for good": (
-            lambda _: (
-                JointStall(group="arm_left", when=ArmMoving(side="left", nth=1, after=0.3)),
-                JointStall(group="arm_right", when=ArmMoving(side="right", nth=1, after=0.3)),
+            # Both with the first motion of any arm: a task whose one arm is stuck may never move the other.
+            lambda _: tuple(
+                JointStall(group=group, when=ArmMoving(nth=1, after=0.3))
+                for group in ("arm_left", "arm_right")
             ),
             frozenset((_K.ITEM_UNREACHABLE,)),
         ),
