@@ -276,8 +276,7 @@ def _carry_out(
     status = caller.follow(answer.task, within=options.within)
     after = caller.truth()
     if film is not None and options.film is not None:
-        film.write(options.film)
-        console.print(f"moving picture: {options.film.resolve()}", markup=False)
+        _save(film, options.film, console)
     return _Ran(status, caller, recorder, _items(before), _items(after), after)
 
 
@@ -285,6 +284,16 @@ def _film(system: System, view: View) -> Film:
     from tandem.executive.cli.film import Film  # noqa: PLC0415 - OpenCV, which a host with the executive alone lacks
 
     return Film(system.bus, system.clocks, view)
+
+
+def _save(film: Film, path: Path, console: Console) -> None:
+    """Write a film; a task that was carried out is told to its end even where that fails."""
+    try:
+        film.write(path)
+    except OSError as error:
+        console.print(f"no moving picture: {error}", style="red", markup=False)
+    else:
+        console.print(f"moving picture: {path.resolve()}", markup=False)
 
 
 def _ask_beside(system: System, beside: Beside, console: Console) -> None:

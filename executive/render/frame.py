@@ -83,6 +83,7 @@ def save(path: Path, frames: Sequence[Picture], seconds: float) -> None:
     durations[-1] *= 10
     animation.durations = durations.tolist()
     path.parent.mkdir(parents=True, exist_ok=True)
+    path.touch()  # says why it can't be written, which OpenCV does not
     if not cv2.imwriteanimation(str(path), animation, [cv2.IMWRITE_WEBP_QUALITY, WEBP_QUALITY]):
         raise OSError(f"{path}: OpenCV could not write the moving picture")
 

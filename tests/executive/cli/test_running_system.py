@@ -58,6 +58,17 @@ def test_a_run_is_filmed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     assert animation.frames[0].shape[:2] == (SIZE[1], SIZE[0] + TREE_WIDTH)
 
 
+def test_a_film_that_cannot_be_written_ends_no_run(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    taken = tmp_path / "plain"
+    taken.write_text("", "utf-8")
+    assert run(tmp_path, BusOptions(robot="r3"), taken / "film.webp") is ExitCode.OK
+    said = " ".join(capsys.readouterr().out.split())
+    assert "no moving picture: " in said
+    assert "task follow-0001 succeeded" in said
+
+
 def test_a_film_of_an_unknown_kind_is_refused_before_anything_starts() -> None:
     with pytest.raises(
         CommandError, match=r"--film: expected a name that ends in .webp, .gif, .png, found a.mp4"
