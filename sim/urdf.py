@@ -184,6 +184,29 @@ class UrdfDocument:
         self.root.remove(element)
         self.root.insert(0, element)
 
+    def parents_first(self) -> None:
+        """Put each link that comes before its parent behind it; all others stay in their order.
+
+        pybullet measures the reaction at a joint as NaN, or crashes, when a child link comes first.
+        """
+        parent_of = {end_of(joint, "child"): end_of(joint, "parent") for joint in self.joints()}
+        waiting: dict[str, list[str]] = {}
+        ordered: list[str] = []
+        for name in self.links():
+            parent = parent_of.get(name)
+            if parent is not None and parent not in ordered and parent != name:
+                waiting.setdefault(parent, []).append(name)
+                continue
+            ready = [name]
+            while ready:
+                ordered.append(ready[0])
+                ready[:1] = waiting.pop(ready[0], [])
+        if ordered == self.links() or len(ordered) < len(self.links()):
+            return  # what hangs on no root is for ``check`` to say
+        slots = [index for index, element in enumerate(self.root) if element.tag == "link"]
+        for index, link in zip(slots, [self.link(name) for name in ordered], strict=True):
+            self.root[index] = link
+
     def fix(self, joint_name: str) -> None:
         """Make a joint rigid at its zero."""
         joint = self.joint(joint_name)

@@ -1,4 +1,4 @@
-"""The last steps of every robot: weld what is rigid, check it, draw what collides."""
+"""The last steps of every robot: weld what is rigid, put parents first, check it, draw what collides."""
 
 from __future__ import annotations
 
@@ -28,6 +28,7 @@ def finish(document: UrdfDocument, keep: Iterable[str]) -> tuple[str, dict[str, 
     import numpy as np  # noqa: PLC0415 - what the robots are called and take is known without
 
     document.weld(keep)
+    document.parents_first()
     frames = {link: (link, np.eye(4)) for link in document.links()} | document.welded
     _draw_collision_shapes(document)
     document.check()
