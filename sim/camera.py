@@ -175,6 +175,8 @@ class HeadCamera:
         latency: robot seconds from a picture's stamp to its message, at the least.
     """
 
+    rests: Final = False
+
     def __init__(
         self,
         bus: Bus,

@@ -29,6 +29,11 @@ STOP_EVERY: Final = 100
 class Sensor(Protocol):
     """A camera, a laser, ...: publishes by itself when its time has come."""
 
+    @property
+    def rests(self) -> bool:
+        """Whether it measures only when states are told, while the robot rests."""
+        ...
+
     def step(self, now: RobotTime) -> None:
         """Do what is due; called once a period, after the physics."""
         ...
@@ -219,7 +224,8 @@ class Hardware:
         for part in self._parts:
             part.tell(now, self._tick, streams=streams)
         for sensor in self._sensors:
-            sensor.step(now)
+            if streams or not sensor.rests:
+                sensor.step(now)
         if self._tick % STOP_EVERY == 0:
             keys.STOP_STATE.publish(self._bus, self.stop_state)
         if streams:

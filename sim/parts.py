@@ -372,6 +372,8 @@ class LaserSensorNode:
         scan: takes one.
     """
 
+    rests: Final = False
+
     def __init__(self, bus: Bus, sensor: LaserSensor, scan: Callable[[], tuple[float, ...]]) -> None:
         self._bus = bus
         self._period, self._topic = sensor.period, keys.laser(sensor.name)

@@ -59,6 +59,8 @@ class RangesNode:
         tell: publishes the readings.
     """
 
+    rests: Final = True
+
     def __init__(
         self, finders: Sequence[Finder], tell: Callable[[RobotTime, tuple[RangeReading, ...]], None]
     ) -> None:
@@ -104,6 +106,8 @@ class PoseNode:
         finder: measures.
     """
 
+    rests: Final = False
+
     def __init__(self, bus: Bus, finder: PoseFinder) -> None:
         self._bus, self._finder, self._due = bus, finder, _Due(finder.sensor.period)
 
@@ -123,6 +127,8 @@ class RobotsNode:
         bus: where readings go.
         finder: looks.
     """
+
+    rests: Final = False
 
     def __init__(self, bus: Bus, finder: RobotFinder) -> None:
         self._bus, self._finder, self._due = bus, finder, _Due(finder.sensor.period)

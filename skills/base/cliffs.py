@@ -59,6 +59,7 @@ class Cliffs:
         self, bus: Bus, clocks: Clocks, description: RobotDescription, moving: Callable[[], bool]
     ) -> None:
         self._clocks, self._moving = clocks, moving
+        self._resting = description.resting_period or 0.0
         self._told = Latest(bus, CLIFFS)
         self._sensors = tuple(_down(description, index) for index in range(len(description.cliff_sensors)))
         self._fastest = min(
@@ -73,8 +74,8 @@ class Cliffs:
         for told in self._told.take():
             for each in self._sensors:
                 each.ranger.hear(told.of(each.ranger.sensor.name), told.stamp, moving=self._moving())
-        now = self._clocks.robot()
-        deaf = tuple(each.ranger.sensor.name for each in self._sensors if each.ranger.is_deaf(now))
+        now, resting = self._clocks.robot(), 0.0 if self._moving() else self._resting
+        deaf = tuple(each.ranger.sensor.name for each in self._sensors if each.ranger.is_deaf(now, resting))
         if deaf != self._deaf and deaf:
             log.warning("cliff sensors that are silent or stuck: %s", ", ".join(deaf))
         elif deaf != self._deaf:

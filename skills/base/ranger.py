@@ -35,7 +35,12 @@ class Ranger:
             self.same = self.same + 1 if repeats else 0 if moving else self.same
             self.said, self.at = said, at
 
-    def is_deaf(self, now: RobotTime | None) -> bool:
-        """Say whether it is silent, or stuck at one distance."""
+    def is_deaf(self, now: RobotTime | None, resting: float = 0.0) -> bool:
+        """Say whether it is silent, or stuck at one distance.
+
+        ``resting``: seconds between two readings while the robot rests; 0 while it moves, or where there is
+        no difference.
+        """
         age = None if now is None or self.at is None else now.since(self.at)
-        return age is None or age > SILENT * self.sensor.period or self.same >= STUCK_AFTER
+        period = max(self.sensor.period, resting)
+        return age is None or age > SILENT * period or self.same >= STUCK_AFTER

@@ -59,6 +59,7 @@ class Surround:
     ) -> None:
         self._cliffs = cliffs
         self._clocks, self._radius, self._moving = clocks, description.footprint_radius, moving
+        self._resting = description.resting_period or 0.0
         self._deaf = tuple(each.name for each in description.range_sensors)
         self._ranges = Latest(bus, RANGES)
         self._robots = {each.name: Latest(bus, ROBOTS_SEEN) for each in description.robot_sensors}
@@ -98,8 +99,8 @@ class Surround:
         return slow if self._cliffs is None else self._cliffs.speed(slow)
 
     def _find_deaf(self) -> tuple[str, ...]:
-        now = self._clocks.robot()
-        return tuple(each.sensor.name for each in self._rangers if each.is_deaf(now))
+        now, resting = self._clocks.robot(), 0.0 if self._moving() else self._resting
+        return tuple(each.sensor.name for each in self._rangers if each.is_deaf(now, resting))
 
     @property
     def robots(self) -> tuple[SeenRobot, ...]:

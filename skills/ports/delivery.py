@@ -23,11 +23,13 @@ PACED: Final = (
     "hw/base/odometry",
     "hw/gripper/*/state",
     "hw/wrench/*",
+    "hw/ranges",
+    "hw/cliffs",
     "world/robot",
+    "world/robots/*",
     "beat",
 )
-"""What is told steadily: it wakes nobody. The clock does, which comes after it or in the next tick. It is
-sent with the next message that can't wait, or a millisecond later."""
+"""What is told steadily: it wakes nobody. The clock does, which comes after it or in the next tick."""
 KEPT: Final = "kept/"
 """Before the key of a state: where its publisher answers with what it said last."""
 KEPT_KEYS: Final = 256

@@ -13,7 +13,7 @@ from typing import Final
 import zenoh
 
 from tandem.skills.ports.bus import Desk, Inbox, Pending
-from tandem.skills.ports.delivery import KEPT, LARGE, Delivery, delivery_of, paced
+from tandem.skills.ports.delivery import KEPT, LARGE, Delivery, delivery_of
 from tandem.skills.ports.hearing import Ear
 from tandem.skills.ports.lease import Lease
 from tandem.skills.ports.message import MAX_REQUEST_BYTES
@@ -40,19 +40,19 @@ class Means:
 
     congestion: zenoh.CongestionControl
     priority: zenoh.Priority
-    express: bool
-    """Whether it is sent at once, not gathered with others for a millisecond."""
 
 
-_SMALL: Final = Means(zenoh.CongestionControl.DROP, zenoh.Priority.DATA, express=True)
+_SMALL: Final = Means(zenoh.CongestionControl.DROP, zenoh.Priority.DATA)
 MEANS: Final[Mapping[Delivery, Means]] = {
     Delivery.CONTROL: _SMALL,
     Delivery.STATE: _SMALL,
-    Delivery.BULK: Means(zenoh.CongestionControl.BLOCK_FIRST, zenoh.Priority.DATA_LOW, express=False),
+    Delivery.BULK: Means(zenoh.CongestionControl.BLOCK_FIRST, zenoh.Priority.DATA_LOW),
 }
-"""Nothing here blocks. ``DROP`` gives up after 1 ms without room on the way out. A picture is four times as
-large as that: with ``BLOCK_FIRST`` one is passed on beside the publisher's own thread, and those that come
-before it is through are dropped."""
+"""Nothing here blocks. ``DROP`` gives up after 1 ms without room on the way out. Nothing is sent as zenoh's
+``express`` either: each such message takes a batch of its own, and a burst of 500 then fills the queue and
+loses half of itself; without it, messages that wait share a batch, and one alone goes at once. A picture is
+four times as large as that: with ``BLOCK_FIRST`` one is passed on beside the publisher's own thread, and
+those that come before it is through are dropped."""
 
 
 class BusError(ConnectionError):
@@ -274,7 +274,6 @@ class ZenohBus:
             means = MEANS[how]
             publisher = self._session.declare_publisher(
                 f"{self._prefix}/{key}",
-                express=means.express and not paced(key),
                 congestion_control=means.congestion,
                 priority=means.priority,
             )
@@ -360,7 +359,6 @@ class ZenohCommons:
             means = MEANS[delivery_of(key)]
             publisher = self._session.declare_publisher(
                 f"{self._site}/{key}",
-                express=means.express,
                 congestion_control=means.congestion,
                 priority=means.priority,
             )
