@@ -99,7 +99,7 @@ class Studio:
             Job(
                 number=self._number,
                 scene=scene,
-                snapshot=self._snapshot(),
+                snapshot=self.snapshot(),
                 view=view,
                 header=header,
                 noise=self._noise,
@@ -147,7 +147,8 @@ class Studio:
         """End the renderer."""
         self._renderer.close()
 
-    def _snapshot(self) -> Snapshot:
+    def snapshot(self) -> Snapshot:
+        """Return how everything stands now."""
         return Snapshot(
             robots=tuple(_posed(robot, joints) for robot, joints in self._robots),
             bodies=(

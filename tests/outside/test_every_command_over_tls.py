@@ -97,6 +97,7 @@ CONNECTS_NOWHERE: Final = {
     "experiment coordinated",
     "experiment rocs",
     "experiment crossings",
+    "experiment picking",
     "keys init",
     "keys new",
     "keys list",

@@ -7,5 +7,5 @@ Look on: web_command, watch_command, logs_command, why_command, tree_commands, z
 Look back: log_command, lerobot_export, replay_command, run_again.
 Files and schemas: scenario_commands, schema_command.
 Try and measure: campaign_command, recorded_campaign, restart_command, experiment_command, crossings_command,
-bench_command.
+picking_command, bench_command.
 """

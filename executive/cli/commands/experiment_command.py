@@ -1,6 +1,7 @@
 """``tandem experiment``: the experiments of the papers; exit 1 when the aim is missed.
 
-Two-arm thesis, chapter 5; RoCS paper, 6.3 to 6.5. ``crossings_command`` has the order-picking paper's.
+Two-arm thesis, chapter 5; RoCS paper, 6.3 to 6.5. ``crossings_command`` and ``picking_command`` have the
+order-picking paper's.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from rich.console import Console
 
 from tandem.executive.cli.commands.campaign_command import First, Jobs, ReportFile, Seed
 from tandem.executive.cli.commands.crossings_command import crossings
+from tandem.executive.cli.commands.picking_command import picking
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.cli.telling import told
@@ -80,7 +82,7 @@ Figures = Annotated[
 def add_to(app: typer.Typer) -> None:
     """Add the command."""
     group = typer.Typer(help="Run the experiments of the papers in lockstep.", no_args_is_help=True)
-    for command in (uncoordinated, crossing, coordinated, rocs, crossings):
+    for command in (uncoordinated, crossing, coordinated, rocs, crossings, picking):
         group.command(command.__name__)(command)
     app.add_typer(group, name="experiment")
 

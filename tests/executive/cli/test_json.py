@@ -58,6 +58,7 @@ WITHOUT: Final = {
     "experiment coordinated": REPORTS,
     "experiment rocs": REPORTS,
     "experiment crossings": REPORTS,
+    "experiment picking": REPORTS,
 }
 
 
