@@ -15,6 +15,7 @@ from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import FloorPose
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard
+from tandem.trees.conditions.at_pose import POSITION_TOLERANCE
 from tandem.trees.context import TreeContext
 
 
@@ -34,10 +35,11 @@ class Reach:
 
 ENOUGH: Final = 4
 """Stands among which the base may choose the one it gets to."""
-SAME_STAND: Final = 0.04
-"""Metres within which two base poses are one stand; so far the distances that are offered lie apart."""
+SAME_STAND: Final = POSITION_TOLERANCE
+"""Metres within which two base poses are one stand. Were it less, a stand could count as new, and as reached:
+the base would stay where it stood in vain."""
 SAME_YAW: Final = 0.1
-"""Radians, the same for headings."""
+"""Radians, the same for headings: for the same reason no less than ``at_pose.YAW_TOLERANCE``."""
 
 
 def survey_stands(
