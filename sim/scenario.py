@@ -19,7 +19,7 @@ from tandem.sim.faults import Fault
 from tandem.sim.people import MOST_PEOPLE, Person
 from tandem.sim.starts import ALONE, MOST_ROBOTS, ROBOT, RobotStart
 from tandem.sim.things import Angle, Coordinate, Drop, Name, Obstacle, TrueItem
-from tandem.skills.ports.message import Message
+from tandem.skills.ports.message import PLAIN_TEXT, Message
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.sources import DocumentError, Source
 from tandem.skills.site import locate
@@ -76,7 +76,7 @@ class SpawnSurface(Message):
 class Scenario(Message):
     """The initial state of a run, except the seed."""
 
-    name: Annotated[str, Field(min_length=1, max_length=60)]
+    name: Annotated[str, Field(min_length=1, max_length=60, pattern=PLAIN_TEXT)]
     site: Annotated[str, Field(min_length=1, max_length=4096)] = "lab"
     """Name of a site, or the path of a site file, relative to the scenario's."""
     robots: Annotated[tuple[RobotStart, ...], Field(max_length=MOST_ROBOTS)] = ()
@@ -128,7 +128,7 @@ class Scenario(Message):
         ):
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:
-                raise ValueError(f"duplicate {what}: {', '.join(twice)}")
+                raise ValueError(f"expected each {what} once; several times there: {', '.join(twice)}")
         return self
 
     @model_validator(mode="after")

@@ -118,6 +118,14 @@ def _line(event: yaml.Event) -> int:
     return event.start_mark.line + 1
 
 
+def _is_unicode(text: str) -> bool:
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
 class _Reader:
     """Builds the value from PyYAML's events; these come one by one, so that depth and number are bounded."""
 
@@ -206,6 +214,8 @@ class _Reader:
 
     def _scalar(self, event: yaml.ScalarEvent, path: str) -> JsonValue:
         text = event.value
+        if not _is_unicode(text):
+            raise self._refused(path, event, "expected Unicode text, found half a surrogate pair")
         if event.style is not None:  # quoted, or a block: it is text
             return text
         if text in _NULL:

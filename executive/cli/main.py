@@ -5,10 +5,11 @@ A new command is a module of this folder with an ``add_to(app)`` and its line in
 
 from __future__ import annotations
 
+import errno
 import logging
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, MutableMapping, Sequence
 from pathlib import Path
 from typing import Annotated, Final
 
@@ -56,6 +57,10 @@ from tandem.skills.ports.sources import DocumentError
 from tandem.skills.wire.threads import few_threads
 
 PROJECT: Final = "tandem.yaml"
+NARROWEST: Final = 20
+"""Columns: help has names of options of 16 characters; below that no line of it can be read."""
+UNWRITTEN: Final = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO})
+"""What a write to standard output may end with, once it leads to a file."""
 _LOG = logging.getLogger(__name__)
 
 _parts: Final[tuple[Callable[[typer.Typer], None], ...]] = (
@@ -121,7 +126,7 @@ def main(argv: Sequence[str], screen: Screen | None = None) -> int:
         _say(f"error: {error}")
         return int(error.code if isinstance(error, CommandError) else ExitCode.BAD_INPUT)
     except SystemExit as end:
-        return end.code if isinstance(end.code, int) else int(end.code is not None)
+        return _code_of(end)
     except KeyboardInterrupt:
         return int(ExitCode.INTERRUPTED)
     except BrokenPipeError:
@@ -137,7 +142,40 @@ def run() -> None:
     """The entry point."""
     isolate_children(os.environ)
     few_threads(os.environ)
-    sys.exit(main(sys.argv[1:], Screen()))
+    usable_width(os.environ)
+    code = main(sys.argv[1:], Screen())
+    sys.exit(_said_all(code))
+
+
+def usable_width(environment: MutableMapping[str, str]) -> None:
+    """Forget a width in which nothing can be said: with COLUMNS=0, as in some CI runners, help is empty."""
+    told = environment.get("COLUMNS", "")
+    if told and not (told.isascii() and told.isdecimal() and int(told[:9]) >= NARROWEST):
+        del environment["COLUMNS"]
+
+
+def _said_all(code: int) -> int:
+    """Write what is still to be written; return the exit code, which is another one if that fails."""
+    try:
+        sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except OSError as error:
+        return code or int(_unwritten(error))
+    return code
+
+
+def _code_of(end: SystemExit) -> int:
+    if isinstance(end.__context__, BrokenPipeError):  # typer and rich end so when nobody reads on, with 1
+        return int(ExitCode.OK)
+    return end.code if isinstance(end.code, int) else int(end.code is not None)
+
+
+def _unwritten(error: OSError) -> ExitCode:
+    # What is left of the output goes nowhere: Python flushes once more at its end, and would complain.
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    _say(f"error: cannot write the output: {error.strerror}")
+    return ExitCode.BAD_INPUT
 
 
 def _print_version(wanted: bool) -> None:  # noqa: FBT001 - as typer calls it
@@ -187,6 +225,8 @@ def _common(
 def _tell_of(error: Exception) -> ExitCode:
     """Say what nobody expected: that an extra is missing, or that there is a bug."""
     lacks = words_on_module(error, "this command") if isinstance(error, ModuleNotFoundError) else ""
+    if isinstance(error, OSError) and error.errno in UNWRITTEN and not error.filename:
+        return _unwritten(error)
     if lacks:
         _LOG.error("%s", lacks)
         _say(f"error: {lacks}")

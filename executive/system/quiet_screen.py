@@ -16,12 +16,14 @@ from typing import Final, TextIO
 
 FROM_C: Final = (1, 2)
 """What C knows as standard output and standard error."""
+STANDARD: Final = (0, *FROM_C)
 
 
 class Screen:
     """The screen, taken from C for as long as the process lives. Made once, by a program's entry point."""
 
     def __init__(self) -> None:
+        _open_all()
         self._error = os.dup(2)
         sys.stdout, sys.stderr = _ours(sys.stdout, 1), _ours(sys.stderr, 2)
         self.lead_to(None)
@@ -41,8 +43,25 @@ def end_unheard() -> None:
     _lead(os.open(os.devnull, os.O_WRONLY))
 
 
-def _ours(stream: TextIO, number: int) -> TextIO:
-    """Return a stream like the one given, on a file descriptor that C does not know."""
+def _open_all() -> None:
+    """Open what was closed at the start (``tandem ... >&-``): the next file would take its place."""
+    for number in STANDARD:
+        try:
+            os.fstat(number)
+        except OSError:
+            nowhere = os.open(os.devnull, os.O_RDWR)
+            if nowhere != number:
+                os.dup2(nowhere, number)
+                os.close(nowhere)
+
+
+def _ours(stream: TextIO | None, number: int) -> TextIO:
+    """Return a stream like the one given, on a file descriptor that C does not know.
+
+    Python has none for what was closed at the start; then all that is said goes nowhere.
+    """
+    if stream is None:
+        return io.TextIOWrapper(os.fdopen(os.dup(number), "wb"), encoding="utf-8")
     stream.flush()
     assert isinstance(stream, io.TextIOWrapper), "an entry point finds the streams that Python made"
     return io.TextIOWrapper(

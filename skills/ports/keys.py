@@ -6,10 +6,11 @@ A ``Topic`` is a key and the message that travels on it; a ``Service`` is a key 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, Generic, TypeVar
 
-from tandem.skills.ports.bus import Bus, Commons, Inbox, Pending
+from tandem.skills.ports.bus import Bus, Commons, Inbox, Pending, Sample
 from tandem.skills.ports.hardware import (
     Answer,
     BaseVelocity,
@@ -126,15 +127,26 @@ class Latest(Generic[M]):
 
     def refresh(self) -> M | None:
         """Return the newest message that ever came, or None."""
-        for sample in reversed(self._inbox.drain()):
+        samples = self._inbox.drain()
+        while samples:
+            sample = samples.pop()
             message = self._entrance.read(sample.key, sample.payload)
-            if message is not None:
-                if self._entrance.is_newer(sample.key, message):
-                    self.value = message
-                else:
-                    self._entrance.keeps_old(sample.key, message)  # which counts it
-                break
+            if message is None:
+                continue
+            if self._entrance.is_newer(sample.key, message):
+                self.value = message
+            else:
+                self._entrance.keeps_old(sample.key, message)  # which counts it
+                # A late one hides no newer one that came before it.
+                self._take_newer(samples)
+            break
         return self.value
+
+    def _take_newer(self, samples: Sequence[Sample]) -> None:
+        for sample in samples:
+            message = self._entrance.read(sample.key, sample.payload)
+            if message is not None and self._entrance.is_newer(sample.key, message):
+                self.value = message
 
     def close(self) -> None:
         """End the subscription."""

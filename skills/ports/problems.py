@@ -57,7 +57,9 @@ def problems_of(error: ValidationError, *, most: int = MAX_PROBLEMS) -> tuple[Pr
         kind, message = finding["type"], finding["msg"]
         expected = _EXPECTED.get(kind, message.removeprefix("Input should be ").removeprefix("Value error, "))
         expected = expected.removeprefix("expected ")  # a validator's own words
-        shown = "" if kind == "missing" else show(finding["input"])
+        # What a validator says of the whole document names what is wrong; the document itself says no more.
+        silent = kind == "missing" or (kind == "value_error" and not finding["loc"])
+        shown = "" if silent else show(finding["input"])
         found.append(Problem(path=path_of(finding["loc"]), expected=expected, found=shown))
     return tuple(found) or (Problem(path=WHOLE, expected="a request"),)
 

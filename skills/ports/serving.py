@@ -211,8 +211,11 @@ class _Served:
             return _wrong(f"at least one field of {self._shape}", "{}")
         try:
             # The JSON and not the fields: only so does the model read arrays as tuples and texts as enums.
+            # Strictly: ``true`` is no width of 1 m, and "9" is no number.
             document = (
-                AnyDocument() if service.asked is AnyDocument else service.asked.model_validate_json(payload)
+                AnyDocument()
+                if service.asked is AnyDocument
+                else service.asked.model_validate_json(payload, strict=True)
             )
         except ValidationError as error:
             return problems_of(error)

@@ -16,6 +16,8 @@ from typing import Final
 ONE_NUMBER: Final = frozenset({"revolute", "continuous", "prismatic"})
 """Kinds whose position is one number."""
 SEVERAL_NUMBERS: Final = frozenset({"floating", "planar"})
+SHORTEST_AXIS: Final = 1e-6
+"""What is shorter has lost its direction to rounding; an axis that is written is about 1 long."""
 KINDS: Final = ONE_NUMBER | SEVERAL_NUMBERS | {"fixed"}
 
 
@@ -69,35 +71,92 @@ def mimics(root: ET.Element) -> Mapping[str, Mimic]:
 
 
 def _mistakes(root: ET.Element) -> Iterator[str]:
-    joints = root.findall("joint")
-    names = Counter(joint.get("name", "") for joint in joints)
-    links = Counter(link.get("name", "") for link in root.findall("link"))
-    yield from (f"joint {name!r} is there {count} times" for name, count in names.items() if count > 1)
-    yield from (f"link {name!r} is there {count} times" for name, count in links.items() if count > 1)
+    joints, links = root.findall("joint"), root.findall("link")
+    for what, elements in (("joint", joints), ("link", links)):
+        names = Counter(element.get("name", "").strip() for element in elements)
+        yield from (f"{what} {name!r} is there {count} times" for name, count in names.items() if count > 1)
+        if "" in names:
+            yield f"a {what} without a name"
+    for link in links:
+        yield from (f"link {link.get('name', '')!r}: {each}" for each in _link_mistakes(link))
+    known = Counter(link.get("name", "") for link in links)
     for joint in joints:
         who = f"joint {joint.get('name', '')!r}"
         kind = joint.get("type", "")
         if kind not in KINDS:
             yield f"{who}: expected a type out of {', '.join(sorted(KINDS))}, found {kind!r}"
-        yield from (f"{who}: {each}" for each in _ends(joint, links))
+        yield from (f"{who}: {each}" for each in (*_ends(joint, known), *_parts_once(joint), *_origin(joint)))
         if kind in ONE_NUMBER:
             yield from (f"{who}: {each}" for each in (*_axis(joint), *_limit(joint, kind)))
     yield from _mimic_mistakes(joints)
+    yield from _tree_mistakes(joints, known)
+
+
+def _link_mistakes(link: ET.Element) -> Iterator[str]:
+    """Parsers drop an inertial that they can't read, and the link then weighs nothing."""
+    for mass in link.findall("inertial/mass"):
+        if not 0.0 <= _number(mass.get("value", "")) < math.inf:
+            yield f"expected a mass of at least 0, found {mass.get('value', '')!r}"
+    for part in (*link.findall("inertial"), *link.findall("visual"), *link.findall("collision")):
+        yield from (f"{part.tag}: {each}" for each in _origin(part))
+
+
+def _parts_once(joint: ET.Element) -> Iterator[str]:
+    """Parsers take the first of two, or the last."""
+    for name in ("parent", "child", "origin", "axis", "limit", "mimic"):
+        if len(joint.findall(name)) > 1:
+            yield f"expected one <{name}>, found several"
+
+
+def _origin(element: ET.Element) -> Iterator[str]:
+    origin = element.find("origin")
+    for name in ("xyz", "rpy"):
+        text = None if origin is None else origin.get(name)
+        if text is not None and not _is_vector(text):
+            yield f"expected three numbers for the origin's {name}, found {text!r}"
+
+
+def _tree_mistakes(joints: list[ET.Element], links: Mapping[str, int]) -> Iterator[str]:
+    """Each link hangs on one joint, but for the root; whatever is left over hangs on itself."""
+    parents: dict[str, str] = {}
+    for joint in joints:
+        child, name = _end(joint, "child"), joint.get("name", "")
+        if child in parents:
+            yield f"link {child!r}: expected one joint that it hangs on, found {name!r} as well"
+        parents[child] = _end(joint, "parent")
+    roots = [link for link in links if link not in parents]
+    if len(roots) > 1:
+        yield f"expected one link that hangs on no joint, found {', '.join(map(repr, roots))}"
+    if not links:
+        yield "expected at least one link"
+    below: dict[str, list[str]] = {}
+    for child, parent in parents.items():
+        below.setdefault(parent, []).append(child)
+    reached, waiting = set(roots), list(roots)
+    while waiting:
+        children = [each for each in below.get(waiting.pop(), ()) if each not in reached]
+        reached.update(children)
+        waiting.extend(children)
+    if circle := [link for link in links if link not in reached]:
+        yield f"expected a tree; these links hang on each other: {', '.join(map(repr, circle))}"
 
 
 def _ends(joint: ET.Element, links: Mapping[str, int]) -> Iterator[str]:
     for end in ("parent", "child"):
-        element = joint.find(end)
-        link = "" if element is None else element.get("link", "")
+        link = _end(joint, end)
         if link not in links:
             yield f"expected a {end} link that is there, found {link!r}"
+
+
+def _end(joint: ET.Element, end: str) -> str:
+    element = joint.find(end)
+    return "" if element is None else element.get("link", "")
 
 
 def _axis(joint: ET.Element) -> Iterator[str]:
     element = joint.find("axis")
     text = "1 0 0" if element is None else element.get("xyz", "1 0 0")
-    parts = [_number(part) for part in text.split()]
-    if len(parts) != 3 or not all(map(math.isfinite, parts)) or not any(parts):  # noqa: PLR2004 - x, y, z
+    if not _is_vector(text) or math.hypot(*map(float, text.split())) < SHORTEST_AXIS:
         yield f"expected an axis of three numbers, not all 0, found {text!r}"
 
 
@@ -114,7 +173,9 @@ def _limit(joint: ET.Element, kind: str) -> Iterator[str]:
     if kind == "continuous":
         return
     lower, upper = (_number(limit.get(name, "0")) for name in ("lower", "upper"))
-    if not lower <= upper:
+    if not all(map(math.isfinite, (lower, upper))):
+        yield f"expected finite limits, found {limit.get('lower')!r} and {limit.get('upper')!r}"
+    elif not lower <= upper:
         yield f"expected a lower limit of at most the upper one, found {lower:g} and {upper:g}"
 
 
@@ -135,6 +196,11 @@ def _mimic_mistakes(joints: list[ET.Element]) -> Iterator[str]:
         for name in ("multiplier", "offset"):
             if not math.isfinite(_number(mimic.get(name) or "0")):
                 yield f"{who}: expected a number for {name}, found {mimic.get(name)!r}"
+
+
+def _is_vector(text: str) -> bool:
+    parts = [_number(part) for part in text.split()]
+    return len(parts) == 3 and all(map(math.isfinite, parts))  # noqa: PLR2004 - x, y, z
 
 
 def _number(text: str) -> float:

@@ -84,6 +84,9 @@ WRONG = {
         ),
         r"at most 100000 values",
     ),
+    "a tag twice": (f"{HEAD}items:\n{ITEM}{ITEM}", r"expected each tag once; several times there: 29$"),
+    "half a letter": ('name: "\\uD800"\n', r"name \(line 1\): expected Unicode text, found half a surr"),
+    "a control character": ('name: "a\\e[2J"\nsite: lab\n', r"name \(line 1\): expected"),
     "no text": (b"name: \xff\xfe", "not UTF-8"),
 }
 

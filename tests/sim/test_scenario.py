@@ -71,7 +71,7 @@ def test_a_missing_file_is_named(tmp_path: Path) -> None:
 def test_a_tag_may_be_there_once() -> None:
     demo = load_scenario("Demo")
     doubled = {**demo.model_dump(), "items": [demo.item(29), demo.item(29)]}
-    with pytest.raises(ValueError, match="duplicate tag: 29"):
+    with pytest.raises(ValueError, match="each tag once; several times there: 29"):
         type(demo).model_validate(doubled)
 
 

@@ -19,6 +19,7 @@ from tandem.skills.ports.urdf_check import UrdfError
 from tests.fakes.arm_rig import panda
 
 ARM = ("shoulder", "elbow")
+LINKS = ("world", "base", "upper", "lower", "finger", "thumb")
 LIMITS = {"shoulder": (-1.0, 2.0, 1.5), "elbow": (-0.5, 0.25, 0.7)}
 
 
@@ -34,8 +35,8 @@ def joint(name: str, parent: str, child: str, kind: str = "revolute", inside: st
 
 
 def robot(*joints: str) -> str:
-    links = ("world", "base", "upper", "lower", "finger", "thumb")
-    return f'<robot name="odd">{"".join(f"<link name={name!r}/>" for name in links)}{"".join(joints)}</robot>'
+    named = [name for name in LINKS if any(f'link="{name}"' in each for each in joints)]
+    return f'<robot name="odd">{"".join(f"<link name={name!r}/>" for name in named)}{"".join(joints)}</robot>'
 
 
 def armed(first: str, *more: str, elbow: str = "") -> str:
@@ -47,6 +48,8 @@ def armed(first: str, *more: str, elbow: str = "") -> str:
     )
 
 
+ONE_LIMIT = '<limit lower="-1" upper="1" velocity="1" effort="1"/>'
+WEIGHTLESS = '<link name="upper"><inertial><mass value="-2"/></inertial></link>'
 FINGERS = (
     joint("finger_joint", "lower", "finger", "prismatic"),
     joint(
@@ -98,7 +101,7 @@ def test_a_joint_that_mimics_stands_where_that_puts_it() -> None:
             ARM,
             "joint 'elbow': expected a lower limit of at most the upper one, found 1 and -1",
         ),
-        (armed("fixed", elbow='<limit lower="nan" velocity="1" effort="1"/>'), ARM, "'elbow': expected a"),
+        (armed("fixed", elbow='<limit lower="nan" velocity="1" effort="1"/>'), ARM, "'elbow': expected fin"),
         (armed("fixed", elbow='<limit lower="-1" upper="1" effort="1"/>'), ARM, "'elbow': expected velocity"),
         (armed("fixed", elbow="<axis/>"), ARM, "joint 'elbow': a revolute joint needs a <limit>"),
         (armed("ball"), ARM, "joint 'root': expected a type out of"),
@@ -111,6 +114,25 @@ def test_a_joint_that_mimics_stands_where_that_puts_it() -> None:
             "joint 'wrist': it mimics 'knuckle', and there is no such joint",
         ),
         ("<robot", ARM, "no XML"),
+        ("<robot/>", ARM, "expected at least one link"),
+        (armed("fixed", joint("", "lower", "finger")), ARM, "a joint without a name"),
+        (armed("fixed", joint("wrist", "upper", "lower")), ARM, "'lower': expected one joint"),
+        (armed("fixed", joint("wrist", "finger", "thumb")), ARM, "no joint, found 'world', 'finger'"),
+        (
+            armed("fixed", joint("wrist", "finger", "thumb"), joint("knuckle", "thumb", "finger")),
+            ARM,
+            "these links hang on each other: 'finger', 'thumb'",
+        ),
+        (armed("fixed").replace("0 0 0.5", "0 nan 0"), ARM, "'elbow': expected three numbers for the"),
+        (armed("fixed").replace("0 0 0.5", "0,0,0.5"), ARM, "'elbow': expected three numbers for the"),
+        (armed("fixed").replace("0 0 1", "0 0 1e-200"), ARM, "'elbow': expected an axis"),
+        (armed("fixed").replace('lower="-0.5"', 'lower="-inf"'), ARM, "'elbow': expected finite limits"),
+        (armed("fixed", elbow=ONE_LIMIT + ONE_LIMIT), ARM, "'elbow': expected one <limit>, found several"),
+        (
+            armed("fixed").replace("<link name='upper'/>", WEIGHTLESS),
+            ARM,
+            "link 'upper': expected a mass of at least 0, found '-2'",
+        ),
     ],
 )  # fmt: skip
 def test_what_can_not_be_right_is_refused_by_name(urdf: str, group: tuple[str, ...], said: str) -> None:

@@ -299,3 +299,17 @@ def test_what_was_read_for_another_robot_is_checked_again(stand: Stand) -> None:
         RobotDescription.model_validate_json(json.dumps({**other, "groups": other["groups"][:1]}))
     )
     assert not later.take()
+
+
+def test_a_late_message_hides_no_newer_one_that_arrived_before_it() -> None:
+    """A network that delivers some messages twice must not silence a stream."""
+    hub = MemoryHub()
+    teller, bus = MemoryBus(hub), MemoryBus(hub)
+    latest = Latest(bus, JOINT_STATES)
+    JOINT_STATES.publish(teller, states(0.5))
+    JOINT_STATES.publish(teller, states(1.0))
+    assert latest.refresh() == states(1.0)
+    for seconds in (1.1, 1.2, 0.5):
+        JOINT_STATES.publish(teller, states(seconds))
+    assert latest.refresh() == states(1.2)
+    assert bus.ear.refused == {(JOINT_STATES.key, Reason.OLDER): 1}

@@ -163,6 +163,13 @@ def test_a_bad_document_is_told_what_is_wrong(room: Room, document: bytes, said:
     assert room.pushed == []
 
 
+@pytest.mark.parametrize("force", [True, "3", 2.0, None])
+def test_nothing_is_taken_for_a_number_that_is_none(room: Room, force: object) -> None:
+    """A client's mistake must not move a gripper to a width of ``true`` metres."""
+    assert room.refused("a/push", {"by": "me", "force": force}).startswith("force: expected a ")
+    assert room.pushed == []
+
+
 def test_a_question_is_refused_with_an_error(room: Room) -> None:
     found = room.ask("a/show", {"x": 1})
     assert found.poll() is None
