@@ -11,8 +11,8 @@ from tandem.executive.config.project import Project
 
 SYSTEM: Final = ("up", "run")
 """Commands that start the project's system; ``demo`` is Tandem's own, and takes nothing from a project."""
-OF_ROOM: Final = frozenset({"--scenario", "--site"})
-"""Options that mean the same wherever they stand."""
+EVERYWHERE: Final = frozenset({"--scenario", "--site", "--data"})
+"""Options that mean the same wherever they stand: the room, and the folder of ledger, logs and records."""
 
 
 def defaults(command: object, project: Project) -> dict[str, object]:
@@ -36,7 +36,7 @@ def _of(command: object, said: Mapping[str, object], *, whole: bool) -> dict[str
     found: dict[str, object] = {}
     for parameter in command.params:
         for option in said.keys() & set(parameter.opts):
-            shared = getattr(parameter, "envvar", None) or option in OF_ROOM
+            shared = getattr(parameter, "envvar", None) or option in EVERYWHERE
             if (whole or shared) and parameter.name is not None:
                 found[parameter.name] = said[option]
     return found

@@ -6,7 +6,7 @@ import functools
 import inspect
 from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, get_type_hints
+from typing import Annotated, Final, get_type_hints
 
 import typer
 
@@ -76,16 +76,22 @@ ReportFile = Annotated[
 Page = Annotated[
     bool, typer.Option("--web", help="Serve the page: robot, tree, tasks and stop in a browser.")
 ]
+PAGE_AT: Final = "127.0.0.1:8447"
+"""Where the page is served unless told otherwise."""
 PageAt = Annotated[
-    str,
-    typer.Option("--web-at", metavar="HOST:PORT", help="Address of the page, on this host only."),
+    str | None,
+    typer.Option(
+        "--web-at",
+        metavar="HOST:PORT",
+        help=f"--web at this address, on this host only. Default: {PAGE_AT}.",
+    ),
 ]
 Record = Annotated[
     bool, typer.Option("--record", help="Record everything that is said on the bus, as MCAP files.")
 ]
 RecordTo = Annotated[
     Path | None,
-    typer.Option("--record-to", metavar="DIR", help="Folder of the recordings. Default: records in --data."),
+    typer.Option("--record-to", metavar="DIR", help="--record into this folder. Default: records in --data."),
 ]
 RunRecord = Annotated[
     Path | None,

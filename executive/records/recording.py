@@ -159,7 +159,10 @@ def open_recording(path: Path) -> Recording:
             first = file.read(len(MCAP))
     except OSError as error:
         raise RecordError(
-            path, "a record", error.strerror or str(error), "see `tandem log info` for those kept"
+            path,
+            "a record",
+            error.strerror or str(error),
+            "`tandem why ID` names those of a task; all lie in `records` beside the ledger",
         ) from error
     if first == MCAP:
         from tandem.executive.records.mcap_file import McapRecording  # noqa: PLC0415 - of the extra `record`
@@ -173,7 +176,7 @@ def open_recording(path: Path) -> Recording:
         path,
         "a record of Tandem (.mcap, or .jsonl.gz of the black box)",
         "another kind of file" if first else "an empty file",
-        "`tandem up --record DIR` writes records, and the black box writes into `records` of the data folder",
+        "`tandem up --record` writes records, and the black box writes into `records` of the data folder",
     )
 
 

@@ -406,7 +406,8 @@ class MovePlanner:
         return "" if q is None else words(next(iter(checker.contacts(q)), None))
 
     def _failure(self, kind: FailureKind, message: str, **evidence: str | float | bool) -> Failure:
-        return Failure(kind=kind, message=message, where=self._where, evidence=evidence)
+        known = {name: value for name, value in evidence.items() if value != ""}
+        return Failure(kind=kind, message=message, where=self._where, evidence=known)
 
 
 @dataclass(frozen=True)

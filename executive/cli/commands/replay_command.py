@@ -9,6 +9,7 @@ import typer
 from tandem.executive.cli.arguments import Json
 from tandem.executive.cli.commands.log_command import File
 from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.system_options import PAGE_AT
 
 if TYPE_CHECKING:
     from tandem.executive.cli.commands.watch_command import View
@@ -40,16 +41,20 @@ def replay(
         bool, typer.Option("--web", help="Show it on the page, in a browser, until Ctrl-C.")
     ] = False,
     web_at: Annotated[
-        str,
-        typer.Option("--web-at", metavar="HOST:PORT", help="Address of the page, on this host only."),
-    ] = "127.0.0.1:8447",
+        str | None,
+        typer.Option(
+            "--web-at",
+            metavar="HOST:PORT",
+            help=f"--web at this address, on this host only. Default: {PAGE_AT}.",
+        ),
+    ] = None,
     as_json: Json = False,
 ) -> None:
     """List what happened in a record; with --at or --task show the tree and the reasons at that moment."""
-    if web:
+    if web or web_at is not None:
         from tandem.executive.cli.commands.web_command import show_record  # noqa: PLC0415
 
-        show_record(file, web_at, option="--web-at")
+        show_record(file, web_at or PAGE_AT, option="--web-at")
         return
     from tandem.executive.records.recording import open_recording  # noqa: PLC0415
 

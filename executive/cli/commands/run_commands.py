@@ -22,6 +22,7 @@ from tandem.executive.cli.option_checks import (
     traces_address,
 )
 from tandem.executive.cli.system_options import (
+    PAGE_AT,
     Data,
     Faults,
     Insecure,
@@ -76,7 +77,7 @@ def up(
     metrics: MetricsAt = "",
     traces: TracesTo = "",
     web: Page = False,
-    web_at: PageAt = "127.0.0.1:8447",
+    web_at: PageAt = None,
     record: Record = False,
     record_to: RecordTo = None,
     record_pictures: RecordPictures = True,
@@ -127,9 +128,9 @@ def up(
         log_format=logs.format,
         metrics=metrics_address(metrics),
         traces=traces_address(traces),
-        web=page_address(web_at, bus) if web else "",
+        web=page_address(web_at or PAGE_AT, bus) if web or web_at is not None else "",
         black_box=True,
-        record=folder_of_recordings(record_to, folder, roles) if record else None,
+        record=(folder_of_recordings(record_to, folder, roles) if record or record_to is not None else None),
         record_pictures=record_pictures,
         commit=checkout()[0],
         person=person(bus),

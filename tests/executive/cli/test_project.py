@@ -70,6 +70,8 @@ def test_up_takes_all_of_it(project: Path) -> None:
 def test_a_client_takes_the_way_to_the_robot_and_a_campaign_the_room(project: Path) -> None:
     way = {"connect", "site_key", "robot", "keys", "holder"}
     assert set(made(project, "cancel")) == way
+    for command in ("tasks", "why", "logs", "retry", "export"):
+        assert set(made(project, command)) == {*way, "data"}, "also while nothing runs"
     assert set(made(project, "tree", "render")) == {*way, "site"}
     assert set(made(project, "campaign", "fetch")) == {"scenario", "site"}
     assert "demo" not in made(project)

@@ -30,7 +30,7 @@ PROGRAM = "import sys; from tandem.executive.cli.start import run; sys.exit(run(
         (["replay", "pyproject.toml", "--web"], 2, "expected a record of Tandem"),
         (["web", "--at", "8447"], 2, "expected a host and a port"),
         (["web", "--connect", "tcp/127.0.0.1:1"], 3, "tandem up"),
-        (["up", "--web", "--web-at", "192.168.1.5:80"], 2, "--web-at: 192.168.1.5:80: anyone who can reach"),
+        (["up", "--web-at", "192.168.1.5:80"], 2, "--web-at: 192.168.1.5:80: anyone who can reach"),
         (["up", "--web", "--web-at", "127.0.0.1:0"], 2, "a port other than 0"),
     ],
 )
