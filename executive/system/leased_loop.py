@@ -14,8 +14,10 @@ from tandem.skills.wire.lease_holder import LeaseHolder, Leasing
 from tandem.skills.wire.loop import run
 
 
-def run_leased(stage: Stage, build: Callable[[Bus, Clocks], Node]) -> None:
+def run_leased(stage: Stage, build: Callable[[Bus, Clocks], Node], *, calm: bool = False) -> None:
     """Settle the lease, build the node, and step it until the process is told to end.
+
+    ``calm``: see ``loop.run``.
 
     Raises:
         RivalError: another process has the lease.
@@ -24,7 +26,8 @@ def run_leased(stage: Stage, build: Callable[[Bus, Clocks], Node]) -> None:
     holder = LeaseHolder(bus, clocks, stage.presence)
     faulty = _with_faults(stage.settings, bus, clocks)
     holder.acquire(stage.stopped)
-    run(stage.settings.role, bus, clocks, [Leasing(holder, [build(faulty, clocks)])], stage.stopped)
+    nodes = [Leasing(holder, [build(faulty, clocks)])]
+    run(stage.settings.role, bus, clocks, nodes, stage.stopped, calm=calm)
 
 
 def _with_faults(settings: WorkerSettings, bus: Bus, clocks: Clocks) -> Bus:

@@ -42,6 +42,7 @@ from tandem.skills.ports.tasks import TASK_INFO
 from tandem.skills.ports.world import ROBOT_POSE
 from tandem.skills.site import locate
 from tandem.skills.wire.clocks import ProcessClocks
+from tandem.skills.wire.loop import CALM
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 READY_WITHIN: Final = 60.0
@@ -265,7 +266,9 @@ class ProcessSystem:
         bus = self._options.bus
         shown = None if bus.keys is None else Identity(bus.keys, bus.holder).part("supervisor")
         waker = None if self._main.bus is None else self._main.bus.waker
-        return ZenohBus(bus.endpoint, crew.prefix, patience=patience, waker=waker, credentials=shown)
+        opened = ZenohBus(bus.endpoint, crew.prefix, patience=patience, waker=waker, credentials=shown)
+        opened.waker.calm = CALM
+        return opened
 
     def _executive_answers(self, crew: Crew) -> bool:
         return wait_for(self, TASK_INFO.query(crew.connected(), Nothing(), timeout=0.3), 0.5) is not None

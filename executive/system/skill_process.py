@@ -69,7 +69,7 @@ def play_skills(stage: Stage, role: Role) -> None:
 
             return OneBoot(settings.role, bus, clocks, build, description)
 
-        run_leased(stage, skills)
+        run_leased(stage, skills, calm=role.calm)
     finally:
         compute.close()
 

@@ -21,6 +21,11 @@ IDLE_WAIT: Final = 0.12
 than the period of the clock of a robot that rests, or each of its ticks would cost two turns."""
 
 
+CALM: Final = 0.045
+"""Host seconds between two ticks that wake a process which moves nothing: every fifth tick of 10 ms does, as
+often as a tree looks at its timers (``tree_run.TICK_PERIOD``). Half a tick less than that, for ticks that
+come early. What is asked of it, and news, wake it at once."""
+
 FOLLOWS: Final = "follows/"
 """Before the name of a process that follows the hardware's ticks, among the names it announces. Recorders
 and pages are processes that only listen: nothing waits for them."""
@@ -42,8 +47,14 @@ def run(
     clocks: ProcessClocks,
     nodes: Sequence[Node],
     stopped: Callable[[], bool],
+    *,
+    calm: bool = False,
 ) -> None:
-    """Step the nodes until ``stopped`` says so, then close them."""
+    """Step the nodes until ``stopped`` says so, then close them.
+
+    ``calm``: no node moves anything, so that only some ticks of the clock need wake them. Hardware that waits
+    for its followers is followed in each.
+    """
     # What was made until now lives as long as the process. Unfrozen, the collector looks through all of it
     # now and then, for 20 ms and more, between a message and its answer.
     gc.collect()
@@ -57,6 +68,8 @@ def run(
                 bus.waker.wait(IDLE_WAIT)
             bus.beat()
             ticks = clocks.refresh()
+            if ticks and calm:
+                bus.waker.calm = 0.0 if ticks[-1].waits else CALM
             more = False
             for node in nodes:
                 more = node.step() or more

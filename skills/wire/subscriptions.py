@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import zenoh
 
 from tandem.skills.ports.delivery import paced
+from tandem.skills.ports.keys import CLOCK
 from tandem.skills.wire.direct import direct
 from tandem.skills.wire.keyed_queue import KeyedQueue
 from tandem.skills.wire.memory import MemorySample
@@ -45,15 +46,16 @@ class Subscriptions:
         return inbox
 
     def _declare(self, key: str, shared: _Shared) -> zenoh.Subscriber[None]:
-        start, wakes = len(self._prefix) + 1, not paced(key)
+        start = len(self._prefix) + 1
+        wake = self._waker.tick if key == CLOCK.key else None if paced(key) else self._waker.wake
 
         def arrived(sample: zenoh.Sample) -> None:
             name = str(sample.key_expr)[start:]
             told = MemorySample(name, sample.payload.to_bytes())
             for inbox in shared.inboxes:
                 inbox.waiting.put(name, told)
-            if wakes:
-                self._waker.wake()
+            if wake is not None:
+                wake()
 
         return self._session.declare_subscriber(f"{self._prefix}/{key}", direct(arrived))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
@@ -17,11 +18,28 @@ from tandem.skills.wire.memory import MemorySample
 class Waker:
     """Wakes the loop when something has arrived."""
 
+    calm: float = 0.0
+    """Host seconds between two ticks of the clock that wake the loop; those in between wait for whatever
+    wakes it next."""
+    monotonic: Callable[[], float] = time.monotonic
     _event: threading.Event = field(default_factory=threading.Event)
+    _ticked_at: float = float("-inf")
 
     def wake(self) -> None:
         """Let ``wait`` return; may be called from any thread."""
         self._event.set()
+
+    def tick(self) -> None:
+        """Wake the loop for a tick of the hardware's clock, unless one has just done so."""
+        now = self.monotonic()
+        if now - self._ticked_at >= self.calm:
+            self._ticked_at = now
+            self.wake()
+
+    @property
+    def woken(self) -> bool:
+        """Whether ``wait`` returns at once."""
+        return self._event.is_set()
 
     def wait(self, timeout: float) -> None:
         """Wait until woken, at most ``timeout`` seconds."""

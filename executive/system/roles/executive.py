@@ -117,7 +117,11 @@ def _play(stage: Stage) -> None:
     from tandem.executive.system.leased_loop import run_leased  # noqa: PLC0415
 
     stage.bus.awake()  # it listens from now on: a skill that hangs before the first task is missed in it, too
-    run_leased(stage, lambda bus, clocks: service_node(stage, bus, clocks, ledger_of(stage.settings)))
+
+    def service(bus: Bus, clocks: Clocks) -> Node:
+        return service_node(stage, bus, clocks, ledger_of(stage.settings))
+
+    run_leased(stage, service, calm=True)
 
 
 def _load_ahead() -> None:

@@ -15,5 +15,12 @@ def _nodes(at: Surroundings) -> Sequence[Node]:
 
 
 ROLES = (
-    Role(name="keeper", starts=20, kind="skills", nodes=_nodes, rights=skill_rights(tells=("world/**",))),
+    Role(
+        name="keeper",
+        starts=20,
+        kind="skills",
+        nodes=_nodes,
+        calm=True,
+        rights=skill_rights(tells=("world/**",)),
+    ),
 )

@@ -44,6 +44,7 @@ ROLES = (
         extra=SKILLS,
         needed=_needed,
         pictures=True,
+        calm=True,
         nodes=_nodes,
         ahead=_load,
         worker="forked",

@@ -105,6 +105,8 @@ class Role:
     """The router's: it plays before there is a bus."""
     pictures: bool = False
     """Whether it tells or hears camera pictures: on one host they go through shared memory."""
+    calm: bool = False
+    """Skills: whether they move nothing themselves, so that not each tick of the clock need wake them."""
     on_request: bool = False
     """Whether it is started only when somebody asks for it."""
     ahead: Callable[[], None] | None = None

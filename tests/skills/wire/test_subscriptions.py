@@ -25,9 +25,9 @@ class Session:
         self.heard[key] = take
         return SimpleNamespace(undeclare=lambda: self.heard.pop(key))
 
-    def put(self, key: str) -> None:
+    def put(self, key: str, heard: str = "lab/tiago/world/*") -> None:
         body = SimpleNamespace(to_bytes=lambda: b"{}")
-        self.heard["lab/tiago/world/*"](SimpleNamespace(key_expr=key, payload=body))
+        self.heard[heard](SimpleNamespace(key_expr=key, payload=body))
 
 
 @pytest.fixture
@@ -68,3 +68,21 @@ def test_the_last_who_closes_ends_it(session: Session, add: Callable[[], Any]) -
 def test_who_says_how_many_threads_has_them(before: dict[str, str], after: str) -> None:
     few_threads(before)
     assert before[VARIABLE] == after
+
+
+def test_of_a_calm_process_some_ticks_of_the_clock_wake_the_loop_and_all_news_does(session: Session) -> None:
+    now = 0.0
+    waker = Waker(calm=0.045, monotonic=lambda: now)
+    heard = Subscriptions(cast("zenoh.Session", session), "lab/tiago", waker)
+    heard.add("hw/clock", 64)
+    heard.add("world/state", 4)
+    woken = []
+    for tick in range(12):
+        now = tick * 0.01
+        session.put("lab/tiago/hw/clock", "lab/tiago/hw/clock")
+        if tick == 7:
+            session.put("lab/tiago/world/state", "lab/tiago/world/state")
+        if waker.woken:
+            woken.append(tick)
+            waker.wait(0.0)
+    assert woken == [0, 5, 7, 10]
