@@ -9,13 +9,16 @@ from __future__ import annotations
 
 import re
 import signal
+import sys
 import threading
 import traceback
 from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from enum import StrEnum
-from importlib.metadata import EntryPoint, entry_points
+from functools import lru_cache
+from importlib.metadata import EntryPoint, EntryPoints, entry_points
+from pathlib import Path
 from types import FrameType, MappingProxyType
 from typing import Final, Generic, Never, TypeVar
 
@@ -102,11 +105,29 @@ class Loaded(Generic[Found_co]):
 def installed(group: Group) -> tuple[Plugin, ...]:
     """Return what packages declare in a group, in the order of names. Imports nothing of theirs."""
     found = []
-    for entry in entry_points(group=group.entry_points):
+    folders = tuple((folder, _changed(folder)) for folder in sys.path)
+    for entry in _declared(group, folders):
         package = "unknown" if entry.dist is None else entry.dist.name
         version = "" if entry.dist is None else entry.dist.version
         found.append(Plugin(group, entry.name, package, version, entry.value))
     return tuple(sorted(found))
+
+
+def _changed(folder: str) -> int:
+    """Return when a package was last added to a folder or taken from it (ns); 0 where there is none."""
+    try:
+        return Path(folder).stat().st_mtime_ns
+    except OSError:
+        return 0
+
+
+@lru_cache(maxsize=16)  # twice as many as there are groups
+def _declared(group: Group, folders: tuple[tuple[str, int], ...]) -> EntryPoints:  # noqa: ARG001 - for the cache
+    """Return what all packages declare in a group, read anew when a package comes or goes.
+
+    Each look reads files of every package, 4 ms for a hundred of them; `tandem up` looks 59 times.
+    """
+    return entry_points(group=group.entry_points)
 
 
 def load(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+from importlib.metadata import EntryPoints, entry_points
 
 import pytest
 
@@ -74,3 +75,25 @@ def test_ctrl_c_is_no_fault_of_a_plug_in(installed: Installed) -> None:
     installed.add("somebody", {"bad": "raise KeyboardInterrupt"}, {"tandem.nodes": {"bad": "bad:VALUE"}})
     with pytest.raises(KeyboardInterrupt):
         load(Group.NODES, text)
+
+
+def test_what_packages_declare_is_read_once_until_one_is_added(
+    installed: Installed, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def entries(name: str) -> dict[str, dict[str, str]]:
+        return {"tandem.tasks": {name: f"{name}_app:TASK"}}
+
+    read: list[str] = []
+
+    def reading(group: str) -> EntryPoints:
+        read.append(group)
+        return entry_points(group=group)
+
+    monkeypatch.setattr("tandem.skills.ports.plugins.entry_points", reading)
+    installed.add("one-app", {}, entries("one"))
+    for _ in range(3):
+        declared(Group.TASKS)
+    assert len(read) == 1
+    installed.add("two-app", {}, entries("two"))
+    found = {each.name for each in declared(Group.TASKS)}
+    assert {"one", "two"} <= found
