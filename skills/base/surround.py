@@ -17,7 +17,7 @@ from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import RANGES, ROBOTS_SEEN, Latest
 from tandem.skills.ports.pose import FloorPose
-from tandem.skills.ports.sensors import SeenRobot
+from tandem.skills.ports.sensors import RobotsSeen, SeenRobot
 
 log = logging.getLogger(__name__)
 
@@ -62,7 +62,9 @@ class Surround:
         self._resting = description.resting_period or 0.0
         self._deaf = tuple(each.name for each in description.range_sensors)
         self._ranges = Latest(bus, RANGES)
-        self._robots = {each.name: Latest(bus, ROBOTS_SEEN) for each in description.robot_sensors}
+        self._seen_in = Latest(bus, ROBOTS_SEEN) if description.robot_sensors else None
+        self._seen: dict[str, RobotsSeen] = {}
+        """By sensor: they share the topic."""
         self._rangers = [Ranger(each, _mount(description, each.frame)) for each in description.range_sensors]
 
     def step(self) -> bool:
@@ -72,8 +74,8 @@ class Surround:
             for ranger in self._rangers:
                 said = ranges.of(ranger.sensor.name)
                 ranger.hear(said, ranges.stamp, moving=self._moving())
-        for seen in self._robots.values():
-            seen.refresh()
+        for seen in () if self._seen_in is None else self._seen_in.take():
+            self._seen[seen.sensor] = seen
         self._deaf, before = self._find_deaf(), self._deaf
         if self._deaf != before and self._deaf:
             log.warning("range sensors that are silent or stuck: %s", ", ".join(self._deaf))
@@ -84,8 +86,8 @@ class Surround:
     def close(self) -> None:
         """End the subscriptions."""
         self._ranges.close()
-        for each in self._robots.values():
-            each.close()
+        if self._seen_in is not None:
+            self._seen_in.close()
 
     @property
     def deaf(self) -> tuple[str, ...]:
@@ -107,10 +109,10 @@ class Surround:
         """The other robots that are in view now, in the base."""
         now = self._clocks.robot()
         found: dict[str, SeenRobot] = {}
-        for latest in self._robots.values():
-            age = None if latest.value is None or now is None else now.since(latest.value.stamp)
-            if latest.value is not None and age is not None and age < 0.5:  # noqa: PLR2004 - as of now
-                found |= {each.name: each for each in latest.value.robots}
+        for seen in self._seen.values():
+            age = None if now is None else now.since(seen.stamp)
+            if age is not None and age < 0.5:  # noqa: PLR2004 - as of now
+                found |= {each.name: each for each in seen.robots}
         return tuple(found.values())
 
     @property

@@ -19,7 +19,7 @@ from tandem.skills.ports.hardware import (
     Wrench,
 )
 from tandem.skills.ports.message import Message, RobotTime
-from tandem.skills.ports.sensors import Cliffs, LaserScan, PoseReading, Ranges, RobotsSeen
+from tandem.skills.ports.sensors import Bumpers, Cliffs, LaserScan, PoseReading, Ranges, RobotsSeen
 
 LARGEST: Final = 1e6
 """No length, angle, speed or force that a robot tells is larger, in its SI unit. Beyond it sums and products
@@ -117,6 +117,14 @@ def _cliffs(message: Cliffs, key: str, robot: RobotDescription | None) -> str:
     known = None if robot is None else {each.name for each in robot.cliff_sensors}
     strange = [] if known is None else sorted({each.sensor for each in message.readings} - known)
     return f"cliff sensors that the robot does not have: {_names(strange)}" if strange else ""
+
+
+@misfit.register
+def _bumpers(message: Bumpers, key: str, robot: RobotDescription | None) -> str:
+    del key
+    known = None if robot is None else {each.name for each in robot.bumpers}
+    strange = [] if known is None else sorted(set(message.pressed) - known)
+    return f"bumpers that the robot does not have: {_names(strange)}" if strange else ""
 
 
 @misfit.register

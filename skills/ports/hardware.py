@@ -217,9 +217,18 @@ class RobotDescription(Message):
     @model_validator(mode="after")
     def _each_sensor_once(self) -> RobotDescription:
         sensing = ("range_sensors", "cliff_sensors", "pose_sensors", "robot_sensors")
-        for what in ("cameras", "lasers", *sensing, "bumpers"):
+        for what in ("groups", "cameras", "lasers", *sensing, "bumpers"):
             if twice := repeated(each.name for each in getattr(self, what)):
                 raise ValueError(f"{what}: expected unique names, several are called {', '.join(twice)}")
+        if twice := repeated(self.hands):
+            raise ValueError(f"end_effectors: expected unique sides, several are called {', '.join(twice)}")
+        for posture in self.postures:
+            joints = next((group.joints for group in self.groups if group.name == posture.group), None)
+            if joints is not None and len(joints) != len(posture.positions):
+                raise ValueError(
+                    f"posture {posture.name!r} of {posture.group!r}: expected {len(joints)} positions, "
+                    f"found {len(posture.positions)}"
+                )
         return self
 
     @property

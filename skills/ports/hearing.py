@@ -165,16 +165,17 @@ class Entrance(Generic[M]):
         stamp = stamp_of(message)
         if stamp is None:
             return True
-        last = self._last.get(key)
+        teller = teller_of(key, message)
+        last = self._last.get(teller)
         if last is not None and last.is_after(stamp):
-            row = self._older.setdefault(key, [])  # of keys in _last only
+            row = self._older.setdefault(teller, [])  # of those in _last only
             if row and row[-1].is_after(stamp) is not False:
                 row.clear()
             row.append(stamp)
             if len(row) < OUTVOTED:
                 return False
-        _keep(self._last, key, stamp)
-        self._older.pop(key, None)
+        _keep(self._last, teller, stamp)
+        self._older.pop(teller, None)
         return True
 
     def keeps_old(self, key: str, message: M) -> bool:
@@ -217,6 +218,15 @@ class Heard(Generic[M]):
     def close(self) -> None:
         """End the subscription."""
         self._inbox.close()
+
+
+def teller_of(key: str, message: Message) -> str:
+    """Return who tells a message: sensors that share a key each have an order of their own.
+
+    A slow sensor's stamps lie before those of a quick one, which measured later and told sooner.
+    """
+    sensor: object = getattr(message, "sensor", None)
+    return f"{key}#{sensor}" if isinstance(sensor, str) else key
 
 
 def stamp_of(message: Message) -> RobotTime | None:

@@ -20,6 +20,7 @@ from tandem.skills.ports.hardware import (
 from tandem.skills.ports.hearing import KINDS, Ear, Heard, Reason
 from tandem.skills.ports.image import header_of
 from tandem.skills.ports.keys import (
+    BUMPERS,
     CLIFFS,
     CLOCK,
     JOINT_STATES,
@@ -36,7 +37,15 @@ from tandem.skills.ports.keys import (
 from tandem.skills.ports.message import Message, RobotTime
 from tandem.skills.ports.pose import IDENTITY, FloorPose
 from tandem.skills.ports.refusals import CHANGED_EVERY, REPEATED_EVERY, RefusalTeller
-from tandem.skills.ports.sensors import Cliffs, LaserScan, PoseReading, RangeReading, Ranges, RobotsSeen
+from tandem.skills.ports.sensors import (
+    Bumpers,
+    Cliffs,
+    LaserScan,
+    PoseReading,
+    RangeReading,
+    Ranges,
+    RobotsSeen,
+)
 from tandem.skills.ports.world import (
     SCENE,
     WORLD,
@@ -313,3 +322,30 @@ def test_a_late_message_hides_no_newer_one_that_arrived_before_it() -> None:
         JOINT_STATES.publish(teller, states(seconds))
     assert latest.refresh() == states(1.2)
     assert bus.ear.refused == {(JOINT_STATES.key, Reason.OLDER): 1}
+
+
+def test_sensors_that_share_a_topic_each_have_an_order_of_their_own() -> None:
+    """A slow sensor's readings were all refused beside those of a quick one."""
+    hub = MemoryHub()
+    teller, bus = MemoryBus(hub), MemoryBus(hub)
+    latest = Latest(bus, POSE_READING)
+    told = [("ceiling", 1.0), ("beacon", 0.8), ("ceiling", 1.1), ("beacon", 0.9), ("beacon", 0.7)]
+    for sensor, seconds in told:
+        POSE_READING.publish(
+            teller,
+            PoseReading(stamp=at(seconds), sensor=sensor, base_in_map=FloorPose(x=0.0, y=0.0, yaw=0.0)),
+        )
+    assert [(each.sensor, each.stamp) for each in latest.take()] == [
+        (sensor, at(seconds)) for sensor, seconds in told[:-1]
+    ]
+    assert bus.ear.refused == {(POSE_READING.key, Reason.OLDER): 1}
+
+
+def test_a_bumper_that_the_robot_does_not_have_stops_nobody() -> None:
+    hub = MemoryHub()
+    teller, bus = MemoryBus(hub), MemoryBus(hub)
+    bus.ear.know(ROBOT)
+    latest = Latest(bus, BUMPERS)
+    BUMPERS.publish(teller, Bumpers(stamp=at(1.0), pressed=("tail",)))
+    assert latest.take() == []
+    assert bus.ear.refused == {(BUMPERS.key, Reason.MISFIT): 1}
