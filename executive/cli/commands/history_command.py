@@ -93,6 +93,8 @@ def _only_absence(error: CommandError) -> None:
 
 def _file(options: BusOptions, data: Path | None, nobody: CommandError) -> SqliteLedger:
     folder = data or default_data(options, os.environ)
+    if (folder / options.robot / FILE).exists():  # several robots in one world have a folder each
+        folder /= options.robot
     if not (folder / FILE).exists():
         raise CommandError(f"{nobody}\nno ledger found in {folder}", ExitCode.NOBODY_THERE)
     try:

@@ -50,6 +50,20 @@ def test_tasks_are_read_from_the_file(nobody: list[str], capfd: pytest.CaptureFi
     assert listed(capfd, "tasks", "--json", "--all", "--since", since, *nobody) == ["fetch-2", "fetch-3"]
 
 
+def test_of_several_robots_each_has_a_folder_of_its_own(
+    tmp_path: Path, nobody: list[str], capfd: pytest.CaptureFixture[str]
+) -> None:
+    ledger = SqliteLedger(tmp_path / "r2")
+    status = TaskStatus(
+        task="nod-1", kind="nod", request={}, state=TaskState.SUCCEEDED, accepted_at=1_800_000_000.0
+    )
+    ledger.enter(Entry(status, 1))
+    ledger.commit()
+    ledger.close()
+    assert listed(capfd, "tasks", "--json", *nobody, "--robot", "r2") == ["nod-1"]
+    assert listed(capfd, "tasks", "--json", *nobody) == ["fetch-1", "fetch-2", "fetch-3"]
+
+
 def test_why_and_export_read_it_too(nobody: list[str], capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["why", "fetch-2", *nobody]) == 0
     assert "GRASP_EMPTY: closed on nothing" in capfd.readouterr().out
