@@ -218,6 +218,8 @@ class GroupController:
             report = self.report
             if still is not report.at_rest:
                 self.report = replace(report, at_rest=still)
+                if still and report.state is MotionState.ABORTED:  # braked into what it ran against
+                    self._let_up(np.abs(measured - self.position), measured)
 
     def _resting(self, measured_velocity: Array) -> bool:
         """Say whether there is nothing to do but hold, and nothing new to report."""

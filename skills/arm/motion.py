@@ -10,7 +10,13 @@ from tandem.skills.arm.trajectory import Trajectory
 from tandem.skills.ports.bus import Bus, Pending
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import CancelMotion, GroupStatus, MotionState, TrajectoryGoal
+from tandem.skills.ports.hardware import (
+    CancelMotion,
+    GroupStatus,
+    JointGroup,
+    MotionState,
+    TrajectoryGoal,
+)
 from tandem.skills.ports.keys import STOP_STATE, Latest, group_cancel, group_goal, group_status
 
 ANSWER_WITHIN: Final = 2.0
@@ -41,16 +47,16 @@ class GroupDriver:
     Args:
         bus: where the hardware is.
         clocks: robot time.
-        group: the group's name.
+        group: the joints that move, and how far they may stray.
         where: the action's name, for failures.
     """
 
-    def __init__(self, bus: Bus, clocks: Clocks, group: str, where: str) -> None:
+    def __init__(self, bus: Bus, clocks: Clocks, group: JointGroup, where: str) -> None:
         self._bus, self._clocks, self._where = bus, clocks, where
-        self._goal, self._cancel = group_goal(group), group_cancel(group)
-        self._status = Latest(bus, group_status(group))
+        self._goal, self._cancel = group_goal(group.name), group_cancel(group.name)
+        self._status = Latest(bus, group_status(group.name))
         self._stop = Latest(bus, STOP_STATE)
-        self._group = group
+        self._group, self._tolerance = group.name, group.path_tolerance
         self.moving = False
         self._ends_at = 0.0
         self._cancel_again_at = float("inf")
@@ -60,7 +66,12 @@ class GroupDriver:
 
     def send(self, goal_id: str, trajectory: Trajectory) -> Generator[None, None, Failure | None]:
         """Hand the motion over; yields while there is no answer. A failure means that nothing moves."""
-        goal = TrajectoryGoal(id=goal_id, keeper=f"skill/{self._where}", points=trajectory.points())
+        goal = TrajectoryGoal(
+            id=goal_id,
+            keeper=f"skill/{self._where}",
+            points=trajectory.points(),
+            path_tolerance=self._tolerance,
+        )
         self._id = goal_id
         self._cancel_again_at = float("inf")
         self.moving = True

@@ -75,7 +75,7 @@ class Move:
         self._clocks, self._arm, self._board, self._seed = clocks, arm, board, seed
         self._action = move(arm.group.name)
         self._planner = MovePlanner(arm, settings, self._action.name, compute)
-        self._driver = GroupDriver(bus, clocks, arm.group.name, self._action.name)
+        self._driver = GroupDriver(bus, clocks, arm.group, self._action.name)
         self._joints = Latest(bus, JOINT_STATES)
         self._scene, self._pose = Latest(bus, SCENE), Latest(bus, ROBOT_POSE)
         self._gate = Gate(bus, clocks, None if arm.hand is None else arm.hand.side)

@@ -146,6 +146,19 @@ def test_what_is_held_fast_is_not_pushed_on_when_its_motion_ends(
         assert plant.controller.position[0] > before, "it brakes along its path"
 
 
+def test_what_brakes_against_an_obstacle_after_it_strayed_is_not_pushed_on() -> None:
+    plant = Plant()
+    plant.controller.accept(goal())
+    plant.run(0.5)
+    plant.stuck, plant.position[0] = (0,), plant.position[0] - 0.11
+    held_at = plant.position[0]
+    plant.controller.advance(PERIOD, plant.position, np.array([1.5, 0.0]))
+    assert plant.controller.report.state is MotionState.ABORTED
+    plant.run(1.0)
+    assert plant.controller.report.at_rest
+    assert plant.controller.position[0] == pytest.approx(held_at), "and not 0.2 further, where it would brake"
+
+
 def test_a_stream_is_followed_and_held_when_it_dries_up() -> None:
     plant = Plant()
     for _ in range(30):

@@ -53,6 +53,8 @@ class AllCounts(Message):
 class _Sent:
     each: Input
     pending: MemoryPending
+    unserved: bool
+    """Nobody served the key when it was sent: a skill begins anew after each boot of the hardware."""
     age: int = 0
 
 
@@ -80,6 +82,7 @@ class Everything:
         logging.getLogger().addHandler(self._raised)
         for _ in range(20):
             self.system.step()
+        self._at_first = frozenset(self.served)
 
     @property
     def served(self) -> tuple[str, ...]:
@@ -90,7 +93,7 @@ class Everything:
         """Send it, and look at what has ended meanwhile; AssertionError when something is wrong."""
         pending = self.system.bus.query(each.key, each.payload)
         assert isinstance(pending, MemoryPending)
-        self._sent.append(_Sent(each, pending))
+        self._sent.append(_Sent(each, pending, self._unserved(each)))
         self._fed += 1
         if self._fed % STOP_EVERY == 0:
             STOP.query(self.system.bus, Stop(by="fuzz", reason="as often as that"))
@@ -98,11 +101,13 @@ class Everything:
             self._go_on()
 
     def flush(self) -> None:
-        """Wait for all that is under way."""
+        """Wait for all that is under way, and until whatever was served at first is served again."""
         for _ in range(WITHIN + 1):
-            if not self._sent:
+            gone = self._at_first.difference(self.served)
+            if not self._sent and not gone:
                 return
             self._go_on()
+        assert not gone, f"nobody serves {sorted(gone)} any more"
 
     def close(self) -> None:
         """End the system."""
@@ -138,9 +143,15 @@ class Everything:
         if service is not None and not service.reads and pending.refusal() is None:
             if not pending.replies and each.key.startswith("hw/") and self.system.station.silent:
                 return  # a fault that was asked for cuts the hardware's line
+            if not pending.replies and (sent.unserved or self._unserved(each)):
+                return  # ended by a boot that was asked for; ``flush`` looks whether it is served again
             assert pending.replies, f"{each.key} was not answered"
             service.decode_answer(pending.replies[each.key])
             self._cancel(each)
+
+    def _unserved(self, each: Input) -> bool:
+        """Say whether nobody serves the key now."""
+        return each.key in self._at_first and each.key not in self.served
 
     def _cancel(self, each: Input) -> None:
         """Have a goal that was perhaps accepted come to rest, so that others may be accepted."""

@@ -76,6 +76,15 @@ def test_a_goal_whose_answer_is_lost_is_sent_again(
     assert len(rig.hardware.goals) == 1, "the hardware knows it again by its id"
 
 
+def test_a_motion_may_stray_as_far_as_the_description_says_of_the_group(hulls: RobotHulls) -> None:
+    narrow = panda().model_copy(
+        update={"groups": tuple(each.model_copy(update={"path_tolerance": 0.01}) for each in panda().groups)}
+    )
+    rig = ArmRig(narrow, "arm", hulls=hulls)
+    rig.result(rig.run(MoveGoal(joints=SIDE)))
+    assert {each.path_tolerance for each in rig.hardware.goals} == {0.01}
+
+
 def test_feedback_tells_the_way_of_the_hand_while_it_moves(rig: ArmRig, hulls: RobotHulls) -> None:
     heard = Latest(rig.bus, status_topic("arm/move"), depth=256)
     rig.result(rig.run(MoveGoal(joints=SIDE)))
