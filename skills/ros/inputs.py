@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final, Protocol, cast
 from tandem.skills.ports import keys
 from tandem.skills.ports.hardware import JointStates, Odometry
 from tandem.skills.ports.pose import FloorPose
-from tandem.skills.ports.sensors import Bumpers, LaserScan, PoseReading, RangeReading, Ranges
+from tandem.skills.ports.sensors import Bumpers, Cliffs, LaserScan, PoseReading, RangeReading, Ranges
 from tandem.skills.ros import types
 from tandem.skills.ros.frames import Frames
 from tandem.skills.ros.poses import (
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from tandem.skills.ports.bus import Bus
     from tandem.skills.ports.hardware import RobotDescription
     from tandem.skills.ports.message import RobotTime
-    from tandem.skills.ports.sensors import LaserSensor, RangeSensor
+    from tandem.skills.ports.sensors import CliffSensor, LaserSensor, RangeSensor
     from tandem.skills.ros.mapping import Input as MappedInput
     from tandem.skills.ros.mapping import RosMap
     from tandem.skills.ros.messages import JointState, RosBool, RosRange, RosScan
@@ -88,18 +88,19 @@ class LaserInput:
 
 @dataclass
 class _Ranger:
-    sensor: RangeSensor
+    sensor: RangeSensor | CliffSensor
     distance: float | None = None
     at: RobotTime | None = None
 
 
 @dataclass(eq=False)
 class RangesInput:
-    """All range sensors: each has a topic, or its frame on a shared one."""
+    """All range sensors, or all cliff sensors: each has a topic, or its frame on a shared one."""
 
     bus: Bus
     topics: Sequence[tuple[RosSubscription, str | None]]
-    sensors: Sequence[RangeSensor]
+    sensors: Sequence[RangeSensor] | Sequence[CliffSensor]
+    tell: Callable[[Bus, RobotTime, tuple[RangeReading, ...]], None]
 
     def __post_init__(self) -> None:
         """Know the sensors by name and by frame."""
@@ -119,7 +120,7 @@ class RangesInput:
             for name, each in self._rangers.items()
             if each.distance is not None and each.at is not None and self._is_fresh(each, now)
         )
-        keys.RANGES.publish(self.bus, Ranges(stamp=now, readings=told))
+        self.tell(self.bus, now, told)
 
     def _is_fresh(self, ranger: _Ranger, now: RobotTime) -> bool:
         within = max(SILENT * ranger.sensor.period, SILENT_AT_LEAST)
@@ -132,7 +133,7 @@ class RangesInput:
             frame = told.header.frame_id.lstrip("/")
             of = self._of_frame.get(frame) if name is None else name
             if of is None:
-                topic.refuse(f"expected a range sensor's frame: {', '.join(self._of_frame)}; found {frame!r}")
+                topic.refuse(f"expected a sensor's frame: {', '.join(self._of_frame)}; found {frame!r}")
                 continue
             ranger = self._rangers[of]
             ranger.distance = distance_of(told, ranger.sensor)
@@ -267,11 +268,22 @@ def inputs_of(made: RosMap, at: Hearing) -> tuple[Input, ...]:
             found.append(maker(at, each))
     ranges = [(at.of(each), each.sensor) for each in made.inputs if each.to == "range"]
     if ranges:
-        found.append(RangesInput(at.bus, ranges, at.robot.range_sensors))
+        found.append(RangesInput(at.bus, ranges, at.robot.range_sensors, _tell_ranges))
+    cliffs = [(at.of(each), each.sensor) for each in made.inputs if each.to == "cliff"]
+    if cliffs:
+        found.append(RangesInput(at.bus, cliffs, at.robot.cliff_sensors, _tell_cliffs))
     bumpers = [(at.of(each), each.sensor or "") for each in made.inputs if each.to == "bumper"]
     if bumpers:
         found.append(BumpersInput(at.bus, bumpers))
     return (*found, *_cameras(made, at))
+
+
+def _tell_ranges(bus: Bus, now: RobotTime, readings: tuple[RangeReading, ...]) -> None:
+    keys.RANGES.publish(bus, Ranges(stamp=now, readings=readings))
+
+
+def _tell_cliffs(bus: Bus, now: RobotTime, readings: tuple[RangeReading, ...]) -> None:
+    keys.CLIFFS.publish(bus, Cliffs(stamp=now, readings=readings))
 
 
 def _cameras(made: RosMap, at: Hearing) -> Iterator[Input]:

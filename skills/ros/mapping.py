@@ -16,7 +16,9 @@ from tandem.skills.ros import types
 from tandem.skills.ros.types import Distro
 from tandem.skills.yaml_file import read_document, validate
 
-Part = Literal["joints", "odometry", "pose", "laser", "range", "bumper", "colour", "depth", "camera_info"]
+Part = Literal[
+    "joints", "odometry", "pose", "laser", "range", "cliff", "bumper", "colour", "depth", "camera_info"
+]
 Topic = Annotated[str, Field(pattern=r"^(/[A-Za-z_][A-Za-z0-9_]*)+$", max_length=200)]
 """A topic's full name, such as ``/base/cmd_vel``."""
 
@@ -27,6 +29,7 @@ TAKES: Final[Mapping[Part, tuple[str, ...]]] = MappingProxyType(
         "pose": (types.POSE_STAMPED, types.TF),
         "laser": (types.LASER_SCAN,),
         "range": (types.RANGE,),
+        "cliff": (types.RANGE,),
         "bumper": (types.BOOL,),
         "colour": (types.IMAGE,),
         "depth": (types.IMAGE,),
@@ -39,6 +42,7 @@ _SENSORS: Final[Mapping[Part, str]] = MappingProxyType(
         "pose": "pose_sensors",
         "laser": "lasers",
         "range": "range_sensors",
+        "cliff": "cliff_sensors",
         "bumper": "bumpers",
         "colour": "cameras",
         "depth": "cameras",
@@ -46,6 +50,8 @@ _SENSORS: Final[Mapping[Part, str]] = MappingProxyType(
     }
 )
 """Where a part's sensor stands in the description."""
+SHARED: Final[tuple[Part, ...]] = ("range", "cliff")
+"""Parts whose sensors may share a topic: each is then known by its frame."""
 VELOCITIES: Final = (types.TWIST, types.TWIST_STAMPED)
 
 
@@ -56,7 +62,7 @@ class Input(Message):
     type: str
     to: Part
     sensor: PartName | None = None
-    """Which one, by its name in the description. A ``range`` without one is known by its frame."""
+    """Which one, by its name in the description. Without it, those of ``SHARED`` parts are known by frame."""
     parent: str = ""
     """With tf: the frame in which ``child`` is looked for, such as ``map``."""
     child: str = ""
@@ -141,7 +147,8 @@ def mistakes_of(made: RosMap, robot: RobotDescription) -> Iterator[tuple[str, st
         told, by = typed.setdefault(each.topic, (each.type, here))
         if told != each.type:
             yield f"{here}.topic", f"{each.topic} has the type {told} in {by}"
-    yield from _mixed_ranges(made.inputs)
+    for part in SHARED:
+        yield from _mixed(part, made.inputs)
     if made.cmd_vel is not None:
         yield from _unfit_type("cmd_vel", made.cmd_vel.type, VELOCITIES, "of cmd_vel")
         if robot.drive is None:
@@ -151,12 +158,12 @@ def mistakes_of(made: RosMap, robot: RobotDescription) -> Iterator[tuple[str, st
 def missing(made: RosMap, robot: RobotDescription) -> tuple[str, ...]:
     """Return the parts of the robot that nothing is mapped to, in words: these stay silent."""
     told = {(each.to, each.sensor) for each in made.inputs}
-    every = ("range", None) in told
+    every = {part for part, sensor in told if part in SHARED and sensor is None}
     wanted: list[tuple[Part, str | None]] = [("joints", None)] if robot.joints else []
     if robot.drive is not None:
         wanted.append(("odometry", None))
-    for part in ("pose", "laser", "range", "bumper", "colour", "camera_info"):
-        wanted += [(part, name) for name in _names(robot, part) if not (part == "range" and every)]
+    for part in ("pose", "laser", "range", "cliff", "bumper", "colour", "camera_info"):
+        wanted += [(part, name) for name in _names(robot, part) if part not in every]
     lacks = [part if name is None else f"{part} {name}" for part, name in wanted if (part, name) not in told]
     return (*lacks, "cmd_vel") if robot.drive is not None and made.cmd_vel is None else tuple(lacks)
 
@@ -189,7 +196,7 @@ def _unfit_part(here: str, each: Input, robot: RobotDescription) -> Iterator[tup
     kind = _SENSORS[each.to].replace("_", " ")
     if not names:
         yield f"{here}.to", f"{robot.name} has no {kind}"
-    elif each.sensor is None and each.to != "range":
+    elif each.sensor is None and each.to not in SHARED:
         yield f"{here}.sensor", f"expected one of {robot.name}'s {kind}: {', '.join(names)}; found none"
     elif each.sensor is not None and each.sensor not in names:
         yield (
@@ -206,12 +213,12 @@ def _unfit_frames(here: str, each: Input) -> Iterator[tuple[str, str]]:
             yield f"{here}.{name}", f"expected none: only {types.TF} has frames to choose from"
 
 
-def _mixed_ranges(inputs: Sequence[Input]) -> Iterator[tuple[str, str]]:
-    ranges = [(index, each) for index, each in enumerate(inputs) if each.to == "range"]
-    every = next((index for index, each in ranges if each.sensor is None), None)
-    for index, each in ranges:
+def _mixed(part: Part, inputs: Sequence[Input]) -> Iterator[tuple[str, str]]:
+    these = [(index, each) for index, each in enumerate(inputs) if each.to == part]
+    every = next((index for index, each in these if each.sensor is None), None)
+    for index, each in these:
         if every is not None and each.sensor is not None:
-            yield f"inputs.{index}.to", f"inputs.{every} maps all range sensors already, by their frames"
+            yield f"inputs.{index}.to", f"inputs.{every} maps all {part} sensors already, by their frames"
 
 
 def described(made: RosMap, robot: RobotDescription) -> tuple[str, ...]:

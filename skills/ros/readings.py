@@ -9,6 +9,7 @@ import numpy as np
 
 from tandem.skills.geometry.poses import to_floor
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.sensors import CliffSensor
 
 if TYPE_CHECKING:
     from tandem.skills.ports.sensors import LaserSensor, RangeSensor
@@ -72,9 +73,13 @@ def ranges_of(scan: RosScan, sensor: LaserSensor) -> tuple[float, ...]:
     return tuple(np.where(nothing, sensor.range_max, limited).round(4).tolist())
 
 
-def distance_of(told: RosRange, sensor: RangeSensor) -> float | None:
-    """Return metres; None when nothing was measured (NaN): the sensor is silent."""
+def distance_of(told: RosRange, sensor: RangeSensor | CliffSensor) -> float | None:
+    """Return metres; None when nothing was measured (NaN): the sensor is silent.
+
+    Plus infinity is "nothing there" (REP-117), which of a cliff sensor is an edge.
+    """
     distance = float(told.range)
     if math.isnan(distance):
         return None
-    return round(min(max(distance, sensor.range_min), sensor.range_max), 4)
+    nearest = 0.0 if isinstance(sensor, CliffSensor) else sensor.range_min
+    return round(min(max(distance, nearest), sensor.range_max), 4)

@@ -19,6 +19,7 @@ from tests.skills.ros.ros_rig import ROS, Rig
 
 ODOM = {"topic": "/odom", "type": types.ODOMETRY, "to": "odometry"}
 SONAR = {"topic": "/sonar", "type": types.RANGE, "to": "range"}
+CLIFFS = {"topic": "/cliff", "type": types.RANGE, "to": "cliff"}
 SCAN = {"topic": "/scan", "type": types.LASER_SCAN, "to": "laser", "sensor": "base"}
 TF_POSE = {
     "topic": "/tf",
@@ -32,9 +33,9 @@ BUMP = {"topic": "/bump", "type": types.BOOL, "to": "bumper", "sensor": "left"}
 AHEAD = BaseVelocity(linear=0.2, angular=-0.1)
 
 
-def sonar(rig: Rig, frame: str, distance: float) -> None:
+def sonar(rig: Rig, frame: str, distance: float, topic: str = "/sonar") -> None:
     rig.tell(
-        "/sonar",
+        topic,
         types.RANGE,
         header=rig.header(frame),
         radiation_type=0,
@@ -123,6 +124,24 @@ def test_sonars_are_known_by_their_frames_and_one_that_is_silent_is_missing() ->
     told = heard.refresh()
     assert told is not None
     assert {each.sensor: each.distance for each in told.readings} == {"sonar_3": 5.0}
+
+
+def test_cliff_sensors_are_known_by_their_frames_and_nothing_below_one_is_an_edge() -> None:
+    rig = Rig("locobot", [CLIFFS])
+    heard = Latest(rig.bus, keys.CLIFFS)
+    for frame, distance in (
+        ("cliff_left", 0.0316),
+        ("cliff_center", float("inf")),
+        ("cliff_right", float("nan")),
+    ):
+        sonar(rig, frame, distance, "/cliff")
+    rig.step()
+    told = heard.refresh()
+    assert told is not None
+    assert {each.sensor: each.distance for each in told.readings} == {
+        "cliff_left": 0.0316,
+        "cliff_center": 0.15,
+    }
 
 
 def test_bumpers_are_told_on_each_change_and_now_and_then() -> None:

@@ -66,6 +66,19 @@ WRONG = {
         ],
         "inputs.1.to (line 4): inputs.0 maps all range sensors already",
     ),
+    "cliff sensors of a robot without any": (
+        "p3dx",
+        ["{topic: /a, type: sensor_msgs/msg/Range, to: cliff}"],
+        "inputs.0.to (line 3): p3dx has no cliff sensors",
+    ),
+    "all cliff sensors and one of them": (
+        "locobot",
+        [
+            "{topic: /a, type: sensor_msgs/msg/Range, to: cliff}",
+            "{topic: /b, type: sensor_msgs/msg/Range, to: cliff, sensor: cliff_left}",
+        ],
+        "inputs.1.to (line 4): inputs.0 maps all cliff sensors already",
+    ),
     "one topic of two types": (
         "p3dx",
         [ODOM, "{topic: /odom, type: geometry_msgs/msg/PoseStamped, to: pose, sensor: markers}"],
