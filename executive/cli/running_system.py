@@ -159,12 +159,12 @@ def _taken_up(options: RunOptions, robots: Sequence[str]) -> tuple[str, ...]:
     if options.data is None or (options.only and "executive" not in options.only):
         return ()
     try:
-        folders = tuple(data_of(options, robot) for robot in robots) or (options.data,)
+        ledgers = [(data_of(options, robot), f"{options.bus.site}/{robot}") for robot in robots]
         return tuple(
             line
-            for folder in folders
+            for folder, robot in ledgers or [(options.data, options.bus.prefix)]
             if folder is not None
-            for line in taking_up.lines(taking_up.open_tasks(folder), options.on_restart)
+            for line in taking_up.lines(taking_up.open_tasks(folder, robot), options.on_restart)
         )
     except LedgerLockedError as error:
         raise RefusedError(str(error)) from error

@@ -70,6 +70,12 @@ MIGRATIONS: Final[tuple[tuple[str, ...], ...]] = (
         "DROP INDEX by_client",
         "CREATE UNIQUE INDEX by_client ON tasks (asked_by, client_id) WHERE client_id IS NOT NULL",
     ),
+    (
+        """CREATE TABLE robot (
+            one INTEGER PRIMARY KEY CHECK (one = 1),
+            name TEXT NOT NULL               -- site/robot whose tasks these are
+        ) STRICT""",
+    ),
 )
 """By version: what leads from the one before to it. Add to the end; never change what was released."""
 

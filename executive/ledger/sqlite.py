@@ -63,15 +63,24 @@ class SqliteLedger:
     Args:
         folder: where the file is, or is to be; made when it is not there.
         migrations: the tables (``tandem.executive.ledger.schema``).
+        robot: ``<site>/<robot>`` whose tasks are kept; the first one to open a ledger owns it. None: whoever
+            owns it, to read.
 
     Raises:
         LedgerLockedError: when another process has it open.
-        LedgerError: when it can't be read or written, is of a newer version, or is no such file.
+        LedgerError: when it can't be read or written, is of a newer version or of another robot, or is no
+            such file.
     """
 
     lasting: Final = True
 
-    def __init__(self, folder: Path, migrations: tuple[tuple[str, ...], ...] = MIGRATIONS) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        migrations: tuple[tuple[str, ...], ...] = MIGRATIONS,
+        *,
+        robot: str | None = None,
+    ) -> None:
         self.path = folder / FILE
         self._lock = _lock(folder)
         try:
@@ -81,6 +90,8 @@ class SqliteLedger:
             raise LedgerError(in_words(self.path, error)) from error
         try:
             self._open(migrations)
+            if robot is not None:
+                self._belong_to(robot)
         except sqlite3.Error as error:
             self.close()
             raise LedgerError(in_words(self.path, error)) from error
@@ -103,6 +114,16 @@ class SqliteLedger:
                 self._db.execute(statement)
         self._db.execute(f"PRAGMA user_version = {len(migrations)}")
         self._db.execute("COMMIT")
+
+    def _belong_to(self, robot: str) -> None:
+        row = self._db.execute("SELECT name FROM robot").fetchone()
+        if row is None:
+            self._db.execute("INSERT INTO robot (one, name) VALUES (1, ?)", (robot,))
+        elif row[0] != robot:
+            raise LedgerError(
+                f"{self.path}: these are tasks of {row[0]}, and {robot} must not take them up; choose another"
+                " --data, or the --site and --robot that they are of"
+            )
 
     @_told
     def enter(self, entry: Entry) -> None:

@@ -27,19 +27,20 @@ _HELD: Final = frozenset({TaskState.PAUSING, TaskState.PAUSED})
 _UNDER_WAY: Final[dict[OnRestart, Fate]] = {"resume": "resumed", "ask": "asked", "interrupt": "interrupted"}
 
 
-def open_tasks(folder: Path) -> tuple[Entry, ...]:
+def open_tasks(folder: Path, robot: str) -> tuple[Entry, ...]:
     """Return the tasks of a ledger that have not ended, in the order of their arrival.
 
     Args:
         folder: where the ledger is; without one there is no task.
+        robot: ``<site>/<robot>`` that is to take them up.
 
     Raises:
         LedgerLockedError: when another process has it.
-        LedgerError: when it can't be read.
+        LedgerError: when it can't be read, or is another robot's.
     """
     if not (folder / FILE).exists():
         return ()
-    ledger = SqliteLedger(folder)
+    ledger = SqliteLedger(folder, robot=robot)
     try:
         return ledger.open_entries()
     finally:

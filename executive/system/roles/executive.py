@@ -88,7 +88,7 @@ def ledger_of(settings: WorkerSettings) -> Ledger | None:
     """
     from tandem.executive.ledger.sqlite import SqliteLedger  # noqa: PLC0415
 
-    return None if settings.data is None else SqliteLedger(Path(settings.data))
+    return None if settings.data is None else SqliteLedger(Path(settings.data), robot=settings.prefix)
 
 
 def service_node(stage: Stage, bus: Bus, clocks: Clocks, ledger: Ledger | None) -> Node:

@@ -170,6 +170,17 @@ def test_a_file_of_the_first_version_knows_the_time_of_its_last_entry(tmp_path: 
     ledger.close()
 
 
+def test_another_robot_does_not_take_up_its_tasks(tmp_path: Path) -> None:
+    folder = tmp_path / "a-b-c"  # where both the robot c of the site a-b and b-c of a would look
+    SqliteLedger(folder, robot="a-b/c").close()
+    SqliteLedger(folder, robot="a-b/c").close()
+    SqliteLedger(folder).close()  # to read, whosever it is
+    with pytest.raises(
+        LedgerError, match=r"tasks of a-b/c, and a/b-c must not take them up; choose another --data"
+    ):
+        SqliteLedger(folder, robot="a/b-c")
+
+
 def test_a_migration_that_fails_changes_nothing(tmp_path: Path) -> None:
     SqliteLedger(tmp_path).close()
     with pytest.raises(LedgerError):
