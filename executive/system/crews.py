@@ -22,7 +22,7 @@ from tandem.skills.ports.keys import Latest
 from tandem.skills.wire.clocks import ProcessClocks
 from tandem.skills.wire.zenoh_bus import ZenohBus
 
-ONCE: Final = ("router", "hardware", OBSERVER)
+ONCE: Final = ("router", "hardware")
 """Roles that are played once for all robots."""
 
 
@@ -119,18 +119,18 @@ def crews_of(
     """
     chosen = roles or options.only
     observed: tuple[str, ...] = (OBSERVER,) if options.metrics or options.traces else ()
-    observed += (WEB,) if options.web else ()
+    page: tuple[str, ...] = (WEB,) if options.web else ()
     recorded = (RECORDER,) if options.black_box and not chosen else ()
     shared = gathered if options.processes == "few" else tuple[str, ...]
     if not scenario.robots_on_the_bus:
         needed = shared(chosen or roles_of(scenario, options.left_out))
         hung = Hung(time.monotonic, hung_after)
-        return (Crew("", options.bus.prefix, needed + recorded + observed, options.data, hung),)
+        return (Crew("", options.bus.prefix, needed + recorded + observed + page, options.data, hung),)
     found: list[Crew] = []
     for name in scenario.robots_on_the_bus:
         needed = shared(chosen or _roles_of(scenario.robots_by_name[name], options.left_out))
-        needed += recorded
-        own = needed + observed if not found else tuple(role for role in needed if role not in ONCE)
+        needed += recorded + observed
+        own = needed + page if not found else tuple(role for role in needed if role not in ONCE)
         data = data_of(options, name)
         hung = Hung(time.monotonic, hung_after)
         found.append(Crew(name, f"{options.bus.site}/{name}", own, data, hung))

@@ -300,7 +300,7 @@ class ProcessSystem:
             on_restart=options.on_restart,
             verbose=options.verbose,
             log_format=options.log_format,
-            metrics=options.metrics if role == OBSERVER else "",
+            metrics=self._metrics_of(crew) if role == OBSERVER else "",
             traces=options.traces if role == OBSERVER else "",
             web=options.web if role == WEB else "",
             person=options.person if role == WEB else "",
@@ -314,6 +314,13 @@ class ProcessSystem:
             holder=options.bus.holder,
         )
 
+    def _metrics_of(self, crew: Crew) -> str:
+        """Return where a robot's metrics are served: of several, each at the port after the one before."""
+        if not self._options.metrics:
+            return ""
+        host, _, port = self._options.metrics.rpartition(":")
+        return f"{host}:{int(port) + self._crews.index(crew) if int(port) else 0}"
+
     def _look_after(self) -> None:
         """Start skills again that have died; what died in the start, or too often, ends the system."""
         deaths, fatal = self.supervisor.deaths(), list[Death]()
@@ -324,9 +331,9 @@ class ProcessSystem:
                 self._do_without(
                     death.role, death.describe() if not self._ready else f"{death.head()} too often"
                 )
-            elif self._ready and death.role == OBSERVER:
+            elif self._ready and death.role.rpartition("/")[2] == OBSERVER:
                 self.supervisor.give_up(death.role)
-                self._say(f"{death.head()} too often; metrics and traces are off from now on")
+                self._say(f"{death.head()} too often; there are no metrics and traces of it from now on")
             elif self._ready and death.role == WEB:
                 self.supervisor.give_up(death.role)
                 self._say(f"{death.head()} too often; there is no page from now on")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from functools import partial
 from pathlib import Path
+from urllib.request import urlopen
 
 import pytest
 
@@ -18,6 +19,7 @@ from tandem.skills.ports.keys import STOP, STOP_STATE, Latest
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.whereabouts import Neighbours
 from tests.acceptance.live import go_on, kill, own_bus, written
+from tests.fakes.ports import free_pair
 
 pytestmark = [pytest.mark.processes, pytest.mark.xdist_group("processes")]
 
@@ -52,11 +54,20 @@ def knows_of(neighbours: Neighbours, name: str) -> bool:
 
 def test_each_robot_has_processes_of_its_own_and_outlives_the_other(tmp_path: Path) -> None:
     said: list[str] = []
-    options = RunOptions(bus=own_bus(), scenario=written(TRIO, tmp_path), data=tmp_path / "data")
+    port = free_pair()
+    options = RunOptions(
+        bus=own_bus(),
+        scenario=written(TRIO, tmp_path),
+        data=tmp_path / "data",
+        metrics=f"127.0.0.1:{port}",
+    )
     with ProcessSystem(options, say=said.append) as system:
-        each = {"executive", "base", "perception", "keeper"}
+        each = {"executive", "base", "perception", "keeper", "observer"}
         expected = {"router", "hardware"} | {f"{robot}/{role}" for robot in ("r2", "r3") for role in each}
         assert set(system.pids()) == expected
+        for each_port in (port, port + 1):
+            with urlopen(f"http://127.0.0.1:{each_port}/metrics") as page:
+                assert b"tandem_queue_length" in page.read()
         r2, r3 = system.of("r2"), system.of("r3")
         stops = {name: Latest(end.bus, STOP_STATE) for name, end in (("r2", r2), ("r3", r3))}
         caller = Caller(r3, lambda _: None)
