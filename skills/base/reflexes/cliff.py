@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import math
 from typing import Final
 
@@ -17,11 +18,18 @@ from tandem.skills.ports.reflex import BASE
 from tandem.skills.ports.reflex_setting import Excess
 from tandem.skills.reflexes import Act, ReflexType
 
+log = logging.getLogger(__name__)
+
 NAME: Final = "cliff"
 PATIENCE: Final = 3.0
 """Times as long as the way back takes at its speed, after which something holds the base."""
 STOPPED: Final = 0.15
 """Metres that the base may have gone on before it stood."""
+
+
+BLIND: Final = (
+    ", also after the base has gone back: clean the sensor, put the base elsewhere, or switch the reflex off"
+)
 
 
 class CliffParameters(Message):
@@ -36,23 +44,35 @@ class CliffParameters(Message):
 
 
 class CliffReflex:
-    """Fires when the floor below a sensor is too low while a goal, or another reflex, has the wheels."""
+    """Fires when the floor below a sensor is too low while a goal, or another reflex, has the wheels.
+
+    It goes back once for each time that a sensor loses the floor. One that sees none where the base has just
+    been is dirty, broken, or over a floor that is too dark for it; or the base is between two edges. Nothing
+    looks behind the base, so it stands then, goal after goal, until the sensor sees a floor.
+    """
 
     def __init__(self, at: BaseSurroundings, parameters: CliffParameters) -> None:
         assert at.cliffs is not None, "only robots with cliff sensors have it"
         self._at, self._how = at, parameters
         self._cliffs: Cliffs = at.cliffs
+        self._acted = False
+        self._blind: set[str] = set()
+        """Sensors that saw no floor after the base had gone back for them."""
 
     def look(self, *, holds: bool) -> Failure | None:
         """Return where the floor ends."""
         pipeline, gaps = self._at.board.pipeline, self._gaps(holds=holds)
+        self._blind.intersection_update(gap.sensor for gap in self._gaps(holds=True))
+        if holds and self._acted:  # the wheels are given back: whoever drives on is stopped again
+            return None
         if not gaps or not (pipeline.holder or pipeline.override):
             return None
         gap = gaps[0]
         here = base_in_map(self._at.localiser)
         return Failure(
             kind=FailureKind.BASE_BLOCKED,
-            message=f"the floor ends: below {gap.sensor} it is at least {gap.drop:.2f} m lower",
+            message=f"the floor ends: below {gap.sensor} it is at least {gap.drop:.2f} m lower"
+            + (BLIND if gap.sensor in self._blind else ""),
             where=f"reflex/{NAME}",
             evidence={"sensor": gap.sensor, "drop_m": round(gap.drop, 3), "x_m": here.x, "y_m": here.y},
         )
@@ -60,13 +80,15 @@ class CliffReflex:
     def act(self) -> Act:
         """Stand at once, then go back until the footprint is clear of the edge."""
         macros = self._at.macros(NAME, self._how.speed)
+        self._acted = False
         seen = self._gaps(holds=True)
         edges = self._remember(seen, macros)
         macros.wheels.halt()
         for _ in macros.brake():
             yield macros.doing
         seen += self._gaps(holds=True)
-        if not seen:
+        if not seen or self._blind.issuperset(gap.sensor for gap in seen):
+            self._acted = True
             return
         edges += self._remember(self._gaps(holds=True), macros)
         away = self._at.description.footprint_radius + self._how.clear
@@ -81,6 +103,10 @@ class CliffReflex:
             yield macros.doing
         for _ in macros.brake():
             yield macros.doing
+        self._blind.update(gap.sensor for gap in self._gaps(holds=True))
+        if self._blind:
+            log.warning("no floor below %s where the base has just been: it stands", ", ".join(self._blind))
+        self._acted = True
 
     def _gaps(self, *, holds: bool) -> list[Gap]:
         """Return where the floor is too low, the lowest first."""

@@ -92,6 +92,22 @@ def test_plans_keep_away_from_the_edge_for_a_while() -> None:
     assert len(made.base.obstacles.points) == 0
 
 
+def test_one_that_sees_no_floor_at_all_has_the_base_go_back_once_and_stand() -> None:
+    made = rig()
+    made.robot.floor = lambda _: {"front": 0.15}
+    made.wait(0.2)
+    places = [made.robot.truth.x]
+    for _ in range(4):
+        outcome, _ = drive(made, 1.0)
+        assert outcome.failure is not None
+        assert outcome.failure.kind is FailureKind.OVERRIDDEN
+        places.append(made.robot.truth.x)
+    back = made.robot.description.footprint_radius + 0.06 + AHEAD
+    assert -back < places[1] - places[0] < 0.0
+    assert places[2:] == pytest.approx([places[1]] * 3, abs=0.03)
+    assert "clean the sensor" in outcome.failure.message
+
+
 def test_a_sill_is_no_edge_and_it_goes_no_faster_than_it_can_stop() -> None:
     outcome, fastest = drive(rig(edge=0.0, depth=0.02), 1.0)
     assert outcome.result is not None
