@@ -19,10 +19,14 @@ from tandem.skills.ports.limits import MAX_DEPTH
 from tandem.skills.ports.message import MAX_REQUEST_BYTES
 from tandem.skills.ports.problems import MAX_PROBLEMS, SHOWN, WHOLE, Problem, path_of, show
 
-MAX_DIGITS: Final = 300
-"""Digits of a number, at the most."""
-_SUSPECT: Final = re.compile(rb"\\u[dD]|[eE]\+?\d{3}|\d{301}|NaN|Infinity")
+MAX_DIGITS: Final = 30
+"""Digits of a whole number, at the most."""
+TOO_LARGE: Final = 1e30
+"""Numbers from here on are refused: products of several of them would be infinite, in the middle of sums
+about places and joints. Nothing that a robot is told in metres, seconds or newtons comes near."""
+_SUSPECT: Final = re.compile(rb"\\u[dD]|[eE]\+?\d{2}|\d{31}|NaN|Infinity")
 """What may be half of a surrogate pair, too large a number, NaN or Infinity, or only looks like it."""
+_SMALLER: Final = f"a number below {TOO_LARGE:g}"
 _TEXT: Final = re.compile(r'"(?:[^"\\]+|\\.)*"?', re.DOTALL)
 _NO_BRACKET: Final = re.compile(r"[^][{}]+")
 
@@ -39,6 +43,7 @@ class _NoNumber:
     """Something that stands where a number would, and is none of JSON's."""
 
     text: str
+    expected: str = "a finite number"
 
 
 def parse(
@@ -131,7 +136,7 @@ class _Walk:
         if isinstance(value, list):
             return [self.convert(each, (*steps, index)) for index, each in enumerate(value)]
         if isinstance(value, _NoNumber):
-            self._note(steps, "a finite number", value.text)
+            self._note(steps, value.expected, value.text)
             return None
         if isinstance(value, str):
             self._text(value, steps)
@@ -165,11 +170,13 @@ def _wrong(expected: str, found: str) -> Problem:
 
 def _number(text: str) -> float | _NoNumber:
     value = float(text)
-    return value if math.isfinite(value) else _NoNumber(_short(text))
+    if not math.isfinite(value):
+        return _NoNumber(_short(text))
+    return value if abs(value) < TOO_LARGE else _NoNumber(_short(text), _SMALLER)
 
 
 def _whole_number(text: str) -> int | _NoNumber:
-    return int(text) if len(text) <= MAX_DIGITS else _NoNumber(_short(text))
+    return int(text) if len(text.lstrip("-")) <= MAX_DIGITS else _NoNumber(_short(text), _SMALLER)
 
 
 def _short(text: str) -> str:

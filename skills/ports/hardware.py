@@ -224,7 +224,8 @@ class RobotDescription(Message):
         for what in ("groups", "cameras", "lasers", *sensing, "bumpers"):
             if twice := repeated(each.name for each in getattr(self, what)):
                 raise ValueError(f"{what}: expected unique names, several are called {', '.join(twice)}")
-        if twice := repeated(self.hands):
+        # Not `hands`: what is cached here, a copy with other hands would have too.
+        if twice := repeated(each.side for each in self.end_effectors):
             raise ValueError(f"end_effectors: expected unique sides, several are called {', '.join(twice)}")
         for posture in self.postures:
             joints = next((group.joints for group in self.groups if group.name == posture.group), None)

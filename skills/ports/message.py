@@ -8,11 +8,7 @@ from typing import Annotated, Final, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field
 
-FARTHEST: Final = 1e6
-"""Metres: 1,000 km are beyond any robot's map, and squares and products of such numbers stay finite."""
-Coordinate = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
-"""One number of a vector, a place or a joint: finite, and small enough to be reckoned with."""
-Vector3 = tuple[Coordinate, Coordinate, Coordinate]
+Vector3 = tuple[float, float, float]
 """x, y, z in metres (or N, rad/s, ... as the field says)."""
 
 Quaternion = tuple[float, float, float, float]

@@ -11,7 +11,7 @@ from typing import Annotated
 
 from pydantic import AfterValidator
 
-from tandem.skills.ports.message import Coordinate, Message, Quaternion, Vector3
+from tandem.skills.ports.message import Message, Quaternion, Vector3
 
 
 def _unit(quaternion: Quaternion) -> Quaternion:
@@ -34,9 +34,9 @@ class Pose(Message):
 class FloorPose(Message):
     """A pose on the floor: x and y in metres, yaw in radians about z, in (-pi, pi] where computed here."""
 
-    x: Coordinate
-    y: Coordinate
-    yaw: Coordinate
+    x: float
+    y: float
+    yaw: float
 
 
 IDENTITY = Pose()

@@ -98,6 +98,7 @@ def test_while_driving_home_and_then_another_request_works(run: Course) -> None:
     assert run.delivered(29)
 
 
+@pytest.mark.thorough
 def test_while_the_hand_closes_and_then_another_request_works() -> None:
     facing = BEFORE_THE_TABLE.model_copy(update={"yaw": 0.0})
     with course(load_scenario("Demo").starting_at(facing)) as run:

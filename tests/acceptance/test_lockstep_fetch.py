@@ -79,6 +79,7 @@ def test_item_at_the_second_search_spot() -> None:
         assert at_home(run)
 
 
+@pytest.mark.thorough
 def test_an_absent_item_is_not_found_and_the_robot_goes_home() -> None:
     site = load("lab")
     site = site.model_copy(update={"spots": site.spots[:1]})  # six take minutes

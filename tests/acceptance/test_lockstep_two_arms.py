@@ -10,7 +10,9 @@ from tandem.executive.trials.experiments.settings import LEAST, Kind, Options
 pytestmark = pytest.mark.lockstep
 
 
-@pytest.mark.parametrize("kind", ["uncoordinated", "crossing", "coordinated"])
+@pytest.mark.parametrize(
+    "kind", [pytest.param("uncoordinated", marks=pytest.mark.thorough), "crossing", "coordinated"]
+)
 def test_what_moves_is_picked_and_nothing_touches(kind: Kind) -> None:
     run = run_experiment(Options(kind=kind, seed=1), 0)
     assert (run.left.pick, run.right.pick) == (True, True), run.failure

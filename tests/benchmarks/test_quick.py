@@ -42,6 +42,7 @@ def test_ledger() -> None:
     assert rows["from put to acknowledgement, p99"].aim is not None
 
 
+@pytest.mark.thorough
 @pytest.mark.processes
 def test_reaction() -> None:
     rows = told(list(reaction.rows(quick=True)))

@@ -186,7 +186,7 @@ R1, R2 = robot("r1", *FREE), robot("r2", FREE[0], FREE[1] - 1.0)
         ({"robots": []}, "start", "a value, or robots"),
         ({"robots": [R1], "start": R1["start"]}, "start", "beside"),
         ({"robots": [R1], "robot": "tiago"}, "robot", "beside"),
-        ({"robots": [R1, {**R2, "name": "r1"}]}, "", "duplicate robot: r1"),
+        ({"robots": [R1, {**R2, "name": "r1"}]}, "", "expected each robot once; several times there: r1"),
         ({"robots": [R1, {**R2, "name": "world"}]}, "robots.1.name", "another name than world"),
         ({"robots": [R1, {**R2, "name": "R 2"}]}, "robots.1.name", "R 2"),
         ({"robots": [R1, {**R2, "drives": "nobody"}]}, "robots.1.drives", "wander"),

@@ -8,7 +8,7 @@ from typing import Annotated, Final, Literal
 from pydantic import Field, model_validator
 
 from tandem.skills.ports.keys import Topic
-from tandem.skills.ports.message import MOST, Coordinate, Count, Message, RobotTime, Vector3
+from tandem.skills.ports.message import MOST, Count, Message, RobotTime, Vector3
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.skill import ActionType
 
@@ -60,7 +60,7 @@ class MoveGoal(Message):
     robot.
     """
 
-    joints: tuple[Coordinate, ...] | None = None
+    joints: tuple[float, ...] | None = None
     posture: str | None = None
     candidates: tuple[Candidate, ...] = ()
     by: tuple[Vector3, ...] = ()

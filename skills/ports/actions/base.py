@@ -8,7 +8,7 @@ from typing import Annotated, Final
 from pydantic import Field
 
 from tandem.skills.ports.keys import Topic
-from tandem.skills.ports.message import Coordinate, Count, Message, RobotTime
+from tandem.skills.ports.message import Count, Message, RobotTime
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import ActionType
 
@@ -113,9 +113,9 @@ class GoGoal(Message):
     the end; None: any heading will do.
     """
 
-    x: Coordinate
-    y: Coordinate
-    yaw: Coordinate | None = None
+    x: float
+    y: float
+    yaw: float | None = None
     position_tolerance: Annotated[float, Field(gt=0.0)] = 0.10
     yaw_tolerance: Annotated[float, Field(gt=0.0)] = 0.10
 

@@ -190,10 +190,9 @@ def beside(odometry: Document) -> Document:
     return odometry | {"base_in_odom": pose | {"x": pose["x"] + 0.5}}
 
 
-def without_posture(description: Document) -> Document:
-    return description | {
-        "postures": [*description["postures"][:-1], description["postures"][-1] | {"positions": []}]
-    }
+def beyond_limits(description: Document) -> Document:
+    *others, last = description["postures"]
+    return description | {"postures": [*others, last | {"positions": [99.0] * len(last["positions"])}]}
 
 
 def blind(description: Document) -> Document:
@@ -254,7 +253,7 @@ PANDA: Final = "Bench"
 
 WRONG: Final[Mapping[str, tuple[str, Callable[[], Driver]]]] = {
     "description_served": (PANDA, lambda: Ignoring(DESCRIPTION, None)),
-    "description_consistent": (PANDA, lambda: Answering(DESCRIPTION, without_posture)),
+    "description_consistent": (PANDA, lambda: Answering(DESCRIPTION, beyond_limits)),
     "urdf_parses": (PANDA, lambda: Answering(DESCRIPTION, lambda d: d | {"urdf": d["urdf"][:-20]})),
     "urdf_holds_parts": (PANDA, lambda: Answering(DESCRIPTION, blind)),
     "clock_ticks": (PANDA, lambda: EveryOther(keys.CLOCK.key, nothing)),
