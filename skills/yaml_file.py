@@ -17,6 +17,7 @@ from typing import Final, TypeVar
 import yaml
 from pydantic import BaseModel, JsonValue, ValidationError
 
+from tandem.skills.ports.documents import TOO_LARGE
 from tandem.skills.ports.problems import WHOLE, in_words, problems_of
 from tandem.skills.ports.sources import DocumentError, Source
 
@@ -223,14 +224,20 @@ class _Reader:
         if text in _BOOLEANS:
             return _BOOLEANS[text]
         if len(text) <= LONGEST_NUMBER and _INTEGER.fullmatch(text):
-            return int(text)
+            return self._bounded(int(text), path, event)
         if len(text) <= LONGEST_NUMBER and _FLOAT.fullmatch(text):
-            return float(text.lower().replace(".inf", "inf").replace(".nan", "nan"))
+            number = float(text.lower().replace(".inf", "inf").replace(".nan", "nan"))
+            return self._bounded(number, path, event) if "n" not in text.lower() else number
         for unclear, why in _UNCLEAR:
             if unclear.fullmatch(text):
                 advice = f"{text} is ambiguous ({why}); quote it if it is text, or write it unambiguously"
                 raise self._refused(path, event, advice)
         return text
+
+    def _bounded(self, number: float, path: str, event: yaml.ScalarEvent) -> float:
+        if abs(number) < TOO_LARGE:
+            return number
+        raise self._refused(path, event, f"expected a number below {TOO_LARGE:g}, found {event.value}")
 
     def _count(self, more: int, path: str, event: yaml.Event) -> None:
         self._values += more

@@ -43,6 +43,10 @@ WRONG = {
         r"items\.0\.tag \(line 5\): 035 .*octal",
     ),
     "a number in sixties": (f"{HEAD}camera_rate: 1:30\n", r"camera_rate \(line 4\): 1:30 .*base 60"),
+    "a number beyond all": (
+        f"{HEAD}camera_rate: 1e300\n",
+        r"camera_rate \(line 4\): expected a number below",
+    ),
     "a number with underscores": (f"{HEAD}camera_rate: 1_0\n", r"camera_rate \(line 4\): 1_0 .*underscores"),
     "a word that some read as false": ("name: no\n", r"name \(line 1\): no .*true or false"),
     "a truth value for a number": (
