@@ -43,6 +43,7 @@ def test_inspect_tells_where_the_items_are() -> None:
     assert max(off.values()) < OFF, off
 
 
+@pytest.mark.thorough
 def test_what_a_cancelled_fetch_leaves_in_the_hand_is_placed() -> None:
     with course(load_scenario("Demo").starting_at(BEFORE_THE_TABLE)) as run:
         fetch = run.ask(29)

@@ -162,7 +162,7 @@ def is_kind(command: str) -> bool:
     return command.startswith("request ") and command != "request json"
 
 
-@pytest.mark.parametrize("role", ROLES)
+@pytest.mark.parametrize("role", [*ROLES[:-1], pytest.param("robot", marks=pytest.mark.thorough)])
 @pytest.mark.parametrize("command", EXPECTED)
 def test_it_reaches_those_who_may_and_refuses_the_others(secured: Secured, command: str, role: str) -> None:
     arguments, code, allowed = EXPECTED[command]

@@ -26,7 +26,7 @@ def test_six_thousand_inputs() -> None:
     assert counts.inputs == 6_000
     assert min(counts.accepted, counts.answered, counts.questions_refused) > 50
     assert min(counts.refused, counts.verbs_refused) > 100
-    assert counts.verbs_taken > 5
+    assert counts.verbs_taken > 2
 
 
 def test_the_same_seed_sends_the_same() -> None:

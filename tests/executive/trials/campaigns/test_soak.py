@@ -61,6 +61,7 @@ def test_of_ten_requests_one_asks_for_what_is_not_there() -> None:
     assert asked.count(42) == 1
 
 
+@pytest.mark.thorough
 @pytest.mark.processes
 @pytest.mark.xdist_group("soak")
 def test_a_short_soak_measures_every_process_and_leaves_no_handle_open(tmp_path: Path) -> None:
