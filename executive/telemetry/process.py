@@ -52,11 +52,12 @@ def _metrics(address: str, until: ExitStack) -> Record:
     from tandem.executive.telemetry.metrics import Metrics, Page  # noqa: PLC0415
 
     registry = CollectorRegistry()
-    host, port = host_and_port(address)
     try:
+        host, port = host_and_port(address)  # of several robots, the last may be beyond the last port
         page = Page(host, port, registry)
-    except OSError as error:
-        raise RefusalError(f"metrics can't be served at {address}: {error.strerror or error}") from error
+    except (OSError, ValueError) as error:
+        why = (error.strerror if isinstance(error, OSError) else "") or error
+        raise RefusalError(f"metrics can't be served at {address}: {why}") from error
     until.callback(page.close)
     _LOG.info("metrics at http://%s:%d/metrics", host, page.port)
     return Metrics(registry)

@@ -57,8 +57,8 @@ class JointGroup(Message):
     limits: tuple[JointLimit, ...]
     path_tolerance: Positive = 0.03
     """How far a joint of an arm may stray from its path (rad or m) before the motion aborts: some times what
-    its controller strays when all is well (the simulated arms: up to 0.005). At 0.7 m from the hand, 0.03 rad
-    are 21 mm, about what a path keeps from furniture; with more, a hand runs into it while a joint stalls."""
+    its controller strays when all is well. At 0.7 m from the hand, 0.03 rad are 21 mm; with more, a hand runs
+    further into what it passes closely while a joint stalls."""
 
     @model_validator(mode="after")
     def _each_once(self) -> JointGroup:

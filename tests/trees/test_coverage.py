@@ -31,10 +31,7 @@ def test_inspect_as_well() -> None:
     assert (seen.missing(), seen.broken) == ({}, [])
 
 
-@pytest.mark.parametrize(
-    "task",
-    [each if each == "pick_two" else pytest.param(each, marks=pytest.mark.thorough) for each in HAND_WORLDS],
-)
+@pytest.mark.parametrize("task", HAND_WORLDS)
 def test_the_tasks_of_two_arms_as_well(task: str) -> None:
     seen = explore(*HAND_WORLDS[task](), depth=1, tell=lambda _: None)
     assert (seen.missing(), seen.broken) == ({}, [])
