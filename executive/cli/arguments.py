@@ -81,7 +81,9 @@ HELPS: Final = ("-h", "--help")
 TLS: Final = "tls/"
 """How an endpoint with TLS begins."""
 _PART: Final = re.compile(r"[A-Za-z0-9_.-]+")
-ENDPOINT: Final = re.compile(r"(tcp|tls|udp|quic|ws)/[^/\s]+:\d{1,5}|(unixsock-stream|serial|unixpipe)/\S+")
+_PORT: Final = r"([0-5]?\d{1,4}|6[0-4]\d{3}|65[0-4]\d{2}|655[0-2]\d|6553[0-5])"
+ENDPOINT: Final = re.compile(rf"(tcp|tls|udp|quic|ws)/[^/\s]+:{_PORT}|(unixsock-stream|serial|unixpipe)/\S+")
+"""zenoh's; a port is at most 65535."""
 
 
 def connects(command: Callable[..., None]) -> Callable[..., None]:

@@ -115,14 +115,20 @@ class SqliteLedger:
         self._db.execute(f"PRAGMA user_version = {len(migrations)}")
         self._db.execute("COMMIT")
 
-    def _belong_to(self, robot: str) -> None:
+    @property
+    def owner(self) -> str | None:
+        """``<site>/<robot>`` whose tasks are kept; None until one has opened the ledger as its own."""
         row = self._db.execute("SELECT name FROM robot").fetchone()
-        if row is None:
+        return None if row is None else str(row[0])
+
+    def _belong_to(self, robot: str) -> None:
+        owner = self.owner
+        if owner is None:
             self._db.execute("INSERT INTO robot (one, name) VALUES (1, ?)", (robot,))
-        elif row[0] != robot:
+        elif owner != robot:
             raise LedgerError(
-                f"{self.path}: these are tasks of {row[0]}, and {robot} must not take them up; choose another"
-                " --data, or the --site and --robot that they are of"
+                f"{self.path}: these are tasks of {owner}, and {robot} must not take them up; choose another"
+                " --data, or the --site-key and --robot that they are of"
             )
 
     @_told

@@ -27,8 +27,11 @@ PartName = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,31}$")]
 """A part of the robot, as its description names it; it becomes a part of keys."""
 HandName = PartName
 """A hand, such as ``left``."""
-PLAIN_TEXT: Final = r"^[^\x00-\x1f\x7f-\x9f\u2028\u2029]*$"
-"""Text without control characters and line breaks, as a pattern."""
+PLAIN_TEXT: Final = r"^[^\x00-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]*$"
+"""Text without control characters, line breaks and what reorders the text around it, as a pattern.
+
+An id with an override such as U+202E is shown as another one (Unicode Technical Report 36, 2.6).
+"""
 
 
 class Message(BaseModel):

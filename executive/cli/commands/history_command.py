@@ -98,8 +98,16 @@ def _file(options: BusOptions, data: Path | None, nobody: CommandError) -> Sqlit
     if not (folder / FILE).exists():
         raise CommandError(f"{nobody}\nno ledger found in {folder}", ExitCode.NOBODY_THERE)
     try:
-        return SqliteLedger(folder)
+        ledger = SqliteLedger(folder)
     except LedgerLockedError as error:
         raise CommandError(f"{nobody}\nbut {error}", ExitCode.NOBODY_THERE) from error
     except LedgerError as error:
         raise CommandError(str(error), ExitCode.UNKEPT) from error
+    if data is None and (owner := ledger.owner) not in {None, f"{options.site}/{options.robot}"}:
+        ledger.close()  # whoever names a folder means what is in it; nobody has named this one
+        raise CommandError(
+            f"{nobody}\nand the ledger in {folder} has the tasks of {owner}; name that robot with --site-key"
+            " and --robot, or the folder with --data",
+            ExitCode.NOBODY_THERE,
+        )
+    return ledger

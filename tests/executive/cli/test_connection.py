@@ -84,6 +84,7 @@ def test_no_command_makes_its_own_idea_of_where_the_robot_is() -> None:
     [
         ("TANDEM_CONNECT", "tcp/127.0.0.1:1", "no router answers at tcp/127.0.0.1:1"),
         ("TANDEM_CONNECT", "here", "--connect"),
+        ("TANDEM_CONNECT", "tcp/127.0.0.1:65536", "--connect"),
         ("TANDEM_SITE", "a/b", "--site-key"),
         ("TANDEM_ROBOT", "a/b", "--robot"),
         ("TANDEM_AS", "alice", "--as needs --keys"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ import pytest
 from tandem.executive.cli.commands.history_command import moment
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.main import main
+from tandem.executive.config.run_options import BusOptions, default_data
 from tandem.executive.ledger.port import Entry
 from tandem.executive.ledger.sqlite import SqliteLedger
 from tandem.skills.ports.failure import Failure, FailureKind
@@ -62,6 +64,18 @@ def test_of_several_robots_each_has_a_folder_of_its_own(
     ledger.close()
     assert listed(capfd, "tasks", "--json", *nobody, "--robot", "r2") == ["nod-1"]
     assert listed(capfd, "tasks", "--json", *nobody) == ["fetch-1", "fetch-2", "fetch-3"]
+
+
+def test_a_default_folder_with_another_robots_tasks_is_not_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    options = BusOptions(endpoint=free_endpoint(), site="a-b", robot="c")
+    folder = default_data(options, os.environ)
+    folder.mkdir(parents=True)
+    SqliteLedger(folder, robot="a/b-c").close()
+    assert main(["tasks", "--connect", options.endpoint, "--site-key", "a-b", "--robot", "c"]) == 3
+    assert "has the tasks of a/b-c" in capfd.readouterr().err
 
 
 def test_why_and_export_read_it_too(nobody: list[str], capfd: pytest.CaptureFixture[str]) -> None:
