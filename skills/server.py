@@ -12,7 +12,7 @@ import logging
 from collections import OrderedDict
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final, Generic
+from typing import Final, Generic, TypeVar
 
 from pydantic import ValidationError
 
@@ -42,6 +42,7 @@ from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.skill import Command, F, G, Outcome, R, Run, Skill, Slice
 
 log = logging.getLogger(__name__)
+T = TypeVar("T")
 
 KEPT: Final = 256
 """Ended goals whose result is remembered, and as many that were rejected."""
@@ -114,6 +115,7 @@ class ActionServer(Generic[G, F, R]):
         self._current: _Current[F, R] | None = None
         self._known: OrderedDict[str, GoalStatus] = OrderedDict()
         self._rejected: OrderedDict[str, GoalStatus] = OrderedDict()
+        self._called_off: OrderedDict[str, None] = OrderedDict()  # cancelled before they were there
         self._sequence = 0
         self._published_at = float("-inf")
         self._journal: GoalJournal | None = None
@@ -160,7 +162,8 @@ class ActionServer(Generic[G, F, R]):
             return known
         before = self._current
         try:
-            status = self._start(sent)
+            off = sent.goal_id in self._called_off
+            status = self._status(sent.goal_id, GoalState.CANCELED) if off else self._start(sent)
         except Exception as error:
             log.exception("a goal's check raised", extra=self._about(sent.goal_id))
             self._current = before
@@ -168,9 +171,7 @@ class ActionServer(Generic[G, F, R]):
             status = self._status(sent.goal_id, GoalState.REJECTED, failure=crashed)
         if status.state.terminal:
             # The same message may come twice, and late: for a client that has given up by then.
-            self._rejected[sent.goal_id] = status
-            while len(self._rejected) > KEPT:
-                self._rejected.popitem(last=False)
+            _keep(self._rejected, sent.goal_id, status)
         return status
 
     def _find(self, goal_id: str) -> GoalStatus | None:
@@ -226,7 +227,11 @@ class ActionServer(Generic[G, F, R]):
             return refused
         if self._current is not None and self._current.goal_id == asked.goal_id:
             self._command(self._current, asked.command)
-        return self._find(asked.goal_id) or self._status(asked.goal_id, GoalState.UNKNOWN)
+        found = self._find(asked.goal_id)
+        if found is None and asked.command is Command.CANCEL:
+            # Messages overtake each other: the goal itself may still be on its way.
+            _keep(self._called_off, asked.goal_id, None)
+        return found or self._status(asked.goal_id, GoalState.UNKNOWN)
 
     def _fenced(self, command: Leased, goal_id: str) -> GoalStatus | None:
         """Return the refusal of a command whose sender has no lease, or has been replaced; None: obey it."""
@@ -384,10 +389,7 @@ class ActionServer(Generic[G, F, R]):
         failure: Failure | None = None,
     ) -> GoalStatus:
         status = self._status(goal_id, state, feedback=feedback, result=result, failure=failure)
-        self._known[goal_id] = status
-        self._known.move_to_end(goal_id)
-        while len(self._known) > KEPT:
-            self._known.popitem(last=False)
+        _keep(self._known, goal_id, status)
         self._published_at = robot_seconds(self._clocks)
         self._topic.publish(self._bus, status)
         return status
@@ -418,3 +420,11 @@ class ActionServer(Generic[G, F, R]):
 
     def _failure(self, kind: FailureKind, message: str) -> Failure:
         return Failure(kind=kind, message=message, where=self.name)
+
+
+def _keep(kept: OrderedDict[str, T], goal_id: str, value: T) -> None:
+    """Note what is so of a goal; of more than ``KEPT`` goals the oldest is forgotten."""
+    kept[goal_id] = value
+    kept.move_to_end(goal_id)
+    while len(kept) > KEPT:
+        kept.popitem(last=False)

@@ -141,7 +141,8 @@ class GoalHandle(Generic[G, F, R]):
             self._lose(f"no answer from {self._client.action.name} for {ANSWER_WITHIN:.0f} s")
             return
         unsure = self.state is None or not self._client.awake() or now - self._told_at > UNSURE_AFTER
-        if unsure and self._pending is None and now - self._asked_at > RETRY_PERIOD:
+        unsent = self.state is None and self._canceling  # and is not sent again: its server may be a new one
+        if unsure and not unsent and self._pending is None and now - self._asked_at > RETRY_PERIOD:
             self._ask()
         self._watch_time()
         self._command()
@@ -153,6 +154,8 @@ class GoalHandle(Generic[G, F, R]):
         if status.state is GoalState.UNKNOWN:
             if self.state is not None:
                 self._forgotten()
+            elif self._canceling:  # the answer to that: its server never had it, and won't begin it
+                self._cancel_ends(self._client.action.name)
             return
         self._sequence, self.state = status.sequence, status.state
         self._heard_at = self._told_at = self._client.clocks.monotonic()
@@ -162,9 +165,15 @@ class GoalHandle(Generic[G, F, R]):
         if status.result is not None:
             self.result = action.result.model_validate(status.result)
         self.failure = status.failure
-        if self._timed_out and status.state is GoalState.CANCELED:
+        if status.state is GoalState.CANCELED:
+            self._cancel_ends(action.name)
+
+    def _cancel_ends(self, action: str) -> None:
+        """Have it end as one that was cancelled, or did not end in time."""
+        self.state = GoalState.CANCELED
+        if self._timed_out:
             self.state = GoalState.FAILED
-            self.failure = self._fail(FailureKind.TIMED_OUT, f"{action.name} did not end in time")
+            self.failure = self._fail(FailureKind.TIMED_OUT, f"{action} did not end in time")
 
     def _watch_time(self) -> None:
         self._age.update(counts=not self._pausing)

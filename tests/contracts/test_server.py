@@ -87,6 +87,15 @@ def test_an_error_while_it_is_cancelled_ends_the_goal_all_the_same() -> None:
     assert desk.ask("t/a/2").state is GoalState.RUNNING
 
 
+def test_a_goal_whose_cancel_arrives_before_it_never_begins() -> None:
+    desk = Desk()
+    desk.cancel("t/a/1")
+    assert desk.ask("t/a/1").state is GoalState.UNKNOWN
+    desk.send("t/a/1")
+    assert desk.ask("t/a/1").state is GoalState.CANCELED
+    assert not desk.server.busy
+
+
 WALL = Failure(kind=FailureKind.BASE_BLOCKED, message="a wall")
 
 

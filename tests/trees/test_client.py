@@ -121,6 +121,19 @@ def test_an_unanswered_goal_is_sent_again_under_its_own_id(rig: Rig) -> None:
     assert rig.wait(0.5, lambda: rig.answer(goals, rig.say(GoalState.RUNNING, 1))).state is GoalState.RUNNING
 
 
+def test_a_cancelled_goal_that_nobody_has_taken_is_not_sent_again(rig: Rig) -> None:
+    """It began in a server that was started anew, after its task had been abandoned."""
+    rig.goals.close()
+    rig.handle.cancel()
+    goals = rig.bus.serve(goal_service(ROTATE.name).key)
+    rig.wait(0.5)
+    assert goals.drain() == []
+    assert rig.commanded()
+    rig.wait(0.1)
+    rig.obey(1, GoalState.UNKNOWN)
+    assert rig.wait(0.1).state is GoalState.CANCELED
+
+
 def test_a_goal_that_takes_too_long_is_cancelled_and_fails(rig: Rig) -> None:
     rig.answer(rig.goals, rig.say(GoalState.RUNNING, 1))
     rig.wait(ROTATE.timeout + 0.1, lambda: rig.answer(rig.questions, rig.say(GoalState.RUNNING, 1)))

@@ -71,9 +71,14 @@ class Scene:
         return self.rig.ask(service, message, meanwhile=self.reaper.step)
 
     def must(self, service: Service[M, ControlAnswer], message: M) -> None:
-        """Ask for a verb that has to be taken."""
+        """Ask for a verb that has to be taken.
+
+        One that had to be asked for again, because the executive was killed before it answered, may have been
+        taken at first: then it is refused, and what follows shows whether it was.
+        """
+        killed = len(self.reaper.done)
         answer = self.say(service, message)
-        if not answer.accepted:
+        if not answer.accepted and len(self.reaper.done) == killed:
             self.wrong.append(f"{service.key} was refused: {answer.reason}")
 
     def status(self, task: str) -> TaskStatus:
