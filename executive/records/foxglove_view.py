@@ -43,7 +43,7 @@ from tandem.skills.ports.message import read_leniently
 from tandem.skills.ports.pose import Pose as OurPose
 from tandem.skills.ports.sensors import LaserScan as OurScan
 from tandem.skills.ports.shapes import is_round, solid
-from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene, RobotPose
+from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene, RobotPose, SceneObject
 
 EVERY: Final = 0.05
 """Robot seconds between two of one key, at the least: 20 a second look smooth."""
@@ -64,7 +64,7 @@ class FoxgloveView:
         self._views: dict[str, tuple[str, float, Callable[[Recorded], Shown]]] = {
             JOINT_STATES.key: ("foxglove/joints", EVERY, _joints),
             ROBOT_POSE.key: ("foxglove/transforms", EVERY, self._transforms),
-            SCENE.key: ("foxglove/scene", EVERY, _scene),
+            SCENE.key: ("foxglove/scene", 0.0, self.scene),
         }
 
     def learn(self, attachment: Attachment) -> None:
@@ -104,6 +104,19 @@ class FoxgloveView:
             rotation=_quaternion(pose.orientation),
         )
         return FrameTransforms(transforms=[transform])
+
+    def scene(self, message: Recorded) -> SceneUpdate:
+        """Return what stands in the map, and what each hand holds, in its frame.
+
+        An entity replaces the one of its name, so an empty hand is told, too.
+        """
+        said, when = read_leniently(PlanningScene, message.payload), _time(message)
+        hands = () if self._robot is None else self._robot.end_effectors
+        entities = [_entity(when, MAP, "scene", [each for each in said.objects if each.attached_to is None])]
+        for hand in hands:
+            held = [each for each in said.objects if each.attached_to == hand.side]
+            entities.append(_entity(when, hand.frame, f"held/{hand.side}", held))
+        return SceneUpdate(entities=entities)
 
     def _scan_of(self, name: str) -> Callable[[Recorded], Shown]:
         assert self._robot is not None
@@ -151,13 +164,10 @@ def _joints(message: Recorded) -> JointStatesShown:
     return JointStatesShown(timestamp=_time(message), joints=joints)
 
 
-def _scene(message: Recorded) -> SceneUpdate:
-    said = read_leniently(PlanningScene, message.payload)
+def _entity(when: Timestamp, frame: str, name: str, objects: list[SceneObject]) -> SceneEntity:
     cubes: list[CubePrimitive] = []
     cylinders: list[CylinderPrimitive] = []
-    for each in said.objects:
-        if each.attached_to is not None:
-            continue
+    for each in objects:
         pose, size = _pose(each.box.pose), _vector(each.box.size)
         colour = ORANGE if each.kind == "item" else GREY
         if is_round(solid(each.box)):
@@ -166,8 +176,10 @@ def _scene(message: Recorded) -> SceneUpdate:
             )
         else:
             cubes.append(CubePrimitive(pose=pose, size=size, color=colour))
-    entity = SceneEntity(timestamp=_time(message), frame_id=MAP, id="scene", cubes=cubes, cylinders=cylinders)
-    return SceneUpdate(entities=[entity])
+    locked = frame != MAP  # what is held moves with its hand
+    return SceneEntity(
+        timestamp=when, frame_id=frame, id=name, frame_locked=locked, cubes=cubes, cylinders=cylinders
+    )
 
 
 def _pose(pose: OurPose) -> Pose:

@@ -32,13 +32,19 @@ def moments(record: Recording) -> tuple[Moment, ...]:
 
 
 def span_of(record: Recording, task: str) -> Span | None:
-    """Return from when to when a task is in a record; None if it is not."""
-    found = [each.at for each in record.messages() if each.key == f"task/{task}/status"]
+    """Return from when to when a task runs in a record; None if it is not in it.
+
+    It begins with its start; one that was never started, with what is first said of it. The time in the
+    queue is another task's.
+    """
+    key = f"task/{task}/status"
+    found = [max(each.at, record.span.begin) for each in record.messages(-math.inf) if each.key == key]
     if not found:
         return None
     own = [each for each in moments(record) if each.task == task]
     ends = [each.at for each in own if each.kind in {"ended", "failed"}]
-    return Span(found[0], ends[-1] if ends else record.span.end)
+    starts = [each.at for each in own if each.kind == "started"]
+    return Span(starts[0] if starts else found[0], ends[-1] if ends else record.span.end)
 
 
 def at_of(record: Recording, seconds: float) -> float:

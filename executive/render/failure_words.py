@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Hashable, Iterable, Iterator
 from types import MappingProxyType
-from typing import Final
+from typing import Final, TypeVar
 
 from tandem.skills.ports.failure import KINDS, Failure, FailureKind, Helper
 from tandem.skills.ports.tasks import Attempt, TaskState, TaskStatus
 
+Each = TypeVar("Each")
 NEXT: Final = MappingProxyType(
     {
         Helper.CLIENT: "The client: the request can't be met. Correct it and send it again.",
@@ -56,13 +58,15 @@ OPERATORS: Final = MappingProxyType(
 """What an operator does, by kind, where more can be said."""
 PLACES: Final = MappingProxyType({"item_is": "the item is", "robot_is": "the robot is"})
 """Evidence that tells where things are at the end."""
+NUMBERS: Final = re.compile(r"-?\d+(\.\d+)?")
+"""Two messages that differ in these alone say the same."""
 
 
 def explain(status: TaskStatus) -> str:
     """Return it all, in lines."""
     lines = [*_head(status)]
     if status.failure is not None:
-        lines += ["", "what failed", *_chain(status.failure)]
+        lines += ["", "what failed", *_chain((status.failure,), status.tried)]
     lines += ["", "what was tried", *_tried(status.tried)]
     if status.result is not None:
         lines += ["", *result_lines(status)]
@@ -126,28 +130,81 @@ def _head(status: TaskStatus) -> Iterator[str]:
         yield "  it has not failed" if status.state.terminal else "  it is running and has not failed"
 
 
-def _chain(failure: Failure, indent: str = "  ") -> Iterator[str]:
+def _alike(failure: Failure) -> Hashable:
+    """Return what two failures have in common that differ in numbers alone."""
+    below = tuple(_alike(each) for each in failure.causes)
+    return failure.kind, failure.where, NUMBERS.sub("#", failure.message), below
+
+
+def _together(each: Iterable[Each], same: Callable[[Each], Hashable]) -> Iterator[tuple[Each, ...]]:
+    """Yield those that are the same together, where the first of them stands."""
+    found: dict[Hashable, list[Each]] = {}
+    for one in each:
+        found.setdefault(same(one), []).append(one)
+    yield from (tuple(group) for group in found.values())
+
+
+def _chain(repeated: tuple[Failure, ...], tried: tuple[Attempt, ...], indent: str = "  ") -> Iterator[str]:
+    """Yield a failure and what is below it; one that came several times is said once."""
+    failure, times = repeated[0], len(repeated)
     node, _, skill = failure.where.partition(": ")
     way = "".join(f"{part} -> " for part in (node, skill) if part)
     yield f"{indent}{way}{failure.kind}: {failure.message}"
+    if times > 1:
+        when = _span([each for each in tried if _alike(each.failure) == _alike(failure)])
+        yield f"{indent}  {times} times{when and f', {when}'}"
     yield f"{indent}  that is: {KINDS[failure.kind].meaning}"
-    measured = {name: value for name, value in failure.evidence.items() if name not in PLACES}
-    if measured:
-        yield f"{indent}  evidence: " + ", ".join(f"{name} {value}" for name, value in measured.items())
-    for cause in failure.causes:
+    if measured := _measured(repeated):
+        yield f"{indent}  evidence: {measured}"
+    causes = (cause for each in repeated for cause in each.causes)
+    for group in _together(causes, _alike):
         yield f"{indent}  after"
-        yield from _chain(cause, indent + "    ")
+        yield from _chain(group, tried, indent + "    ")
+
+
+def _measured(repeated: tuple[Failure, ...]) -> str:
+    """Return the evidence: of numbers that differ from one time to the next, the least and the greatest."""
+    names = dict.fromkeys(name for each in repeated for name in each.evidence if name not in PLACES)
+    return ", ".join(f"{name} {_values([each.evidence.get(name) for each in repeated])}" for name in names)
+
+
+def _values(values: Iterable[str | float | bool | None]) -> str:
+    known = list(dict.fromkeys(each for each in values if each is not None))
+    numbers = [each for each in known if not isinstance(each, str | bool)]
+    if len(numbers) == len(known) > 1:
+        return f"{min(numbers)} to {max(numbers)}"
+    return " | ".join(str(each) for each in known)
+
+
+def _alike_attempts(attempt: Attempt) -> Hashable:
+    """Return what attempts have in common that are said once; times of two boots are no span."""
+    return _alike(attempt.failure), attempt.recovery, attempt.at and attempt.at.boot
+
+
+def _span(attempts: Iterable[Attempt]) -> str:
+    """Return the first and the last moment of several attempts."""
+    known = [each.at for each in attempts if each.at is not None]
+    if not known or known[0] == known[-1] or known[0].boot != known[-1].boot:
+        return ""
+    return f"the first at {known[0].seconds:.1f} s, the last at {known[-1].seconds:.1f} s"
 
 
 def _tried(tried: tuple[Attempt, ...]) -> Iterator[str]:
     if not tried:
         yield "  nothing: no recovery applies"
         return
-    for attempt in tried:
+    for group in _together(tried, _alike_attempts):
+        attempt, times = group[0], len(group)
         at = "" if attempt.at is None else f"{attempt.at.seconds:8.1f} s  "
-        failure, seen = attempt.failure, f"  (picture {attempt.picture})" if attempt.picture else ""
+        failure, pictures = attempt.failure, [each.picture for each in group if each.picture]
+        seen = f"  (picture{'s' * (len(pictures) > 1)} {', '.join(pictures)})" if pictures else ""
         where = f" at {failure.where}" if failure.where else ""
-        did = f"{attempt.recovery}, {_nth(attempt.times)} attempt" if attempt.recovery else "nothing"
+        did = attempt.recovery or "nothing"
+        if times > 1:
+            when = _span(group)
+            did += f", {times} times{when and f': {when}'}"
+        elif attempt.recovery:
+            did += f", {_nth(attempt.times)} attempt"
         yield f"  {at}{failure.kind}{where}: {failure.message}{seen}"
         yield f"  {' ' * len(at)}-> {did}"
     counts: dict[str, int] = {}

@@ -4,6 +4,7 @@ import { picture } from "./api";
 import { useRobot, useSite } from "./loading";
 import { useLive, type Tags } from "./state";
 import type { CameraSensor } from "./types";
+import { named } from "./words";
 
 const EVERY = 1000;
 const FRESH = 3; // robot seconds for which a tag is drawn where it was seen
@@ -85,7 +86,7 @@ function Found({ sensor }: { sensor: CameraSensor }) {
         return (
           <g key={i}>
             <polygon points={corners.map((each) => each.join(",")).join(" ")} />
-            <text x={top[0]} y={top[1] - sensor.height / 60} font-size={sensor.height / 20}>{each.item}</text>
+            <text x={top[0]} y={top[1] - sensor.height / 60} font-size={sensor.height / 20}>{named(site, each.item)}</text>
           </g>
         );
       })}

@@ -7,7 +7,7 @@ import { useLive } from "./state";
 import type { Site } from "./types";
 import { Others } from "./others";
 import { KeyedList } from "./keyed";
-import { called } from "./words";
+import { called, named } from "./words";
 
 type Chosen = { item?: string; depot?: string; x?: string; y?: string };
 
@@ -67,11 +67,11 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
       {things.map((each) => {
         const [x, y] = each.box.pose.position;
         const [, , z, w] = each.box.pose.orientation;
-        const item = each.item === null ? {} : { "aria-label": `item ${each.item}`, ...choose(`/map?item=${each.item}`) };
+        const item = each.item === null ? {} : { "aria-label": `item ${called(site, each.item)}`, ...choose(`/map?item=${each.item}`) };
         return (
           <g key={each.name} class={`thing ${each.kind} ${each.item !== null && chosen.item === String(each.item) ? "chosen" : ""}`} {...item}>
             <rect x={-each.box.size[0] / 2} y={-each.box.size[1] / 2} width={each.box.size[0]} height={each.box.size[1]} rx={each.box.shape === "cylinder" ? each.box.size[0] / 2 : 0} transform={turned(x!, y!, 2 * Math.atan2(z!, w!))} />
-            {each.item !== null && <text x={x} y={-y! - 0.09}>{each.item}</text>}
+            {each.item !== null && <text x={x} y={-y! - 0.09}>{named(site, each.item)}</text>}
           </g>
         );
       })}

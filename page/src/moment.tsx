@@ -1,11 +1,12 @@
 // What was known at one moment of a task: its board, what was believed of items, where the robot was, its tree.
 import { useEffect, useState } from "preact/hooks";
 import { get } from "./api";
+import { useSite } from "./loading";
 import type { Kept } from "./records";
 import { states, useLive, type NodeState } from "./state";
 import { Tree } from "./tree";
 import type { FloorPose, NodeStatus, RobotTime, TreeSnapshot, WorldState } from "./types";
-import { seconds as words } from "./words";
+import { called, seconds as words } from "./words";
 
 type Told = { file: string; stamp: RobotTime; tree: TreeSnapshot; world: WorldState | null; pose: FloorPose | null };
 type Beliefs = { items: WorldState["items"]; boot: string | null; now: number | null };
@@ -88,6 +89,7 @@ function NotRecorded({ at, begin, kept }: { at: number; begin: number | null; ke
 
 function Values({ board, beliefs, pose }: { board: Record<string, string>; beliefs: Beliefs; pose: { x: number; y: number; yaw: number } | null }) {
   const values = Object.entries(board);
+  const site = useSite().value;
   return (
     <div class="known">
       <div>
@@ -98,7 +100,7 @@ function Values({ board, beliefs, pose }: { board: Record<string, string>; belie
         <h3>Beliefs</h3>
         <dl>
           {pose && <><dt>robot</dt><dd>{pose.x.toFixed(2)}, {pose.y.toFixed(2)}, heading {((pose.yaw * 180) / Math.PI).toFixed(0)}°</dd></>}
-          {beliefs.items.map((fact) => <><dt>item {fact.item}</dt><dd>{where(fact, beliefs)}</dd></>)}
+          {beliefs.items.map((fact) => <><dt>item {called(site, fact.item)}</dt><dd>{where(fact, beliefs)}</dd></>)}
         </dl>
         {!beliefs.items.length && <p class="quiet">Nothing is believed of any item.</p>}
       </div>

@@ -6,6 +6,7 @@ import URDFLoader, { type URDFRobot } from "urdf-loader";
 import { cubes } from "./cubes";
 import type { Live } from "./state";
 import type { Box, RobotDescription, Site } from "./types";
+import { named } from "./words";
 
 const KINDS = { furniture: 0xb9b2a6, clutter: 0xc98a5a, item: 0x3f7fbf };
 // Seen through the arm that moves along it.
@@ -34,6 +35,7 @@ export class RobotScene {
   private dirty = true;
   private over = false;
   private description: RobotDescription | null = null;
+  private site: Site | null = null;
   private watch: ResizeObserver;
   frames = 0;
 
@@ -132,6 +134,8 @@ export class RobotScene {
   }
 
   setSite(site: Site) {
+    this.site = site;
+    if (this.shown.scene) this.place(this.shown as Live); // its items have their names now
     unlabel(this.room);
     this.room.clear();
     const [x0, y0, x1, y1] = site.bounds;
@@ -286,7 +290,7 @@ export class RobotScene {
       pose(mesh, each.box);
       if (each.item !== null) {
         mesh.userData.item = each.item;
-        const tag = label(`${each.item}`, "item", 0, 0, each.box.size[2] / 2 + 0.06);
+        const tag = label(named(this.site, each.item), "item", 0, 0, each.box.size[2] / 2 + 0.06);
         tag.userData.item = each.item;
         mesh.add(tag);
       }
@@ -308,7 +312,8 @@ export class RobotScene {
       if (!fact) return;
       const same = live.now?.seconds != null && fact.seen.boot === live.now.boot;
       const old = same ? live.now!.seconds! - fact.seen.seconds : null;
-      each.element.textContent = fact.held ? `${fact.item} · held` : `${fact.item}${old === null ? " · old" : old < 2 ? "" : ` · ${old < 90 ? `${old.toFixed(0)} s` : `${(old / 60).toFixed(0)} min`}`}`;
+      const name = named(this.site, fact.item);
+      each.element.textContent = fact.held ? `${name} · held` : `${name}${old === null ? " · old" : old < 2 ? "" : ` · ${old < 90 ? `${old.toFixed(0)} s` : `${(old / 60).toFixed(0)} min`}`}`;
       each.element.classList.toggle("old", !fact.held && (old === null || old > 60));
     };
     this.things.traverse(write);

@@ -9,7 +9,7 @@ import { ended, useLive } from "./state";
 import { Timeline } from "./timeline";
 import { LiveTree } from "./tree";
 import type { Attempt, Failure, Span, TaskStatus } from "./types";
-import { command, seconds, when } from "./words";
+import { alike, command, seconds, together, when } from "./words";
 
 type Told = { status: TaskStatus; words: string; next?: string; meaning?: string; helper?: string; timeline: Span[] };
 
@@ -47,7 +47,7 @@ export function TaskPage({ task }: { task: string }) {
       {failure && (
         <section class="card">
           <h2>Why</h2>
-          <Chain failure={failure} />
+          <Chain repeated={[failure]} status={status} />
           {told?.next && <p class="next"><strong>What to do:</strong> {told.next}</p>}
         </section>
       )}
@@ -78,15 +78,35 @@ export function TaskPage({ task }: { task: string }) {
   );
 }
 
-function Chain({ failure }: { failure: Failure }) {
-  const evidence = Object.entries(failure.evidence ?? {});
+// A failure and what is below it; one that came several times is said once.
+function Chain({ repeated, status }: { repeated: [Failure, ...Failure[]]; status: TaskStatus }) {
+  const [failure] = repeated;
+  const names = [...new Set(repeated.flatMap((each) => Object.keys(each.evidence ?? {})))];
+  const evidence = names.map((name) => `${name} ${values(repeated.map((each) => each.evidence?.[name]))}`);
+  const attempts = status.tried.filter((each) => alike(each.failure) === alike(failure));
   return (
     <div class="chain">
       <p><strong>{failure.kind}</strong>{failure.where && <span class="quiet"> at {failure.where}</span>}: {failure.message}</p>
-      {evidence.length > 0 && <p class="quiet">{evidence.map(([name, value]) => `${name} ${value}`).join(", ")}</p>}
-      {failure.causes.map((cause, i) => <div key={i}><p class="quiet">because of</p><Chain failure={cause} /></div>)}
+      {repeated.length > 1 && <p class="quiet">{repeated.length} times{span(attempts, status)}</p>}
+      {evidence.length > 0 && <p class="quiet">{evidence.join(", ")}</p>}
+      {together(repeated.flatMap((each) => each.causes), alike).map((causes, i) => <div key={i}><p class="quiet">because of</p><Chain repeated={causes} status={status} /></div>)}
     </div>
   );
+}
+
+function values(all: unknown[]): string {
+  const known = [...new Set(all.filter((each) => each !== undefined))];
+  const numbers = known.filter((each) => typeof each === "number");
+  return known.length > 1 && numbers.length === known.length ? `${Math.min(...numbers)} to ${Math.max(...numbers)}` : known.join(" | ");
+}
+
+// Seconds into the task; "" of another boot than that in which it began.
+const since = (at: Attempt["at"], { started }: TaskStatus) => (at && started && at.boot === started.boot ? seconds(at.seconds - started.seconds) : "");
+
+function span(attempts: Attempt[], status: TaskStatus): string {
+  const [first, last] = [attempts[0]?.at ?? null, attempts.at(-1)?.at ?? null];
+  if (!first || !last || first.boot !== last.boot || first.seconds === last.seconds || !since(first, status)) return "";
+  return `: the first after ${since(first, status)}, the last after ${since(last, status)}`;
 }
 
 function Tried({ status }: { status: TaskStatus }) {
@@ -94,24 +114,26 @@ function Tried({ status }: { status: TaskStatus }) {
   return (
     <section class="card">
       <h2>What was tried</h2>
-      <ol class="tried">{status.tried.map((each, i) => <Try key={i} attempt={each} status={status} />)}</ol>
+      <ol class="tried">{together(status.tried, sameTry).map((group, i) => <Try key={i} group={group} status={status} />)}</ol>
     </section>
   );
 }
 
-function Try({ attempt, status }: { attempt: Attempt; status: TaskStatus }) {
-  const { at, failure } = attempt;
-  const since = at && status.started && at.boot === status.started.boot ? seconds(at.seconds - status.started.seconds) : "";
+const sameTry = ({ at, failure, recovery }: Attempt) => JSON.stringify([alike(failure), recovery, at?.boot]);
+
+function Try({ group, status }: { group: [Attempt, ...Attempt[]]; status: TaskStatus }) {
+  const [{ at, failure, recovery, times }] = group;
+  const did = recovery || "no recovery took it";
   return (
     <li>
-      <span class="number">{since}</span> <strong>{failure.kind}</strong> {failure.where && <span class="quiet">at {failure.where}</span>} {failure.message}
-      <br /><span class="quiet">→ {attempt.recovery ? `${attempt.recovery}, time ${attempt.times}` : "no recovery took it"}</span>
-      {attempt.picture && (
-        <details>
-          <summary>Picture of that moment</summary>
+      <span class="number">{since(at, status)}</span> <strong>{failure.kind}</strong> {failure.where && <span class="quiet">at {failure.where}</span>} {failure.message}
+      <br /><span class="quiet">→ {group.length > 1 ? `${did}, ${group.length} times${span(group, status)}` : recovery ? `${did}, time ${times}` : did}</span>
+      {group.map((attempt) => attempt.picture && (
+        <details key={attempt.picture}>
+          <summary>Picture {group.length > 1 ? `after ${since(attempt.at, status)}` : "of that moment"}</summary>
           <img loading="lazy" src={`/api/task/${encodeURIComponent(status.task)}/picture/${encodeURIComponent(attempt.picture)}`} alt={`What the camera saw when ${failure.kind} was noticed`} />
         </details>
-      )}
+      ))}
     </li>
   );
 }

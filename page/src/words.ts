@@ -58,8 +58,26 @@ export function summary(request: Record<string, unknown>): string {
 export const command = (document: Record<string, unknown>) =>
   `tandem request json '${JSON.stringify(document).replaceAll("'", "'\\''")}'`;
 
-// An item with its name, if the site gives it one.
+const nameOf = (site: Site | null, item: number) => site?.items.find((each) => each.item === item)?.name;
+
+// An item with its name, if the site gives it one; and short, as it stands beside the thing itself.
 export function called(site: Site | null, item: number): string {
-  const name = site?.items.find((each) => each.item === item)?.name;
+  const name = nameOf(site, item);
   return name ? `${item} (${name})` : String(item);
+}
+export const named = (site: Site | null, item: number): string => nameOf(site, item) || String(item);
+
+// What two failures have in common that differ in numbers alone; as `tandem why` has it.
+export const alike = (failure: Failure): string =>
+  JSON.stringify([failure.kind, failure.where, failure.message.replace(/-?\d+(\.\d+)?/g, "#"), (failure.causes ?? []).map(alike)]);
+
+// Those that are the same together, where the first of them stands.
+export function together<T>(all: Iterable<T>, same: (one: T) => string): [T, ...T[]][] {
+  const found = new Map<string, [T, ...T[]]>();
+  for (const one of all) {
+    const group = found.get(same(one));
+    if (group) group.push(one);
+    else found.set(same(one), [one]);
+  }
+  return [...found.values()];
 }

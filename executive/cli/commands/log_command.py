@@ -22,6 +22,11 @@ Files = Annotated[
     typer.Argument(metavar="FILE...", help="Recordings or black boxes; with --lerobot also folders of them."),
 ]
 To = Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE", help="Name of the new file.")]
+AROUND = 2.0
+"""Robot seconds that are cut out before a task's start and after its end: as long as a black box goes on."""
+RAN = (
+    f"The part in which this task ran: from {AROUND:.0f} s before its start to {AROUND:.0f} s after its end."
+)
 LINES_OF_KEYS = 12
 """Keys that are listed with their sizes, the largest; a robot has about a hundred."""
 
@@ -72,7 +77,7 @@ def cut(
     until: Annotated[
         float | None, typer.Option("--to", help="Robot time in seconds at which it ends.")
     ] = None,
-    task: Annotated[str, typer.Option("--task", metavar="ID", help="The part in which this task ran.")] = "",
+    task: Annotated[str, typer.Option("--task", metavar="ID", help=RAN)] = "",
     output: To = None,
 ) -> None:
     """Write a part of a record into another file, by robot time or by task."""
@@ -189,13 +194,14 @@ def _words(file: Path, told: LogInfo) -> str:
 
 def _part_of(record: Recording, task: str) -> Span:
     from tandem.executive.records.moments import span_of  # noqa: PLC0415
+    from tandem.executive.records.recording import Span  # noqa: PLC0415
 
     found = span_of(record, task)
     if found is None:
         raise CommandError(
             f"{record.path}: no task {task!r} in it; `tandem replay {record.path}` lists those"
         )
-    return found
+    return Span(record.span.clipped(found.begin - AROUND), record.span.clipped(found.end + AROUND))
 
 
 def _at(record: Recording, seconds: float) -> float:

@@ -14,6 +14,8 @@ from tandem.executive.cli.commands.why_command import record_of
 from tandem.executive.cli.main import main
 from tandem.executive.config.extras import RECORD
 from tandem.executive.config.run_options import BusOptions
+from tandem.executive.records.moments import span_of
+from tandem.executive.records.recording import Span, open_recording
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.tasks import TaskState, TaskStatus
 
@@ -65,6 +67,11 @@ def test_log_info_says_why_it_was_kept(box: str, capsys: pytest.CaptureFixture[s
 def test_log_cut_export_and_recover(box: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     part = str(tmp_path / "part.jsonl.gz")
     assert main(["log", "cut", box, "--task", "wait-0001", "-o", part]) == 0
+    whole, cut = open_recording(Path(box)), open_recording(Path(part))
+    ran = span_of(whole, "wait-0001")
+    assert ran is not None
+    around = Span(whole.span.clipped(ran.begin - 2.0), whole.span.clipped(ran.end + 2.0))
+    assert cut.span == around
     assert main(["log", "cut", box, "--from", "1", "--to", "2"]) == 0
     capsys.readouterr()
     assert main(["log", "export", part, "--key", "task/*/status"]) == 0

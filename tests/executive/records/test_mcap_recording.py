@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -128,6 +129,35 @@ def test_foxglove_finds_its_own_messages(
     record = open_recording(path)
     assert [each.key for each in record.messages()] == [key]
     record.close()
+
+
+def test_the_scene_has_cylinders_and_what_hands_hold() -> None:
+    view = FoxgloveView()
+    robot = mock_description()
+    view.learn(Attachment(DESCRIPTION.key, 0.0, robot.model_dump_json().encode()))
+    hand = robot.end_effectors[0]
+
+    def drawn(*objects: SceneObject) -> dict[str, tuple[str, int, int]]:
+        told = PlanningScene(stamp=STAMP, version=1, objects=objects)
+        update = view.scene(said(SCENE.key, told))
+        # The vendor's messages show their fields in their text only.
+        _, *entities = repr(update).split("SceneEntity {")
+        return {
+            re.findall(r' id: "([^"]+)"', each)[0]: (
+                re.findall(r'frame_id: "([^"]+)"', each)[0],
+                each.count("CubePrimitive {"),
+                each.count("CylinderPrimitive {"),
+            )
+            for each in entities
+        }
+
+    size = (0.06, 0.06, 0.1)
+    tin = SceneObject(name="i", kind="item", box=Box(size=size, pose=IDENTITY, shape="cylinder"), item=3)
+    table = SceneObject(name="t", kind="furniture", box=Box(size=(1, 1, 1), pose=IDENTITY))
+    nothing = {f"held/{each.side}": (each.frame, 0, 0) for each in robot.end_effectors}
+    assert drawn(table, tin) == {**nothing, "scene": ("map", 1, 1)}
+    held = tin.model_copy(update={"attached_to": hand.side})
+    assert drawn(table, held) == {**nothing, "scene": ("map", 1, 0), f"held/{hand.side}": (hand.frame, 0, 1)}
 
 
 def picture(width: int, height: int) -> bytes:

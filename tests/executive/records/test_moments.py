@@ -14,6 +14,7 @@ from tandem.executive.records.moments import at_of, moments, span_of
 from tandem.executive.records.recording import Recorded, RecordError, Recording, Span, open_recording
 from tandem.executive.records.tape import Tape
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.tasks import TaskState, TaskStatus
 
 
 @pytest.fixture(scope="module")
@@ -55,6 +56,29 @@ def test_nothing_lies_outside(record: Recording, part: Span, tmp_path: Path) -> 
 
 def test_no_span_of_a_task_that_is_not_there(record: Recording) -> None:
     assert span_of(record, "fetch-0099") is None
+
+
+@pytest.mark.parametrize(
+    ("begin", "expected"), [(0.0, (30.0, 40.0)), (35.0, (35.0, 40.0)), (10.0, (30.0, 40.0))]
+)
+def test_the_part_of_a_task_begins_with_its_start(
+    begin: float, expected: tuple[float, float], tmp_path: Path
+) -> None:
+    def told(at: float, state: TaskState, started: float | None) -> Recorded:
+        since = None if started is None else RobotTime(boot="a", seconds=started)
+        status = TaskStatus(task="t-1", kind="wait", request={}, state=state, accepted_at=0.0, started=since)
+        stamp = RobotTime(boot="a", seconds=at)
+        return Recorded("task/t-1/status", at, stamp, 0, status.model_dump_json().encode())
+
+    messages = [
+        told(1.0, TaskState.QUEUED, None),
+        told(30.0, TaskState.RUNNING, 30.0),
+        told(40.0, TaskState.SUCCEEDED, 30.0),
+        told(50.0, TaskState.SUCCEEDED, 30.0),
+    ]
+    path = tmp_path / "queued.jsonl.gz"
+    write_lines(path, FACTS, Span(begin, 60.0), (), messages)
+    assert span_of(open_recording(path), "t-1") == Span(*expected)
 
 
 def test_the_lines_of_a_key(record: Recording) -> None:

@@ -55,7 +55,8 @@ def task(name: str, state: TaskState) -> TaskStatus:
         "get item -> ITEM_UNREACHABLE: tried from everywhere",
         "evidence: item 29\n",
         "close hand -> gripper_left/grip -> GRASP_EMPTY: closed on nothing",
-        "-> draw back, 2nd attempt",
+        "    20.0 s  GRASP_EMPTY at close hand: gripper_left/grip: closed on nothing  (picture 1)\n",
+        "-> draw back, 2 times: the first at 20.0 s, the last at 40.0 s\n",
         "in total: draw back 2 x",
         "the item is last seen at (1.00, 2.00, 0.70) m",
         "the robot is at home",
@@ -103,3 +104,35 @@ def test_a_named_task_is_found_or_not() -> None:
 
 def test_the_newest_picture() -> None:
     assert last_picture(FAILED) == "1"
+
+
+def attempt(seconds: float, message: str, boot: str = "a", recovery: str = "draw back") -> Attempt:
+    failure = EMPTY.model_copy(update={"message": message})
+    return Attempt(at=RobotTime(boot=boot, seconds=seconds), failure=failure, recovery=recovery, times=1)
+
+
+def test_failures_that_differ_in_numbers_alone_are_said_once_and_the_others_in_their_order() -> None:
+    tried = (
+        attempt(1.0, "off by 0.1 m"), attempt(2.0, "closed on nothing"), attempt(3.0, "off by 0.25 m"),
+        attempt(4.0, "off by 0.3 m", recovery=""), attempt(0.5, "off by 0.1 m", boot="b"),
+    )  # fmt: skip
+    said = explain(FAILED.model_copy(update={"tried": tried})).split("what was tried\n")[1].splitlines()
+    assert [line.split("close hand: gripper_left/grip: ")[-1].strip() for line in said[:8]] == [
+        "off by 0.1 m", "-> draw back, 2 times: the first at 1.0 s, the last at 3.0 s",
+        "closed on nothing", "-> draw back, 1st attempt",
+        "off by 0.3 m", "-> nothing",
+        "off by 0.1 m", "-> draw back, 1st attempt",
+    ]  # fmt: skip
+
+
+def test_a_repeated_cause_is_said_once_with_how_often_when_and_what_was_measured() -> None:
+    causes = tuple(
+        EMPTY.model_copy(update={"message": f"off by {off} m", "evidence": {"off_m": off, "arm": "left"}})
+        for off in (0.3, 0.1, 0.2)
+    )
+    failure = Failure(kind=FailureKind.ITEM_UNREACHABLE, message="", causes=(causes[0], EMPTY, *causes[1:]))
+    tried = (attempt(5.0, "off by 0.3 m"), attempt(9.0, "off by 0.2 m"))
+    said = explain(FAILED.model_copy(update={"failure": failure, "tried": tried})).split("what was tried")[0]
+    assert said.count("EMPTY: off by") == said.count("EMPTY: closed on nothing") == 1
+    assert "3 times, the first at 5.0 s, the last at 9.0 s" in said
+    assert "evidence: off_m 0.1 to 0.3, arm left" in said

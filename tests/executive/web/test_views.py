@@ -7,6 +7,7 @@ import datetime as dt
 import json
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Literal
 
 import pytest
 from web_fake import FakeRobot, served
@@ -17,17 +18,21 @@ from tandem.executive.security.links import make
 from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
 from tandem.skills.ports.actions.arm import MoveFeedback, MovePhase, move
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback
+from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.occupancy import Occupancy, pack
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.reflex import PipelineState, ReflexState, pipeline_state, reflex_state
-from tandem.skills.ports.tasks import KindOfTask, TaskKinds
+from tandem.skills.ports.tasks import Attempt, KindOfTask, TaskKinds, TaskState, TaskStatus
 from tandem.skills.ports.whereabouts import RobotWhereabouts
 from tandem.skills.ports.world import (
     ROBOT_POSE,
     SCENE,
     SIGHTINGS,
+    Box,
     PlanningScene,
     RobotPose,
+    SceneObject,
     Sighting,
     Sightings,
 )
@@ -104,7 +109,7 @@ def test_the_camera_is_shown_with_the_tags_that_were_found(page: Page, robot: Fa
     tell(robot)
     page.get_by_role("button", name="Camera").click()
     expect(page).to_have_url("/?camera")
-    expect(page.locator(".camera svg text")).to_have_text("29")
+    expect(page.locator(".camera svg text")).to_have_text("tea")
     expect(page.locator(".camera figcaption")).to_contain_text("now · tag 29 read now")
     page.get_by_role("button", name="Camera").click()
     expect(page.locator(".camera")).to_have_count(0)
@@ -248,6 +253,54 @@ def test_beyond_the_host_one_logs_in_by_a_link(browser: Browser, robot: FakeRobo
         assert page.get_by_role("button", name="STOP").count() == 0
         page.get_by_role("button", name="Log out").click()
         expect(page.get_by_role("heading", name="Log in")).to_be_visible()
+
+
+def test_items_are_called_by_their_names_and_tins_are_round(page: Page, robot: FakeRobot) -> None:
+    def thing(item: int, shape: Literal["box", "cylinder"]) -> SceneObject:
+        place = Pose(position=(0.5, item / 20, 0.8), orientation=(0.0, 0.0, 0.0, 1.0))
+        box = Box(size=(0.06, 0.06, 0.1), pose=place, shape=shape)
+        return SceneObject(name=f"item {item}", kind="item", box=box, item=item)
+
+    scene = PlanningScene(stamp=robot.now, version=1, objects=(thing(29, "cylinder"), thing(7, "box")))
+    page.goto("/map")
+    expect(page.locator(".link")).to_contain_text("nothing heard")
+    robot.tell((SCENE, scene))
+    tea = page.get_by_label("item 29 (tea)")
+    expect(tea.locator("text")).to_have_text("tea")
+    expect(tea.locator("rect")).to_have_attribute("rx", "0.03")
+    expect(page.get_by_label("item 7").locator("text")).to_have_text("7")
+    page.get_by_role("link", name="Now").click()
+    expect(page.locator(".label.item")).to_have_text(["tea", "7"])
+
+
+def test_a_failure_that_came_again_and_again_is_said_once(page: Page, robot: FakeRobot) -> None:
+    def at(seconds: float) -> RobotTime:
+        return RobotTime(boot="a", seconds=seconds)
+
+    def off(by: float) -> Failure:
+        kind = FailureKind.BASE_OFF_GOAL
+        return Failure(kind=kind, message=f"off by {by} m", where="drive", evidence={"off_m": by})
+
+    empty = Failure(kind=FailureKind.GRASP_EMPTY, message="closed on nothing")
+    tried = [
+        Attempt(at=at(2.0 + by), failure=each, recovery="again")
+        for by, each in enumerate((off(0.1), empty, off(0.3)))
+    ]
+    failure = Failure(kind=FailureKind.BASE_NO_PATH, message="no way", causes=(off(0.1), off(0.3)))
+    robot.tasks = (
+        TaskStatus(
+            task="go-1", kind="go", request={"task": "go"}, state=TaskState.FAILED, accepted_at=0.0,
+            started=at(1.0), ended=at(9.0), tried=tuple(tried), failure=failure,
+        ),
+    )  # fmt: skip
+    page.goto("/task/go-1")
+    expect(page.locator(".tried li")).to_have_count(2)
+    expect(page.locator(".tried li").first).to_contain_text(
+        "off by 0.1 m→ again, 2 times: the first after 1.0 s, the last after 3.0 s"
+    )
+    chain = page.locator(".chain .chain")
+    expect(chain).to_have_count(1)
+    expect(chain).to_contain_text("2 times: the first after 1.0 s, the last after 3.0 soff_m 0.1 to 0.3")
 
 
 def test_the_other_robots_of_the_site_are_on_the_map(page: Page, robot: FakeRobot) -> None:
