@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -18,10 +18,13 @@ from pydantic import Field, JsonValue
 
 from tandem.executive.client.aio import AsyncClient
 from tandem.executive.client.errors import UnknownTaskError
+from tandem.executive.security.links import utc
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import PAGE, TaskState, TaskStatus
 
 K = TypeVar("K")
+DAY: Final = 86_400
+"""Seconds."""
 SHOWN: Final = 50
 """Tasks on a page."""
 LATELY: Final = 20
@@ -51,6 +54,8 @@ class Filter(Message):
     """Somewhere in the id, the request, or the failure's words."""
     since: float = 0.0
     """UTC seconds."""
+    days: Annotated[float, Field(ge=0, le=100_000)] = 0.0
+    """Accepted in so many days before now, by this host's clock: a tablet's may be wrong. 0: at any time."""
     until: float = 0.0
     """UTC seconds; 0: until now."""
     page: Annotated[int, Field(ge=0, le=100_000)] = 0
@@ -95,7 +100,8 @@ class Known:
 class Past:
     """What is known of the ledger's tasks, newest first."""
 
-    def __init__(self) -> None:
+    def __init__(self, now: Callable[[], float] = utc) -> None:
+        self._now = now
         self._known: dict[str, Known] = {}
         self._answered: tuple[Filter, list[Known], str] | None = None
 
@@ -144,7 +150,9 @@ class Past:
         asked = wanted.model_copy(update={"page": 0})
         if self._answered is None or self._answered[0] != asked:  # else it is another page of the same
             items = frozenset(filter(None, (wanted.item, *also)))
-            passing = [each for each in self._known.values() if each.passes(wanted, items)]
+            days = {"since": max(wanted.since, self._now() - wanted.days * DAY)} if wanted.days else {}
+            passes = wanted.model_copy(update=days)
+            passing = [each for each in self._known.values() if each.passes(passes, items)]
             self._answered = asked, passing, json.dumps(_counts(passing))
         _, passing, counts = self._answered
         start = wanted.page * SHOWN

@@ -47,8 +47,17 @@ function View({ first, url }: { first: string; url: URL }) {
   if (first === "request") return <Request url={url} />;
   if (first === "login") return <NowView />;
   if (first === "history") return <History url={url} />;
-  if (first === "task") return <TaskPage task={decodeURIComponent(url.pathname.split("/")[2] ?? "")} />;
+  if (first === "task") return <TaskPage task={plain(url.pathname.split("/")[2] ?? "")} />;
   return <p class="quiet">There is nothing at this address. <a href="/">Now</a></p>;
+}
+
+// A word of the address; one that is cut in the middle of a character stays as it is.
+function plain(word: string): string {
+  try {
+    return decodeURIComponent(word);
+  } catch {
+    return word;
+  }
 }
 
 function Said({ words, bad }: { words: string; bad: boolean }) {

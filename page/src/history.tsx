@@ -27,9 +27,7 @@ export function History({ url }: { url: URL }) {
   const wanted = Object.fromEntries(url.searchParams);
   useEffect(() => {
     let over = false;
-    const { days, ...asked } = wanted;
-    const since: Record<string, string> = days ? { since: String(Math.floor(Date.now() / 1000 - Number(days) * 86400)) } : {};
-    get<Found>(`/api/history?${new URLSearchParams({ ...asked, ...since })}`).then(
+    get<Found>(`/api/history?${url.searchParams}`).then(
       (answer) => over || (set(answer), fail("")),
       (wrong: Error) => over || fail(wrong.message),
     );

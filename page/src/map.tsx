@@ -15,7 +15,8 @@ export function Map({ url }: { url: URL }) {
   const site = useSite();
   const robot = useRobot();
   const kinds = useKinds();
-  const chosen: Chosen = Object.fromEntries(url.searchParams);
+  const { x, y, ...other }: Chosen = Object.fromEntries(url.searchParams);
+  const chosen: Chosen = [x, y].every((each) => each && Number.isFinite(Number(each))) ? { ...other, x, y } : other;
   if (!site.value) return <p class="quiet">{site.error || "Loading the place…"}</p>;
   return (
     <div class="map">
@@ -137,7 +138,7 @@ function Believed({ site }: { site: Site | null }) {
         const placed = world!.placed.find((each) => each.item === fact.item);
         const where = fact.held ? `in the ${fact.held} hand` : placed ? `in ${placed.depot}, slot ${placed.slot}`
           : `at ${fact.tag_in_map.position.map((each) => (each ?? 0).toFixed(2)).join(", ")}`;
-        const age = fact.seen.boot === boot ? `seen ${Math.max(0, now - Math.floor(fact.seen.seconds))} s ago` : "seen before the last start";
+        const age = !boot ? "" : fact.seen.boot === boot ? `seen ${Math.max(0, now - Math.floor(fact.seen.seconds))} s ago` : "seen before the last start";
         return [String(fact.item), <><a href={`/map?item=${fact.item}`}>{called(site, fact.item)}</a> {where} <span class="quiet">{age}</span></>];
       })} />
     </section>

@@ -313,8 +313,8 @@ export class RobotScene {
       const same = live.now?.seconds != null && fact.seen.boot === live.now.boot;
       const old = same ? live.now!.seconds! - fact.seen.seconds : null;
       const name = named(this.site, fact.item);
-      each.element.textContent = fact.held ? `${name} · held` : `${name}${old === null ? " · old" : old < 2 ? "" : ` · ${old < 90 ? `${old.toFixed(0)} s` : `${(old / 60).toFixed(0)} min`}`}`;
-      each.element.classList.toggle("old", !fact.held && (old === null || old > 60));
+      each.element.textContent = fact.held ? `${name} · held` : `${name}${old === null ? (live.now ? " · old" : "") : old < 2 ? "" : ` · ${old < 90 ? `${old.toFixed(0)} s` : `${(old / 60).toFixed(0)} min`}`}`;
+      each.element.classList.toggle("old", !fact.held && live.now !== null && (old === null || old > 60));
     };
     this.things.traverse(write);
     for (const each of this.held) each.traverse(write);

@@ -41,6 +41,7 @@ export function Tree({ tree, nodes, kept, failed, at: offers }: Given) {
     (items[shown.indexOf(row)] as HTMLElement | undefined)?.focus();
   };
   const keys = (event: KeyboardEvent, row: Row, index: number) => {
+    if (event.target !== event.currentTarget) return; // a key for one of the row's buttons
     const steps: Record<string, () => void> = {
       ArrowDown: () => focus(index + 1),
       ArrowUp: () => focus(index - 1),

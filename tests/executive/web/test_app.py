@@ -177,7 +177,7 @@ def test_the_history_is_filtered_and_counted(page: TestClient, rig: Rig) -> None
     counts = {
         "": 3, "state=FAILED": 1, "item=4": 2, "item=salt": 1, "text=wait-0002": 1, "label=zone": 3,
         "label=zone=z4": 2, "label=z4": 0, "week=1970-W01": 3, "week=2026-W01": 0,
-        "failure=GRASP_EMPTY": 1, "where=nowhere": 0,
+        "failure=GRASP_EMPTY": 1, "where=nowhere": 0, "days=1": 0, "days=90000": 3,
     }  # fmt: skip
     assert {query: found(query)["count"] for query in counts} == counts
     assert found("failure=GRASP_EMPTY")["failures"] == {"GRASP_EMPTY": 1}

@@ -23,7 +23,15 @@ from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.occupancy import Occupancy, pack
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.reflex import PipelineState, ReflexState, pipeline_state, reflex_state
-from tandem.skills.ports.tasks import Attempt, KindOfTask, TaskKinds, TaskState, TaskStatus
+from tandem.skills.ports.tasks import (
+    Attempt,
+    KindOfTask,
+    TaskKinds,
+    TaskState,
+    TaskStatus,
+    TreeNode,
+    TreeSnapshot,
+)
 from tandem.skills.ports.whereabouts import RobotWhereabouts
 from tandem.skills.ports.world import (
     ROBOT_POSE,
@@ -301,6 +309,26 @@ def test_a_failure_that_came_again_and_again_is_said_once(page: Page, robot: Fak
     chain = page.locator(".chain .chain")
     expect(chain).to_have_count(1)
     expect(chain).to_contain_text("2 times: the first after 1.0 s, the last after 3.0 soff_m 0.1 to 0.3")
+
+
+def test_a_breakpoint_is_set_with_the_keyboard_alone(page: Page, robot: FakeRobot) -> None:
+    robot.tasks = (
+        TaskStatus(task="go-1", kind="go", request={"task": "go"}, state=TaskState.RUNNING, accepted_at=0.0),
+    )
+    leaf = TreeNode(path="go/drive", name="drive", kind="action", type="Act", status="RUNNING")
+    root = TreeNode(path="go", name="go", kind="sequence", type="Seq", status="RUNNING", children=(leaf,))
+    robot.tree = TreeSnapshot(task="go-1", kind="go", tick=1, root=root)
+    page.goto("/")
+    page.get_by_role("treeitem").first.focus()
+    page.keyboard.press("Tab")
+    expect(page.get_by_role("button", name="Pause here")).to_be_focused()
+    with page.expect_request("**/api/verb/breakpoint"):
+        page.keyboard.press("Enter")
+
+
+def test_an_address_that_is_cut_in_a_character_is_answered(page: Page) -> None:
+    page.goto("/task/%E0%A4%A")
+    expect(page.get_by_role("link", name="History")).to_have_count(2)
 
 
 def test_the_other_robots_of_the_site_are_on_the_map(page: Page, robot: FakeRobot) -> None:
