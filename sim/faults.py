@@ -167,14 +167,14 @@ class JointStall(_Lasting):
 
 
 class GripperStuck(_Lasting):
-    """The fingers ignore commands; without a side: the event's hand, or both."""
+    """The fingers ignore commands; without a side: the event's hand, or all."""
 
     kind: Literal["gripper_stuck"] = "gripper_stuck"
     side: HandName | None = None
 
 
 class GripperWeak(_Lasting):
-    """The gripper has a fraction of the commanded force; without a side: the event's hand, or both."""
+    """The gripper has a fraction of the commanded force; without a side: the event's hand, or all."""
 
     kind: Literal["gripper_weak"] = "gripper_weak"
     side: HandName | None = None
@@ -182,7 +182,7 @@ class GripperWeak(_Lasting):
 
 
 class HandOpens(_Lasting):
-    """The fingers open, and what they hold falls; without a side: the event's hand, or both."""
+    """The fingers open, and what they hold falls; without a side: the event's hand, or all."""
 
     kind: Literal["hand_opens"] = "hand_opens"
     side: HandName | None = None

@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from tandem.sim.hardware import Hardware
     from tandem.sim.room import Room
     from tandem.skills.ports.bus import Bus
+    from tandem.skills.ports.message import HandName
 
 
 ROOM_AGAIN: Final = 0.1
@@ -55,6 +56,8 @@ class _Case:
 
     number: int
     fault: Fault
+    hands: tuple[HandName, ...]
+    """All hands of the robot."""
     due: float
     """Robot seconds at which it begins; infinity while its event has not happened."""
     happened: int = 0
@@ -66,11 +69,11 @@ class _Case:
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """The sides that are meant: the one named, else the event's, else both."""
+        """The sides that are meant: the one named, else the event's, else all."""
         if not isinstance(self.fault, GripperStuck | GripperWeak | HandOpens | JointStall):
             return ()
         side = getattr(self.fault, "side", None) or (None if self.cause is None else self.cause.side)
-        return ("left", "right") if side is None else (side,)
+        return self.hands if side is None else (side,)
 
     def standing(self) -> Standing:
         """Return what is wrong while it lasts."""
@@ -137,7 +140,7 @@ class Trouble:
 
     def _add(self, fault: Fault) -> None:
         due = (fault.at or 0.0) if fault.when is None else math.inf
-        self._waiting.append(_Case(self._count, fault, due))
+        self._waiting.append(_Case(self._count, fault, self._hardware.description.hands, due))
         self._count += 1
 
     def _await_events(self, now: float) -> None:

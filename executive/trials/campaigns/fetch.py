@@ -17,6 +17,7 @@ from tandem.sim.draw import Draw, draw_fetch
 from tandem.sim.scenario import Scenario
 from tandem.skills.ports.actions.base import ARM_MARGIN
 from tandem.skills.ports.failure import Failure
+from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import Site
@@ -83,11 +84,16 @@ def run_fetch(scenario: Scenario, seed: int, run: int, *, runs: Runs = UNRECORDE
 
 def draw_run(site: Site, scenario: Scenario, rng: Generator) -> Draw:
     """Draw a fetch over all that the robot reaches of the scenario's surfaces."""
-    from tandem.sim.robots.registry import robot_model  # noqa: PLC0415 - loads pybullet; used only here
-
-    description = robot_model(scenario.first.robot).description
+    description = description_of(scenario)
     reachable = Reachable(description, site)
     return draw_fetch(site, scenario, rng, description.footprint_radius + ARM_MARGIN, reachable.why_not)
+
+
+def description_of(scenario: Scenario) -> RobotDescription:
+    """Return what the robot of a scenario tells about itself."""
+    from tandem.sim.robots.registry import robot_model  # noqa: PLC0415 - loads pybullet; used only here
+
+    return robot_model(scenario.first.robot).description
 
 
 def _fetch(system: LockstepSystem, run: int, draw: Draw) -> FetchRun:

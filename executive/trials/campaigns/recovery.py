@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from tandem.executive.system.systems import LockstepSystem
-from tandem.executive.trials.campaigns.fetch import DEPOT, draw_run
+from tandem.executive.trials.campaigns.fetch import DEPOT, description_of, draw_run
 from tandem.executive.trials.campaigns.oracle import Oracle, Verdict
+from tandem.executive.trials.campaigns.reachable import Reachable
 from tandem.executive.trials.campaigns.recording import UNRECORDED, Runs
 from tandem.executive.trials.campaigns.troubles import Case, Trouble, draw_hopeless, draw_recoverable
 from tandem.executive.trials.trial import trial, warm_up
@@ -87,8 +88,8 @@ def run_hopeless(scenario: Scenario, seed: int, run: int, *, runs: Runs = UNRECO
 
 def _run(scenario: Scenario, seed: int, run: int, runs: Runs, *, hopeless: bool) -> RecoveryRun:
     site, rng = load(scenario.site), np.random.default_rng((seed, run, int(hopeless)))
-    draw = draw_run(site, scenario, rng)
-    case = Case(rng, draw.item, site, draw.scenario)
+    draw, robot = draw_run(site, scenario, rng), description_of(scenario)
+    case = Case(rng, draw.item, site, robot, draw.scenario, Reachable(robot, site).why_not)
     trouble = draw_hopeless(case, run) if hopeless else draw_recoverable(case)
     struck = draw.scenario.model_copy(update={"faults": trouble.faults})
     system = runs.system(struck, seed * 1000 + run, run, trouble.bus)

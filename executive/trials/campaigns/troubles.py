@@ -13,7 +13,7 @@ from typing import Final
 
 from numpy.random import Generator
 
-from tandem.sim.draw import why_not
+from tandem.sim.draw import OutOfReach, why_not
 from tandem.sim.faults import (
     ArmMoving,
     BaseAtRest,
@@ -43,6 +43,7 @@ from tandem.sim.scenario import Scenario, ScenarioError
 from tandem.sim.things import BoxShape
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.testing.faulty_bus import BusFaults
 
@@ -63,12 +64,17 @@ class Trouble:
 
 @dataclass(frozen=True)
 class Case:
-    """What a trouble is drawn from: chance, the item asked for, the site, and where all stands at first."""
+    """What a trouble is drawn from: chance, the item asked for, site and robot, where all stands at first.
+
+    ``out_of_reach`` judges places to which the item is moved, as those at which it is drawn are judged.
+    """
 
     rng: Generator
     item: int
     site: Site
+    robot: RobotDescription
     scenario: Scenario
+    out_of_reach: OutOfReach
 
     def number(self, low: float, high: float) -> float:
         """Draw one, to the hundredth."""
@@ -116,7 +122,9 @@ def _a_little(case: Case, when: Event) -> ItemMoves:
         place = stands.model_copy(
             update={"x": stands.x + dx, "y": stands.y + dy, "yaw": wrap(stands.yaw + dyaw)}
         )
-        if why_not(case.site, case.scenario, place) is None:
+        if why_not(case.site, case.scenario, place) is not None:
+            continue
+        if case.out_of_reach(case.scenario.with_item(place), case.item) is None:
             return ItemMoves(tag=case.item, dx=dx, dy=dy, dyaw=dyaw, when=when)
     raise ScenarioError(f"{case.scenario.name}: no free place within 5 cm of item {case.item}")
 
@@ -124,7 +132,12 @@ def _a_little(case: Case, when: Event) -> ItemMoves:
 def _stall(case: Case) -> tuple[Fault, ...]:
     """Draw a joint of the arm that moves, whichever that is."""
     when = ArmMoving(nth=case.nth(MOTIONS), after=case.number(0.1, 0.6))
-    return (JointStall(joint=int(case.rng.integers(7)), lasts=case.number(1, 4), when=when),)
+    joints = min(len(case.robot.group(arm).joints) for arm in _arms(case))
+    return (JointStall(joint=int(case.rng.integers(joints)), lasts=case.number(1, 4), when=when),)
+
+
+def _arms(case: Case) -> tuple[str, ...]:
+    return tuple(hand.group for hand in case.robot.end_effectors)
 
 
 RECOVERABLE: Final[Mapping[str, Draw]] = MappingProxyType(
@@ -194,11 +207,8 @@ HOPELESS: Final[Mapping[str, tuple[Draw, frozenset[FailureKind]]]] = MappingProx
             frozenset((_K.HARDWARE_LOST,)),
         ),
         "arms stall for good": (
-            # Both with the first motion of any arm: a task whose one arm is stuck may never move the other.
-            lambda _: tuple(
-                JointStall(group=group, when=ArmMoving(nth=1, after=0.3))
-                for group in ("arm_left", "arm_right")
-            ),
+            # All with the first motion of any arm: a task whose one arm is stuck may never move the other.
+            lambda c: tuple(JointStall(group=arm, when=ArmMoving(nth=1, after=0.3)) for arm in _arms(c)),
             frozenset((_K.ITEM_UNREACHABLE,)),
         ),
     }
