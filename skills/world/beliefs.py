@@ -26,7 +26,7 @@ from tandem.skills.ports.world import (
     Sighting,
     WorldState,
 )
-from tandem.skills.world import clutter, occupied, recorder
+from tandem.skills.world import clutter, occupied, recorder, resting
 from tandem.skills.world.doubles import Doubles, matched
 from tandem.skills.world.journal import Remembered
 
@@ -131,7 +131,10 @@ class Beliefs:
         item in a hand is where the hand is: sightings of it are passed over.
         """
         item = self.site.item(sighting.item)
-        if item is None or self.hand_of(sighting.item) is not None or not self._better(sighting):
+        if item is None or self.hand_of(sighting.item) is not None:
+            return False
+        sighting = self._on_top(sighting, item)
+        if not self._better(sighting):
             return False
         self._items = recorder.update(self._items, {sighting.item: _fact(sighting, item)})
         box = item_box(sighting.tag_in_map, item)
@@ -153,6 +156,7 @@ class Beliefs:
             return False
         if len(sightings) == 1 and not doubles:
             return self.see(sightings[0])
+        sightings = [self._on_top(each, item) for each in sightings]
         if mine is None:
             mine, doubles = (doubles[0], doubles[1:]) if doubles else (_fact(sightings[0], item), ())
             self._items[number] = mine
@@ -388,6 +392,9 @@ class Beliefs:
         before, after = (item_box(tag, old).pose for tag in (old.tag_in_map, sighting.tag_in_map))
         moved = distance(before, after) > MOVED
         return moved or age > AGED or sighting.quality >= MUCH_WORSE * old.quality
+
+    def _on_top(self, sighting: Sighting, item: SiteItem) -> Sighting:
+        return resting.on_top(sighting, item, (each.box for each in self._furniture))
 
     def _left_its_slot(self, number: int, centre: Vector3) -> bool:
         placed = self._placed.get(number)

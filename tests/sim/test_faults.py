@@ -9,6 +9,7 @@ import pytest
 from pydantic import ValidationError
 
 from benchmarks.rig import GRASP, LIFT
+from tandem.sim.body import RobotBody
 from tandem.sim.faults import (
     ArmMoving,
     BaseAtRest,
@@ -27,8 +28,19 @@ from tandem.sim.faults import (
     OdometryJump,
     StopSet,
 )
+from tandem.sim.faulty_link import FaultyLink
+from tandem.sim.hardware import Hardware
+from tandem.sim.physics import Physics
+from tandem.sim.robots.registry import robot_model
+from tandem.sim.room import Room
+from tandem.sim.scenario import Noise
+from tandem.sim.trouble import Trouble
+from tandem.sim.world import World
+from tandem.skills.kinematics.described import home_positions
 from tandem.skills.ports import keys
 from tandem.skills.ports.hardware import GripperMotion, MotionState
+from tandem.skills.site import load
+from tandem.skills.wire.memory import MemoryBus
 from tests.sim.broken import FaultyRig
 
 BEGAN, ENDED, REFUSED = "began", "ended", "refused"
@@ -82,6 +94,16 @@ def test_stuck_fingers_do_not_open_and_do_again_when_it_is_over(make_rig: MakeRi
     assert state.motion is GripperMotion.STALLED
     rig.ticks(200)
     assert rig.grip(0.09).width == pytest.approx(0.09, abs=0.002)
+
+
+def test_a_fault_of_fingers_that_names_no_hand_is_about_all_whatever_they_are_called() -> None:
+    physics, model, bus = Physics(), robot_model("locobot"), MemoryBus()
+    body = RobotBody(physics, model, positions=dict(home_positions(model.description)))
+    link = FaultyLink(bus)
+    hardware = Hardware(link, body, boot="rig", noise=Noise(), rng=np.random.default_rng(1))
+    room = Room(load("picking"), World(physics), body)
+    Trouble(bus, link, hardware, room, (GripperStuck(at=0.0),)).step()
+    assert hardware.hands["single"].defects.stuck
 
 
 def test_a_joint_that_stalls_aborts_the_motion_and_is_named(make_rig: MakeRig) -> None:
