@@ -182,7 +182,7 @@ class Look:
             furniture=self._furniture,
             base_in_map=robot.base_in_map,
             joints=looking.positions(),
-            within=looking.goal.around,
+            within=min(looking.goal.around, self._arms.reach),
             seen_from=tuple(looking.heads),
         )
         choice = self._compute.submit(further_views, job, cost=cover.COST)

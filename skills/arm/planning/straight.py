@@ -23,7 +23,10 @@ STEP_RADIANS = 0.06
 AT_ONCE = 16
 """Points that are solved together, all from the last one before them: so they lie on one smooth branch."""
 JUMP = 0.25
-"""Radians: more than this from one step to the next means that the arm would fold over."""
+"""Radians: more than this from one step to the next means that the arm would fold over, unless the hand stays
+on the line all the way: near a stretched wrist two joints turn fast against each other, the hand hardly."""
+BETWEEN = (0.25, 0.5, 0.75)
+"""Shares of a step at which that is looked at."""
 COARSE = 2.5
 """Times the steps' length where it is only asked whether a line could be followed; checks stay as fine."""
 FURTHEST = 1.6
@@ -104,7 +107,14 @@ def _extend(
 ) -> Generator[int, None, tuple[Array, Broken | None]]:
     """Return the path with as many of the targets as can be reached, solved for from ``begin`` (m, n)."""
     q, left, angle = yield from hand.solver.descend(begin, targets)
-    whole, broken = _unbroken(path[-1], q, hand.solver.reached(left, angle), JUMP)
+    steady = _steady(path[-1], q, JUMP)
+    good, before = hand.solver.reached(left, angle), np.concatenate((path[-1:], q[:-1]))
+    for k in np.flatnonzero(good & ~steady):
+        steady[k] = _on_the_line(hand, before[k], q[k])
+        yield len(BETWEEN)
+        if not steady[k]:
+            break
+    whole, broken = _unbroken(q, good, steady)
     return np.concatenate((path, q[:whole])), broken
 
 
@@ -145,7 +155,7 @@ def foresee(
         np.array(begin), hand.solver.in_root(hand.chain, poses), rough=True
     )
     good = (left <= ROUGH_METRES) & (angle <= ROUGH_RADIANS)
-    whole, broken = _unbroken(ends[0], q, good, JUMP * COARSE)
+    whole, broken = _unbroken(q, good, _steady(ends[0], q, JUMP * COARSE))
     path = np.concatenate((ends[:1], q[:whole]))
     between = np.arange(0.0, len(path) - 1 + 1e-9, 1.0 / math.ceil(COARSE))
     k = np.minimum(between.astype(int), max(0, len(path) - 2))
@@ -161,9 +171,30 @@ def _steps(here: Pose, target: Pose, coarse: float) -> int:
     return max(1, math.ceil(max(metres / STEP_METRES, radians / STEP_RADIANS) / coarse))
 
 
-def _unbroken(before: Array, q: Array, good: npt.NDArray[np.bool_], jump: float) -> tuple[int, Broken | None]:
+def _steady(before: Array, q: Array, jump: float) -> npt.NDArray[np.bool_]:
+    """Return at which points of a line (m, n) no joint has jumped since the one before."""
+    steps = np.abs(np.diff(np.concatenate((before[None, :], q)), axis=0))
+    return np.asarray(np.max(steps, axis=1) <= jump)
+
+
+def _on_the_line(hand: Hand, a: Array, b: Array) -> bool:
+    """Say whether the hand stays on its line while the joints go straight from a to b (n,)."""
+    if np.max(np.abs(b - a)) > FURTHEST:
+        return False
+    begin, end = hand.chain.pose(a, hand.frame), hand.chain.pose(b, hand.frame)
+    for share in BETWEEN:
+        there, meant = hand.chain.pose(a + (b - a) * share, hand.frame), interpolate(begin, end, share)
+        if distance(there, meant) > ROUGH_METRES:
+            return False
+        if angle_between(there.orientation, meant.orientation) > ROUGH_RADIANS:
+            return False
+    return True
+
+
+def _unbroken(
+    q: Array, good: npt.NDArray[np.bool_], steady: npt.NDArray[np.bool_]
+) -> tuple[int, Broken | None]:
     """Return how many points of a line (m, n) can be followed, and why no more."""
-    steady = np.max(np.abs(np.diff(np.concatenate((before[None, :], q)), axis=0)), axis=1) <= jump
     bad = np.flatnonzero(~(good & steady))
     if not len(bad):
         return len(q), None
