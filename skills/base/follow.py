@@ -31,6 +31,14 @@ LAST_TURN: Final = 0.12
 """Radians off the wished heading up to which it is turned to on these last centimetres."""
 LAST_GAIN: Final = 2.5
 """rad/s for each radian of them."""
+DRIFT: Final = 0.005
+"""Metres that the base may get aside because it turns and rolls at once: a sixth of what a goal may be
+missed by, and as much as it is missed by anyway (2 to 6 mm on the planar fake)."""
+BRAKING: Final = 0.7
+"""Share of the speed from which it could just stop: as fast, the base is taken to brake for its end. One that
+creeps there for another reason would have turned away long before."""
+SWUNG: Final = 0.03
+"""Radians off its aim from which on a base that sets off steers like one on its way."""
 TURN_FIRST: Final = 0.5
 """Radians off the path from which on the base turns on the spot."""
 CORNER_TURN: Final = 0.4
@@ -57,11 +65,28 @@ class Follower:
     end_yaw: float | None = None
     """The heading (rad) wished at the end: a small rest is turned on the last centimetres."""
     way: float = 0.0
+    turns_on: bool = False
+    """Whether the turn at the end has begun: a base that stops for it would have to begin anew."""
+    _sets_off: bool = True
 
     @property
     def remaining(self) -> float:
         """Metres left to drive."""
         return self.path.length - self.way
+
+    @property
+    def swing(self) -> float:
+        """Radians before a turn's end from which on the base may roll."""
+        return self.drive.turn_acceleration * self._overlap**2 / 2
+
+    @property
+    def _overlap(self) -> float:
+        """Seconds for which the base rolls and turns at once, at the beginning and at the end.
+
+        With the acceleration a from rest, and b of the turn down to rest, it gets aside by the integral of
+        a t b (T - t)^2 / 2, which is a b T^4 / 24; braking and turning up, the same the other way round.
+        """
+        return math.sqrt(math.sqrt(24.0 * DRIFT / (self.drive.acceleration * self.drive.turn_acceleration)))
 
     def speeds(self, pose: FloorPose, speed: float, blocked_at: float | None) -> tuple[float, float]:
         """Return the speeds to command (m/s, rad/s).
@@ -72,19 +97,27 @@ class Follower:
             blocked_at: metres along the path at which something stands in the way.
         """
         self.way = self.path.project(pose.x, pose.y, self.way)
+        if self._turns_early(pose, speed):
+            off = wrap(self.end_yaw - pose.yaw) if self.end_yaw is not None else 0.0
+            return min(self._allowed(pose, blocked_at), self.drive.forward), self._turn(off)
         if self.remaining < LAST:
             return min(self._allowed(pose, blocked_at), self.drive.forward), self._last_turn(pose)
         x, y = self._aim(pose, speed)
         off = wrap(math.atan2(y - pose.y, x - pose.x) - pose.yaw)
         if abs(off) > TURN_FIRST:
-            turn = stopping_speed(abs(off), self.drive.turn_acceleration, LATENCY)
-            return 0.0, math.copysign(turn, off)
+            return 0.0, self._turn(off)
         curvature = 2.0 * math.sin(off) / max(math.hypot(x - pose.x, y - pose.y), NEAREST_AIM / 2)
         allowed = self._allowed(pose, blocked_at)
         if abs(curvature) > 1e-6:  # noqa: PLR2004 - straight ahead
             allowed = min(allowed, TURN_SHARE * self.drive.turn / abs(curvature))
         ahead = max(min(allowed, self.drive.forward), 0.0)
-        return ahead, curvature * max(min(ahead, speed + 0.05), 0.0)
+        angular = curvature * max(min(ahead, speed + 0.05), 0.0)
+        self._sets_off = (
+            self._sets_off and abs(off) > SWUNG and speed < self.drive.acceleration * self._overlap
+        )
+        if self._sets_off and abs(self._turn(off)) > abs(angular):
+            angular = self._turn(off)  # so slow, steering alone would take long to face the way
+        return ahead, angular
 
     def off(self, pose: FloorPose) -> float:
         """Return the angle (rad) by which the base has to turn before it can set off."""
@@ -92,6 +125,22 @@ class Follower:
         if math.hypot(x - pose.x, y - pose.y) < 0.01:  # noqa: PLR2004 - as good as there
             return 0.0
         return wrap(math.atan2(y - pose.y, x - pose.x) - pose.yaw)
+
+    def _turn(self, off: float) -> float:
+        """Return the speed (rad/s) of a turn by ``off`` that ends at rest."""
+        return math.copysign(stopping_speed(abs(off), self.drive.turn_acceleration, LATENCY), off)
+
+    def _turns_early(self, pose: FloorPose, speed: float) -> bool:
+        """Say whether the turn at the end goes on already, while the base brakes on its last centimetres."""
+        brake = self.drive.acceleration
+        self.turns_on = (
+            self.end_yaw is not None
+            and (self.turns_on or abs(wrap(self.end_yaw - pose.yaw)) > LAST_TURN)
+            and self.remaining < brake * self._overlap**2 / 2
+            and not any(at > self.way for at, _ in self.path.corners)
+            and speed > BRAKING * stopping_speed(self.remaining, brake, LATENCY)
+        )
+        return self.turns_on
 
     def _last_turn(self, pose: FloorPose) -> float:
         off = 0.0 if self.end_yaw is None else wrap(self.end_yaw - pose.yaw)

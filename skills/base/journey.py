@@ -82,7 +82,8 @@ class Journey:
         ride = self._ride
         for correction in range(MOST_CORRECTIONS + 1):
             off = wrap(pose.yaw - ride.pose.yaw)
-            if abs(off) > GOOD_YAW * self._goal.yaw_tolerance and not (yield from ride.turn(off)):
+            turns = abs(off) > GOOD_YAW * self._goal.yaw_tolerance or not ride.wheels.resting
+            if turns and not (yield from ride.turn(off)):
                 return False
             if not (yield from ride.settle(SETTLE)):
                 return False

@@ -60,13 +60,16 @@ class Leg:
     def drive(self) -> Generator[DriveFeedback | Slice, Command, Block | None]:
         """Drive and come to rest; returns what blocks it, None at its (or the run's) end.
 
+        A base that turns already to its pose's heading turns on: ``follower.turns_on``.
         A base that people have driven off its path, and that finds no way back to it, is blocked there.
         """
         ride, follower = self._ride, self._follower
         if self._back_is_sooner():
             yield from self._back_up()
             return None
-        if self._must_turn_first() and not (yield from ride.turn(follower.off(ride.pose))):
+        if self._must_turn_first() and not (
+            yield from ride.turn(follower.off(ride.pose), rolls_on=follower.swing)
+        ):
             return None
         free_at, headway = ride.active, Headway(ride.active)
         while follower.remaining > ARRIVED:
@@ -87,7 +90,8 @@ class Leg:
             if headway.look(follower.remaining, ride.active, excused=excused, waits=waits):
                 self._end_held(tired=headway.tired)
                 break
-        yield from ride.rest()
+        if follower.remaining > ARRIVED or not follower.turns_on:
+            yield from ride.rest()
         return None
 
     def _end_held(self, *, tired: bool) -> None:

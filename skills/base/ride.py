@@ -30,6 +30,8 @@ AIM: Final = 0.008
 """Radians: a turn ends when as near."""
 SLOW_TURN: Final = 0.04
 """rad/s: a turn ends when as slow."""
+BRAKING: Final = 0.7
+"""Share of the speed from which a turn could just stop: as fast, it is taken to brake."""
 STUCK_AFTER: Final = 4.0
 """Robot seconds of commanding without getting nearer after which something holds the base."""
 PATIENCE: Final = 30.0
@@ -120,14 +122,19 @@ class Ride(Generic[F]):
             yield from self._pause()
         return self._may_go_on()
 
-    def turn(self, angle: float) -> Motion[F]:
-        """Turn on the spot by ``angle`` radians (more than a full turn too), as the map tells."""
+    def turn(self, angle: float, rolls_on: float = 0.0) -> Motion[F]:
+        """Turn on the spot by ``angle`` radians (more than a full turn too), as the map tells.
+
+        ``rolls_on``: radians before the end at which a base that brakes is left turning, to drive on.
+        """
         remaining, yaw = angle, self.pose.yaw
         best, best_at = abs(remaining), self.active
         drive = self.wheels.drive
         self.turned = 0.0
         while abs(remaining) > AIM or abs(self.wheels.angular) > SLOW_TURN:
             speed = stopping_speed(abs(remaining), drive.turn_acceleration, LATENCY)
+            if abs(remaining) < rolls_on and abs(self.wheels.angular) > BRAKING * speed:
+                return True
             if not (yield from self.cycle(0.0, math.copysign(speed, remaining))):
                 return False
             turned = wrap(self.pose.yaw - yaw)

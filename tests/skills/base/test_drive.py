@@ -3,8 +3,12 @@
 import math
 from collections.abc import Callable
 
+import numpy as np
 import pytest
 
+from tandem.skills.base.follow import Follower
+from tandem.skills.base.path import Path
+from tandem.skills.base.planner import Clearances
 from tandem.skills.base.wheels import stopping_speed
 from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.actions.arm import ArmState
@@ -72,6 +76,43 @@ def test_straight_ahead_takes_little_more_than_the_drives_limits_allow(way: floa
     start = rig.now
     assert go(rig, pose(-2.2 + way, 1.7)).result is not None
     assert rig.now - start < bound + 0.5
+
+
+def test_the_turn_at_the_end_begins_while_the_base_still_brakes() -> None:
+    rig, rolled = make_rig(LAB, SOUTH), []
+
+    def watch(_: float) -> Command:
+        rolled.append((rig.robot.linear, rig.robot.angular))
+        return Command.GO_ON
+
+    goal = pose(0.5, -1.6, 1.5)
+    assert go(rig, goal, command=watch).result is not None
+    assert any(linear > 0.1 and angular > 0.2 for linear, angular in rolled)
+    assert floor_distance(rig.robot.truth, goal) < 0.015
+    assert abs(wrap(rig.robot.truth.yaw - goal.yaw)) < 0.015
+
+
+def test_in_a_narrow_place_it_rolls_before_its_turn_to_the_way_has_ended() -> None:
+    rig, turning = make_rig(LAB, pose(-0.10, 0.40, 0.75)), []
+
+    def watch(_: float) -> Command:
+        if 0.05 < rig.robot.linear < 0.2:
+            turning.append(abs(rig.robot.angular))
+        return Command.GO_ON
+
+    assert go(rig, pose(-1.0, 1.2, 2.4), command=watch).result is not None
+    assert turning[0] > 0.3
+
+
+@pytest.mark.parametrize(("speed", "turns"), [(0.28, True), (0.02, False)])
+def test_only_a_base_that_brakes_for_its_end_turns_there_early(speed: float, *, turns: bool) -> None:
+    rig = make_rig(LAB, SOUTH)
+    path = Path(np.array([(-1.0, -1.6), (0.0, -1.6)]))
+    course = rig.base.drive.course
+    follower = Follower(path, course.drive, Clearances(course.site_map.plan, 0.3, SOUTH), 1.5, way=0.9)
+    _, angular = follower.speeds(pose(-0.1, -1.6), speed, None)
+    assert (angular > 0.5) is turns
+    assert follower.turns_on is turns
 
 
 def test_the_first_pose_with_a_way_is_taken() -> None:
