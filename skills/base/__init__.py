@@ -5,5 +5,6 @@ Where the robot is: whereabouts; localiser, matcher, search, scan, odometry, map
 The way: planner, path, journey, course, leg, headway, obstacles, occupied, cliffs, ranger; ``people/`` has
 who walks about, ``band/`` how the path is left for them.
 Where nothing is mapped: tracker, surround, macros, go, follow_robot, sights, way_back.
-Driving it: with_wheels, ride, follow, wheels, guard, watch, status; ``reflexes/`` take the wheels from it.
+Driving it: with_wheels, ride, follow, ending, wheels, guard, watch, status; ``reflexes/`` take the wheels
+from it.
 """

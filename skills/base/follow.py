@@ -12,6 +12,7 @@ from typing import Final
 
 import numpy as np
 
+from tandem.skills.base.ending import LATENCY, swerve
 from tandem.skills.base.path import Path
 from tandem.skills.base.planner import Clearances
 from tandem.skills.base.wheels import stopping_speed
@@ -19,8 +20,6 @@ from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.hardware import Drive
 from tandem.skills.ports.pose import FloorPose
 
-LATENCY: Final = 0.05
-"""Seconds between a command and what the base does about it."""
 NEAREST_AIM: Final = 0.18
 """Metres ahead of the base: the least distance of the point that is steered at."""
 AIM_TIME: Final = 0.45
@@ -34,9 +33,11 @@ LAST_GAIN: Final = 2.5
 DRIFT: Final = 0.005
 """Metres that the base may get aside because it turns and rolls at once: a sixth of what a goal may be
 missed by, and as much as it is missed by anyway (2 to 6 mm on the planar fake)."""
-BRAKING: Final = 0.7
-"""Share of the speed from which it could just stop: as fast, the base is taken to brake for its end. One that
-creeps there for another reason would have turned away long before."""
+HALTED: Final = 0.3
+"""Share of the speed from which it could just stop: as slow, the base is held up, by people for one. One that
+brakes for its end keeps to 0.9 and more."""
+EARLIEST: Final = 0.6
+"""Metres before the end from which on it is asked whether to turn: more than that takes (0.36 m)."""
 SWUNG: Final = 0.03
 """Radians off its aim from which on a base that sets off steers like one on its way."""
 TURN_FIRST: Final = 0.5
@@ -62,12 +63,14 @@ class Follower:
     path: Path
     drive: Drive
     clearances: Clearances
-    end_yaw: float | None = None
-    """The heading (rad) wished at the end: a small rest is turned on the last centimetres."""
+    goal: FloorPose | None = None
+    """The pose wished at the end: the turn to its heading begins on the last centimetres (``ending``)."""
     way: float = 0.0
     turns_on: bool = False
     """Whether the turn at the end has begun: a base that stops for it would have to begin anew."""
     _sets_off: bool = True
+    _turning: float = 0.0
+    """rad/s asked for last."""
 
     @property
     def remaining(self) -> float:
@@ -96,9 +99,13 @@ class Follower:
             speed: m/s now.
             blocked_at: metres along the path at which something stands in the way.
         """
+        linear, self._turning = self._speeds(pose, speed, blocked_at)
+        return linear, self._turning
+
+    def _speeds(self, pose: FloorPose, speed: float, blocked_at: float | None) -> tuple[float, float]:
         self.way = self.path.project(pose.x, pose.y, self.way)
-        if self._turns_early(pose, speed):
-            off = wrap(self.end_yaw - pose.yaw) if self.end_yaw is not None else 0.0
+        if self.goal is not None and self._turns_early(pose, speed):
+            off = wrap(self.goal.yaw - pose.yaw)
             return min(self._allowed(pose, blocked_at), self.drive.forward), self._turn(off)
         if self.remaining < LAST:
             return min(self._allowed(pose, blocked_at), self.drive.forward), self._last_turn(pose)
@@ -132,18 +139,31 @@ class Follower:
 
     def _turns_early(self, pose: FloorPose, speed: float) -> bool:
         """Say whether the turn at the end goes on already, while the base brakes on its last centimetres."""
-        brake = self.drive.acceleration
-        self.turns_on = (
-            self.end_yaw is not None
-            and (self.turns_on or abs(wrap(self.end_yaw - pose.yaw)) > LAST_TURN)
-            and self.remaining < brake * self._overlap**2 / 2
-            and not any(at > self.way for at, _ in self.path.corners)
-            and speed > BRAKING * stopping_speed(self.remaining, brake, LATENCY)
-        )
+        goal, braking = self.goal, stopping_speed(self.remaining, self.drive.acceleration, LATENCY)
+        if goal is None or speed < HALTED * braking:
+            self.turns_on = False  # held up: the turn would be over before the way is
+        elif not self.turns_on:
+            self.turns_on = self._carries_over(goal, pose, speed)
         return self.turns_on
 
+    def _carries_over(self, goal: FloorPose, pose: FloorPose, speed: float) -> bool:
+        """Say whether the turn to the goal's heading, begun now, ends in the goal or a hair before it."""
+        angle = wrap(goal.yaw - pose.yaw)
+        if abs(angle) < LAST_TURN or self.remaining > EARLIEST or self._bends_ahead:
+            return False
+        heading, side = self.path.heading_at(self.path.length), math.copysign(1.0, angle)
+        over = side * (math.cos(heading) * (goal.y - pose.y) - math.sin(heading) * (goal.x - pose.x))
+        off = side * wrap(pose.yaw - heading)
+        return swerve(self.remaining, speed, angle, self.drive, off=off, rate=side * self._turning) < max(
+            over, DRIFT
+        )
+
+    @property
+    def _bends_ahead(self) -> bool:
+        return any(at > self.way for at, _ in self.path.corners)
+
     def _last_turn(self, pose: FloorPose) -> float:
-        off = 0.0 if self.end_yaw is None else wrap(self.end_yaw - pose.yaw)
+        off = 0.0 if self.goal is None else wrap(self.goal.yaw - pose.yaw)
         return LAST_GAIN * off if abs(off) < LAST_TURN else 0.0
 
     def _aim(self, pose: FloorPose, speed: float) -> tuple[float, float]:

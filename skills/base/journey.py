@@ -6,6 +6,7 @@ import math
 from typing import Final
 
 from tandem.skills.base.course import Course, Progress
+from tandem.skills.base.ending import laid_aside
 from tandem.skills.base.follow import Follower
 from tandem.skills.base.leg import Leg
 from tandem.skills.base.path import Path
@@ -191,13 +192,13 @@ class Journey:
         return False
 
     def _leg(self, path: Path, clearances: Clearances) -> Leg:
-        end_yaw = self._goal.poses[self._chosen].yaw
+        goal, drive = self._goal.poses[self._chosen], self._course.drive
         return Leg(
             self._course,
             self._ride,
             self._watch,
             self._progress,
-            Follower(path, self._course.drive, clearances, end_yaw),
+            Follower(laid_aside(path, goal, drive, clearances), drive, clearances, goal),
         )
 
     def _most_replans(self) -> int:

@@ -8,6 +8,7 @@ from typing import Final
 
 from tandem.skills.base.band.bend import Bend
 from tandem.skills.base.course import Course, Progress
+from tandem.skills.base.ending import ARRIVED
 from tandem.skills.base.follow import Follower
 from tandem.skills.base.headway import Headway
 from tandem.skills.base.ride import Motion, Ride
@@ -31,8 +32,6 @@ HELD: Final = 0.02
 """rad/s: slower commands are no turning."""
 BACK_UP: Final = 0.8
 """Metres up to which the base may go backwards, where the laser does not look."""
-ARRIVED: Final = 0.004
-"""Metres before the end at which the way counts as driven."""
 SLICE_COST: Final = 0.001
 """Robot seconds that lockstep charges for one step of a band's plan."""
 
@@ -150,11 +149,11 @@ class Leg:
 
     def _back_is_sooner(self) -> bool:
         """Say whether a short straight way is done sooner backwards, with less turning."""
-        path, end = self._follower.path, self._follower.end_yaw
-        if end is None or len(path.points) > 2 or not ARRIVED < path.length < BACK_UP:  # noqa: PLR2004 - one piece
+        path, goal = self._follower.path, self._follower.goal
+        if goal is None or len(path.points) > 2 or not ARRIVED < path.length < BACK_UP:  # noqa: PLR2004 - one piece
             return False
         here, drive, ahead = self._ride.pose, self._course.drive, path.heading_at(0.0)
-        turns = [abs(wrap(way - here.yaw)) + abs(wrap(end - way)) for way in (ahead, ahead + math.pi)]
+        turns = [abs(wrap(way - here.yaw)) + abs(wrap(goal.yaw - way)) for way in (ahead, ahead + math.pi)]
         return path.length / drive.backward + turns[1] / drive.turn < (
             path.length / drive.forward + turns[0] / drive.turn
         )

@@ -109,7 +109,8 @@ def test_only_a_base_that_brakes_for_its_end_turns_there_early(speed: float, *, 
     rig = make_rig(LAB, SOUTH)
     path = Path(np.array([(-1.0, -1.6), (0.0, -1.6)]))
     course = rig.base.drive.course
-    follower = Follower(path, course.drive, Clearances(course.site_map.plan, 0.3, SOUTH), 1.5, way=0.9)
+    clearances, goal = Clearances(course.site_map.plan, 0.3, SOUTH), pose(0.0, -1.6, 1.5)
+    follower = Follower(path, course.drive, clearances, goal, way=0.9)
     _, angular = follower.speeds(pose(-0.1, -1.6), speed, None)
     assert (angular > 0.5) is turns
     assert follower.turns_on is turns
