@@ -69,6 +69,7 @@ export class RobotScene {
       this.renderer.render(this.scene, this.camera);
       this.labels.render(this.scene, this.camera);
       this.box.dataset.frames = String(this.frames);
+      this.box.dataset.shapes = String(this.renderer.info.memory.geometries);
     };
     draw();
   }
@@ -136,7 +137,7 @@ export class RobotScene {
   setSite(site: Site) {
     this.site = site;
     if (this.shown.scene) this.place(this.shown as Live); // its items have their names now
-    unlabel(this.room);
+    discard(this.room);
     this.room.clear();
     const [x0, y0, x1, y1] = site.bounds;
     const floor = new THREE.Mesh(
@@ -219,7 +220,7 @@ export class RobotScene {
 
   // Of another robot only its place is told: a drum with its name, and a nose that says where it looks.
   private placeOthers(robots: Live["robots"]) {
-    unlabel(this.others);
+    discard(this.others);
     this.others.clear();
     for (const [name, { at, silent }] of Object.entries(robots)) {
       if (!at) continue;
@@ -280,7 +281,7 @@ export class RobotScene {
 
   // Items as they are believed, and what else stands in the planning scene; what is held hangs on its hand.
   private place(live: Live) {
-    for (const each of [this.things, ...this.held]) unlabel(each);
+    for (const each of [this.things, ...this.held]) discard(each);
     this.things.clear();
     for (const each of this.held) each.removeFromParent();
     this.held = [];
@@ -350,9 +351,15 @@ function meshOf(geometry: THREE.BufferGeometry, colour: THREE.Color, opacity: nu
   return mesh;
 }
 
-// A label's element stays in the document unless it is taken out.
-function unlabel(object: THREE.Object3D) {
-  object.traverse((each) => each instanceof CSS2DObject && each.element.remove());
+// What is drawn no more: a label's element stays in the document, and shapes stay on the graphics card, unless they
+// are taken out.
+function discard(object: THREE.Object3D) {
+  object.traverse((each) => {
+    if (each instanceof CSS2DObject) each.element.remove();
+    const { geometry, material } = each as Partial<THREE.Mesh>;
+    geometry?.dispose();
+    for (const one of material ? [material].flat() : []) one.dispose();
+  });
 }
 
 function pose(object: THREE.Object3D, box: Box) {

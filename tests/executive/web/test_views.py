@@ -279,6 +279,16 @@ def test_items_are_called_by_their_names_and_tins_are_round(page: Page, robot: F
     expect(page.get_by_label("item 7").locator("text")).to_have_text("7")
     page.get_by_role("link", name="Now").click()
     expect(page.locator(".label.item")).to_have_text(["tea", "7"])
+    canvas = page.locator(".canvas")
+    expect(canvas).to_have_attribute("data-robot", "loaded")
+    drawn = "Number(document.querySelector('.canvas').dataset.shapes)"
+    page.wait_for_function(f"{drawn} > 4")
+    shapes = page.evaluate(drawn)
+    for version in range(2, 7):
+        things = (thing(29, "cylinder"), thing(7 + version, "box"))
+        robot.tell((SCENE, PlanningScene(stamp=robot.now, version=version, objects=things)))
+        expect(page.locator(".label.item")).to_have_text(["tea", str(7 + version)])
+    page.wait_for_function(f"n => {drawn} <= n", arg=shapes)  # what is drawn anew leaves nothing behind
 
 
 def test_a_failure_that_came_again_and_again_is_said_once(page: Page, robot: FakeRobot) -> None:
