@@ -23,6 +23,7 @@ from tandem.skills.ports.tasks import (
     TASK_PULSE,
     TASK_STATUS,
     TREE,
+    TaskState,
     TaskStatus,
     TreeNode,
     TreeSnapshot,
@@ -251,7 +252,13 @@ class Feed:
         merge(self._told, {part: value for part, value in update.items() if part not in UNTOLD})
         tasks = self._told.get("tasks")
         if isinstance(tasks, dict) and len(tasks) > 2 * KEPT:
-            self._told["tasks"] = dict(list(tasks.items())[-KEPT:])
+            newest = dict(list(tasks.items())[-KEPT:])
+            open_ = {task: told for task, told in tasks.items() if _is_open(told)}  # however long it waits
+            self._told["tasks"] = {**open_, **newest}
+
+
+def _is_open(told: JsonValue) -> bool:
+    return isinstance(told, dict) and not TaskState(str(told["state"])).terminal
 
 
 def _plain(message: Message) -> dict[str, JsonValue]:

@@ -49,6 +49,7 @@ const EMPTY: Live = {
   pipelines: {},
 };
 const PATH = 2000;
+const TASKS = 200;
 let live = EMPTY;
 const listeners = new Set<() => void>();
 let due = 0;
@@ -103,6 +104,7 @@ export function take(update: Update) {
   for (const part of ["tasks", "joints", "nodes", "reflexes", "pipelines", "robots", "hands"] as const) {
     if (update[part]) Object.assign(next, { [part]: { ...before[part], ...update[part] } });
   }
+  if (update.tasks) next.tasks = lately(next.tasks);
   if (update.tree) {
     next.nodes = {};
     const same = before.tree?.task === update.tree.task;
@@ -129,6 +131,14 @@ function keep(kept: Record<string, NodeStatus>, changes: Iterable<[string, NodeS
     else if (next[path] === "RUNNING") delete next[path];
   }
   return next;
+}
+
+// All that have not ended, and the newest of the others, so that a page which stays open for days does not grow.
+function lately(tasks: Record<string, TaskStatus>): Record<string, TaskStatus> {
+  const over = Object.values(tasks).filter(ended);
+  if (over.length <= 2 * TASKS) return tasks;
+  const old = new Set(over.sort((a, b) => at(b) - at(a)).slice(TASKS).map((each) => each.task));
+  return Object.fromEntries(Object.entries(tasks).filter(([task]) => !old.has(task)));
 }
 
 function walked(path: [number, number][], pose: Pose): [number, number][] {

@@ -20,6 +20,7 @@ from tandem.skills.ports.keys import JOINT_STATES
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.occupancy import Occupancy, pack
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.tasks import TaskState, TaskStatus
 from tandem.skills.ports.whereabouts import RobotWhereabouts, whereabouts
 from tandem.skills.ports.world import SCENE, SIGHTINGS, PlanningScene, Sighting, Sightings
 from tandem.skills.wire.memory import MemoryHub
@@ -114,6 +115,18 @@ def test_of_a_tree_only_what_changes_is_told(rig: Rig) -> None:
     rig.here.step(3)
     update = feed.poll()
     assert ("tree" in update, set(update["nodes"])) == (False, {"wait", "wait/wait for the world"})  # type: ignore[arg-type]
+
+
+def test_a_task_that_waits_is_not_forgotten_over_those_that_end() -> None:
+    feed = Feed(MemoryHub().endpoint(), time.monotonic)
+
+    def task(name: str, state: TaskState) -> TaskStatus:
+        return TaskStatus(task=name, kind="go", request={}, state=state, accepted_at=0.0)
+
+    ended = [task(str(number), TaskState.SUCCEEDED) for number in range(500)]
+    feed.know([task("waits", TaskState.QUEUED), *ended], None)
+    told: Any = feed.whole()["tasks"]
+    assert (len(told), "waits" in told, "499" in told) == (201, True, True)
 
 
 def test_of_joints_only_those_that_move_are_told() -> None:
