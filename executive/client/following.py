@@ -72,7 +72,8 @@ class Following(_Following[TaskStatus]):
     """
 
     def __init__(self, questions: Questions, task: str, timeout: float | None) -> None:
-        super().__init__(questions, Topic(f"task/{task}/status", TaskStatus), task, timeout)
+        # Not the task's own key: a key that is subscribed to for each task costs the router memory for ever.
+        super().__init__(questions, TASK_STATUS, task, timeout)
         self._last: TaskStatus | None = None
 
     def next(self) -> Talk[TaskStatus | None]:
@@ -111,7 +112,7 @@ class Following(_Following[TaskStatus]):
             self._ready.append(status)
 
     def _hear(self) -> None:
-        news = self._news.take()
+        news = [each for each in self._news.take() if each.task == self._task]
         if news:
             self._note_word()
             self._ready.extend(news)

@@ -30,6 +30,10 @@ PACED: Final = (
     "beat",
 )
 """What is told steadily: it wakes nobody. The clock does, which comes after it or in the next tick."""
+PASSING: Final = ("task/*/status",)
+"""Keys of one thing each, such as a task, which nobody needs once it is over. Nothing of ours declares them
+to zenoh, to publish or to subscribe: of each key ever declared, a router (1.10) keeps 1.6 kB and a session
+about 1 kB, undeclared or not (``python -m benchmarks.declared_keys``)."""
 KEPT: Final = "kept/"
 """Before the key of a state: where its publisher answers with what it said last."""
 KEPT_KEYS: Final = 256
@@ -91,6 +95,12 @@ DELIVERY: Final[tuple[tuple[str, Delivery], ...]] = (
 def paced(key: str) -> bool:
     """Say whether what is published on the key wakes nobody."""
     return any(matches(expression, key) for expression in PACED)
+
+
+@lru_cache(maxsize=4096)
+def passing(key: str) -> bool:
+    """Say whether the key is one of many that come and go."""
+    return any(matches(expression, key) for expression in PASSING)
 
 
 @lru_cache(maxsize=4096)  # each message asks; keys are few, but a client's documents may name any

@@ -13,7 +13,7 @@ from typing import Final
 import zenoh
 
 from tandem.skills.ports.bus import Desk, Inbox, Pending
-from tandem.skills.ports.delivery import KEPT, LARGE, Delivery, delivery_of
+from tandem.skills.ports.delivery import KEPT, LARGE, Delivery, delivery_of, passing
 from tandem.skills.ports.hearing import Ear
 from tandem.skills.ports.lease import Lease
 from tandem.skills.ports.message import MAX_REQUEST_BYTES
@@ -31,7 +31,7 @@ DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 PROCESS: Final = "process/"
 """Before the name of a process that is ready, among the names that it announces."""
 PUBLISHERS: Final = 256
-"""Keys whose publisher stays declared: a process has a few dozen, the executive one for each task."""
+"""Keys whose publisher stays declared: a process has a few dozen. The one used longest ago goes first."""
 
 
 @dataclass(frozen=True)
@@ -142,7 +142,7 @@ class ZenohBus:
         how = Delivery.BULK if len(payload) > LARGE else delivery_of(key)
         if delivery_of(key) is Delivery.STATE:
             self._keep(key, payload)
-        self._publisher(key, how).put(payload)
+        self._send(key, payload, how)
 
     def subscribe(self, key: str, *, depth: int = 256) -> Inbox:
         """Receive what is put on the key expression from now on."""
@@ -215,7 +215,7 @@ class ZenohBus:
             if refused is not None:
                 REFUSALS.publish(self, refused)
             for key, payload in self._kept.due():
-                self._publisher(key, delivery_of(key)).put(payload)
+                self._send(key, payload, delivery_of(key))
             self._answer_kept()
 
     def alive(self) -> frozenset[str]:
@@ -267,6 +267,18 @@ class ZenohBus:
             request.reply_each({key: payload for key, payload in known.items() if request.covers(key)})
         for request in asked[AT_ONCE:]:
             request.end()
+
+    def _send(self, key: str, payload: bytes, how: Delivery) -> None:
+        if passing(key):
+            means = MEANS[how]
+            self._session.put(
+                f"{self._prefix}/{key}",
+                payload,
+                congestion_control=means.congestion,
+                priority=means.priority,
+            )
+        else:
+            self._publisher(key, how).put(payload)
 
     def _publisher(self, key: str, how: Delivery) -> zenoh.Publisher:
         publisher = self._publishers.pop((key, how), None)
