@@ -52,7 +52,10 @@ class Sample(Message):
     """Tasks that had ended."""
     role: str
     memory: float
-    """Its proportional set size, in megabytes."""
+    """Its anonymous memory, in megabytes: what it took for itself, and not for a file that it reads.
+
+    Its proportional set size would change when another process that has the same libraries open ends.
+    """
     handles: int
     """Open file descriptors."""
     threads: int
@@ -94,7 +97,7 @@ class Soak(Message):
 
 @dataclass(frozen=True)
 class Usage:
-    """What the kernel says of a process: memory in megabytes, open handles, threads."""
+    """What the kernel says of a process: anonymous memory in megabytes, open handles, threads."""
 
     memory: float
     handles: int
@@ -109,7 +112,7 @@ def usage(pid: int) -> Usage:
     """
     about = Path("/proc") / str(pid)
     rollup = (about / "smaps_rollup").read_text("ascii")
-    kilobytes = next(int(line.split()[1]) for line in rollup.splitlines() if line.startswith("Pss:"))
+    kilobytes = next(int(line.split()[1]) for line in rollup.splitlines() if line.startswith("Anonymous:"))
     return Usage(
         memory=kilobytes * 1024 / 1e6,
         handles=len(os.listdir(about / "fd")),  # noqa: PTH208 - names are enough, and no path is made of them
