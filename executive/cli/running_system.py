@@ -177,8 +177,7 @@ def _ended(work: Callable[[Console], ExitCode]) -> ExitCode:
     console = Console(stderr=False, highlight=False, soft_wrap=True)
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # a service manager's Ctrl-C
     try:
-        with _interruptible():
-            return work(console)
+        return work(console)
     except (DocumentError, EndpointError) as error:
         console.print(f"error: {error}", style="red", markup=False)
         return ExitCode.BAD_INPUT
@@ -194,17 +193,6 @@ def _ended(work: Callable[[Console], ExitCode]) -> ExitCode:
     except KeyboardInterrupt:
         console.print("interrupted; all processes are stopped")
         return ExitCode.INTERRUPTED
-
-
-@contextmanager
-def _interruptible() -> Iterator[None]:
-    """Let a Ctrl-C be one, also where a planner's binding calls us back from C++ and makes an error of it."""
-    try:
-        yield
-    except (RuntimeError, SystemError) as error:
-        if KeyboardInterrupt.__name__ not in str(error):
-            raise
-        raise KeyboardInterrupt from error
 
 
 def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
+from tandem.executive.system.deferred_signals import signals_later
 from tandem.sim.chatter import unheard
 from tandem.sim.scenario import Scenario
 from tandem.skills.ports.bus import Bus, Pending
@@ -120,8 +121,9 @@ class LockstepSystem:
         return RobotSystem(self, robots[robot].bus, robots[robot].clocks)
 
     def advance(self) -> None:
-        """Let one period pass."""
-        self.lockstep.step()
+        """Let one period pass. A Ctrl-C waits for its end: in a skill, it would be the skill's mistake."""
+        with signals_later():
+            self.lockstep.step()
 
     def digest(self) -> str:
         """Return the hash over all messages so far."""

@@ -36,6 +36,8 @@ WITHIN: Final = 60.0
 """Host seconds for each state that is waited for."""
 STANDS: Final = 0.5
 """Host seconds for which a task that is to stand is watched: ten ticks of its tree, and a goal every few."""
+RESUMED: Final = "the task is not paused"
+"""Why a task that goes on is not resumed."""
 FETCH: Final[dict[str, JsonValue]] = {"task": "fetch", "item": ITEM}
 
 
@@ -73,12 +75,15 @@ class Scene:
     def must(self, service: Service[M, ControlAnswer], message: M) -> None:
         """Ask for a verb that has to be taken.
 
-        One that had to be asked for again, because the executive was killed before it answered, may have been
-        taken at first: then it is refused, and what follows shows whether it was.
+        A task that was resumed by the first of two questions, between which the executive was killed, is not
+        paused for the second: what follows shows whether it was resumed.
         """
         killed = len(self.reaper.done)
         answer = self.say(service, message)
-        if not answer.accepted and len(self.reaper.done) == killed:
+        resumed = (
+            service.key == TASK_RESUME.key and answer.reason == RESUMED and len(self.reaper.done) > killed
+        )
+        if not answer.accepted and not resumed:
             self.wrong.append(f"{service.key} was refused: {answer.reason}")
 
     def status(self, task: str) -> TaskStatus:

@@ -12,7 +12,7 @@ from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.cli.film import SIZE
 from tandem.executive.cli.option_checks import checked_film
-from tandem.executive.cli.running_system import _ended, run_once
+from tandem.executive.cli.running_system import run_once
 from tandem.executive.config.run_options import BusOptions, RunOptions
 from tandem.executive.render.frame import TREE_WIDTH
 
@@ -74,24 +74,3 @@ def test_a_film_of_an_unknown_kind_is_refused_before_anything_starts() -> None:
         CommandError, match=r"--film: expected a name that ends in .webp, .gif, .png, found a.mp4"
     ):
         checked_film(Path("a.mp4"))
-
-
-@pytest.mark.parametrize(
-    "error", [KeyboardInterrupt(), RuntimeError("Traceback (most recent call last):\n\nKeyboardInterrupt: ")]
-)
-def test_a_ctrl_c_in_the_middle_of_a_planners_callback_is_one_too(
-    error: BaseException, capsys: pytest.CaptureFixture[str]
-) -> None:
-    def work(_: object) -> ExitCode:
-        raise error
-
-    assert _ended(work) is ExitCode.INTERRUPTED
-    assert capsys.readouterr().out == "interrupted; all processes are stopped\n"
-
-
-def test_another_error_of_a_planner_is_none() -> None:
-    def work(_: object) -> ExitCode:
-        raise RuntimeError("no such space")
-
-    with pytest.raises(RuntimeError, match="no such space"):
-        _ended(work)
