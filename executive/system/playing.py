@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import re
 import socket
+import time
 import uuid
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from tandem.executive.config.extras import words_on
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
@@ -21,6 +23,14 @@ from tandem.skills.ports.lease import Claim
 if TYPE_CHECKING:
     from tandem.skills.wire.credentials import Credentials
     from tandem.skills.wire.forked_worker import ForkedWorker
+    from tandem.skills.wire.zenoh_bus import ZenohBus
+
+ROUTER_WITHIN: Final = 20.0
+"""Host seconds for which a process waits for its router. The processes of a robot start at once or on several
+hosts, and a router takes up to ten seconds to start on a busy machine; who waits much longer hides a wrong
+endpoint."""
+
+_LOG = logging.getLogger(__name__)
 
 
 def load_ahead(name: str) -> None:
@@ -48,16 +58,11 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         role.route(settings, stopped)
         return
     from tandem.skills.wire.presence import Presence, RivalError  # noqa: PLC0415
-    from tandem.skills.wire.zenoh_bus import ZenohBus  # noqa: PLC0415
 
     worker = _fork_worker(role)  # while there is no session, and no thread of its
-    bus = ZenohBus(
-        settings.endpoint,
-        settings.prefix,
-        credentials=credentials_of(settings, role),
-        silent_after=settings.silent_after,
-        pictures=role.pictures or (bool(settings.record) and settings.record_pictures),
-    )
+    bus = connect(settings, role, stopped)
+    if bus is None:
+        return
     try:
         # Settled long before ``process/...`` says that the role is ready to be played.
         presence = Presence(bus, settings.role, claim_of(settings))
@@ -76,6 +81,33 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         ) from rival
     finally:
         bus.close()
+
+
+def connect(settings: WorkerSettings, role: Role, stopped: Callable[[], bool]) -> ZenohBus | None:
+    """Return the process's end of the bus; None when it was stopped before the router was there.
+
+    Raises:
+        BusError: the router is not there within ``ROUTER_WITHIN``.
+    """
+    from tandem.skills.wire.zenoh_bus import BusError, ZenohBus  # noqa: PLC0415
+
+    deadline, told = time.monotonic() + ROUTER_WITHIN, False
+    while not stopped():
+        try:
+            return ZenohBus(
+                settings.endpoint,
+                settings.prefix,
+                credentials=credentials_of(settings, role),
+                silent_after=settings.silent_after,
+                pictures=role.pictures or (bool(settings.record) and settings.record_pictures),
+            )
+        except BusError:
+            if time.monotonic() > deadline:
+                raise
+            if not told:
+                _LOG.warning("waits for its router", extra={"endpoint": settings.endpoint})
+                told = True
+    return None
 
 
 def _fork_worker(role: Role) -> ForkedWorker | None:
