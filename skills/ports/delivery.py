@@ -90,20 +90,24 @@ DELIVERY: Final[tuple[tuple[str, Delivery], ...]] = (
 )
 """The first expression that a key matches counts. One that none matches, such as a plug-in's, is a state."""
 
+REMEMBERED: Final = 512
+"""Keys whose delivery is remembered. A robot has some hundred that come again and again; a key of one task
+comes for seconds, and 4,096 of them in each of three tables took 1 MB."""
 
-@lru_cache(maxsize=4096)
+
+@lru_cache(maxsize=REMEMBERED)
 def paced(key: str) -> bool:
     """Say whether what is published on the key wakes nobody."""
     return any(matches(expression, key) for expression in PACED)
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=REMEMBERED)
 def passing(key: str) -> bool:
     """Say whether the key is one of many that come and go."""
     return any(matches(expression, key) for expression in PASSING)
 
 
-@lru_cache(maxsize=4096)  # each message asks; keys are few, but a client's documents may name any
+@lru_cache(maxsize=REMEMBERED)  # each message asks; keys are few, but a client's documents may name any
 def delivery_of(key: str) -> Delivery:
     """Return how what is published on the key (relative to ``<site>/<robot>``) is delivered."""
     return next((how for expression, how in DELIVERY if matches(expression, key)), Delivery.STATE)

@@ -38,3 +38,9 @@ def test_every_topic_stands_in_the_table() -> None:
 def test_no_way_of_delivery_blocks() -> None:
     assert set(MEANS) == set(Delivery)
     assert all(means.congestion is not zenoh.CongestionControl.BLOCK for means in MEANS.values())
+
+
+def test_keys_of_tasks_that_have_ended_are_forgotten() -> None:
+    for number in range(1000):
+        delivery_of(f"task/fetch-{number}/status")
+    assert delivery_of.cache_info().currsize < 1000
