@@ -12,6 +12,7 @@ from typing import Annotated, Final, get_type_hints
 import typer
 
 from tandem.executive.cli.errors import CommandError
+from tandem.executive.config.addresses import is_endpoint
 from tandem.executive.config.run_options import DEFAULT_ENDPOINT, DEFAULT_ROBOT, DEFAULT_SITE, BusOptions
 
 PANEL: Final = "Connection"
@@ -81,9 +82,6 @@ HELPS: Final = ("-h", "--help")
 TLS: Final = "tls/"
 """How an endpoint with TLS begins."""
 _PART: Final = re.compile(r"[A-Za-z0-9_.-]+")
-_PORT: Final = r"([0-5]?\d{1,4}|6[0-4]\d{3}|65[0-4]\d{2}|655[0-2]\d|6553[0-5])"
-ENDPOINT: Final = re.compile(rf"(tcp|tls|udp|quic|ws)/[^/\s]+:{_PORT}|(unixsock-stream|serial|unixpipe)/\S+")
-"""zenoh's; a port is at most 65535."""
 
 
 def connects(command: Callable[..., None]) -> Callable[..., None]:
@@ -181,7 +179,7 @@ def bus_options(
     Raises:
         CommandError: for an endpoint that is none, for what is no part of a key, and for keys that don't fit.
     """
-    if ENDPOINT.fullmatch(connect) is None:
+    if not is_endpoint(connect):
         raise CommandError(f"--connect: expected an endpoint such as {DEFAULT_ENDPOINT}; found {connect!r}")
     for option, value in (("--site-key", site_key), ("--robot", robot)):
         if _PART.fullmatch(value) is None:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from tandem.executive.cli.arguments import ENDPOINT, TLS
+from tandem.executive.cli.arguments import TLS
 from tandem.executive.cli.errors import CommandError
+from tandem.executive.config.addresses import is_endpoint
 from tandem.executive.config.extras import Extra, words_on
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.security.holders import KeysError
@@ -43,7 +44,7 @@ def checked_endpoints(bus: BusOptions, listen: Sequence[str], *, insecure: bool)
             that the router's certificate is not for.
     """
     for endpoint in (bus.endpoint, *listen):
-        if ENDPOINT.fullmatch(endpoint) is None:
+        if not is_endpoint(endpoint):
             raise CommandError(f"expected an endpoint tls/HOST:PORT; found {endpoint!r}")
         if endpoint.startswith(TLS) and bus.keys is None:
             raise CommandError(f"{endpoint}: TLS needs keys; give their folder with --keys")

@@ -11,6 +11,7 @@ import typer
 
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.logs import LogOptions
+from tandem.executive.config.addresses import METRICS_EXAMPLE, host_and_port
 from tandem.executive.config.extras import RECORD, WEB, words_on
 from tandem.executive.config.on_restart import OnRestart
 from tandem.executive.config.run_options import FILMS, BusOptions, Processes
@@ -61,12 +62,10 @@ def require_window(*, gui: bool, lockstep: bool) -> None:
 
 def metrics_address(text: str) -> str:
     """Return the address of the metrics, or nothing; BadParameter for what is none."""
-    from tandem.executive.telemetry.process import host_and_port  # noqa: PLC0415
-
     if not text:
         return text
     try:
-        host_and_port(text)
+        host_and_port(text, example=METRICS_EXAMPLE)
     except ValueError as error:
         raise typer.BadParameter(str(error), param_hint="--metrics") from error
     return text

@@ -27,6 +27,7 @@ from tandem.executive.cli.option_checks import (
     require_window,
     speed_of,
 )
+from tandem.executive.config.addresses import METRICS_EXAMPLE
 from tandem.executive.config.run_options import (
     DEFAULT_ENDPOINT,
     DEFAULT_ROBOT,
@@ -61,7 +62,7 @@ MetricsAt = Annotated[
     typer.Option(
         "--metrics",
         metavar="HOST:PORT",
-        help="Serve Prometheus metrics at this address, e.g. 127.0.0.1:9464.",
+        help=f"Serve Prometheus metrics at this address, e.g. {METRICS_EXAMPLE}.",
     ),
 ]
 TracesTo = Annotated[

@@ -7,9 +7,9 @@ import re
 import socket
 from typing import Final
 
-_HOST_AND_PORT: Final = re.compile(r"(?:tcp|tls|ws)/\[?(?P<host>[^\]/\s]+?)\]?:(?P<port>\d{1,5})")
+from tandem.executive.config.addresses import LAST_PORT
 
-LAST_PORT: Final = 65535
+_HOST_AND_PORT: Final = re.compile(r"(?:tcp|tls|ws)/\[?(?P<host>[^\]/\s]+?)\]?:(?P<port>\d{1,5})")
 
 
 class TakenError(RuntimeError):

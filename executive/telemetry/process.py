@@ -6,6 +6,7 @@ import logging
 from collections.abc import Callable
 from contextlib import ExitStack
 
+from tandem.executive.config.addresses import METRICS_EXAMPLE, host_and_port
 from tandem.executive.config.extras import words_on_module
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
 from tandem.executive.telemetry.observer import Observer, Record
@@ -34,18 +35,6 @@ def observe(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]
         run("observer", bus, clocks, [Observer(bus, clocks, records)], stopped, calm=True)
 
 
-def host_and_port(text: str) -> tuple[str, int]:
-    """Return them out of ``HOST:PORT``.
-
-    Raises:
-        ValueError: saying what was expected.
-    """
-    host, colon, port = text.rpartition(":")
-    if not colon or not host or not port.isdecimal() or not 0 <= int(port) <= 65535:  # noqa: PLR2004 - the last port
-        raise ValueError(f"expected a host and a port such as 127.0.0.1:9464; found {text!r}")
-    return host.strip("[]"), int(port)
-
-
 def _metrics(address: str, until: ExitStack) -> Record:
     from prometheus_client import CollectorRegistry  # noqa: PLC0415 - only where it is asked for
 
@@ -53,7 +42,8 @@ def _metrics(address: str, until: ExitStack) -> Record:
 
     registry = CollectorRegistry()
     try:
-        host, port = host_and_port(address)  # of several robots, the last may be beyond the last port
+        # Of several robots, the last may be beyond the last port.
+        host, port = host_and_port(address, example=METRICS_EXAMPLE)
         page = Page(host, port, registry)
     except (OSError, ValueError) as error:
         why = (error.strerror if isinstance(error, OSError) else "") or error

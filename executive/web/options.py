@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from tandem.executive.config.addresses import host_and_port
 from tandem.executive.config.run_options import BusOptions
 
 DEFAULT_ADDRESS: Final = "127.0.0.1:8447"
-LAST_PORT: Final = 65535
 
 
 class AddressError(ValueError):
@@ -45,10 +45,10 @@ def checked_address(text: str, *, secure: bool = False) -> tuple[str, int]:
     Raises:
         AddressError: for what is none, and for one beyond loopback: who reaches the page may move the robot.
     """
-    host, colon, port = text.rpartition(":")
-    if not colon or not host or not port.isdecimal() or int(port) > LAST_PORT:
-        raise AddressError(f"expected a host and a port such as {DEFAULT_ADDRESS}; found {text!r}")
-    host = host.strip("[]")
+    try:
+        host, port = host_and_port(text, example=DEFAULT_ADDRESS)
+    except ValueError as error:
+        raise AddressError(str(error)) from error
     if not is_loopback(host) and not secure:
         raise AddressError(
             f"{text}: anyone who can reach the page could move the robot; beyond this host it takes keys "
@@ -56,7 +56,7 @@ def checked_address(text: str, *, secure: bool = False) -> tuple[str, int]:
             f"serve it at {DEFAULT_ADDRESS} and reach it through a tunnel: "
             f"ssh -L {port}:127.0.0.1:{port} {host if host not in {'0.0.0.0', '::'} else 'ROBOT'}"  # noqa: S104
         )
-    return host, int(port)
+    return host, port
 
 
 def is_loopback(host: str) -> bool:

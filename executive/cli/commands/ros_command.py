@@ -9,10 +9,11 @@ from typing import Annotated
 
 import typer
 
-from tandem.executive.cli.arguments import ENDPOINT, connects
+from tandem.executive.cli.arguments import connects
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.cli.logs import LogOptions
+from tandem.executive.config.addresses import is_endpoint
 from tandem.executive.config.extras import ROS, words_on
 from tandem.executive.config.run_options import BusOptions
 
@@ -44,7 +45,7 @@ def ros(
     """Drive a ROS 2 robot over rmw_zenoh, as this robot's hardware, until Ctrl-C."""
     if lacks := words_on(ROS, "tandem ros"):
         raise CommandError(lacks)
-    if router and ENDPOINT.fullmatch(router) is None:
+    if router and not is_endpoint(router):
         raise CommandError(
             f"--ros-connect: expected an endpoint such as tcp/127.0.0.1:7447; found {router!r}"
         )
