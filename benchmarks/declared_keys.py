@@ -11,11 +11,11 @@ import socket
 import subprocess
 import sys
 from collections.abc import Callable
-from pathlib import Path
 from typing import Final
 
 import zenoh
 
+from tandem.executive.system.process_usage import anonymous_memory
 from tandem.skills.wire.configs import client_config, router_config
 
 KEYS: Final = 1000
@@ -49,22 +49,16 @@ def main() -> int:
         session = zenoh.open(client_config(endpoint, 5.0, None, pictures=False))
         for name, use in WAYS.items():
             use(session, f"warm/{name.replace(' ', '')}")
-            before = anonymous(router.pid), anonymous(os.getpid())
+            before = anonymous_memory(router.pid), anonymous_memory(os.getpid())
             for number in range(KEYS):
                 use(session, f"{name.replace(' ', '')}/{number}")
             list(session.get("all/through", timeout=1.0))
-            after = anonymous(router.pid), anonymous(os.getpid())
-            kept = [1024 * (then - first) / KEYS for first, then in zip(before, after, strict=True)]
+            after = anonymous_memory(router.pid), anonymous_memory(os.getpid())
+            kept = [(then - first) / KEYS for first, then in zip(before, after, strict=True)]
             print(f"{name:18s} router {kept[0]:6.0f}, client {kept[1]:6.0f} bytes a key", flush=True)
         session.close()  # type: ignore[no-untyped-call]
         router.kill()
     return 0
-
-
-def anonymous(pid: int) -> int:
-    """Return the kilobytes of a process's memory that stand for no file."""
-    rollup = Path(f"/proc/{pid}/smaps_rollup").read_text("ascii")
-    return next(int(line.split()[1]) for line in rollup.splitlines() if line.startswith("Anonymous:"))
 
 
 if __name__ == "__main__":

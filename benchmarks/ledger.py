@@ -17,13 +17,14 @@ from pathlib import Path
 from typing import Final
 
 from benchmarks.echo import KEY
-from benchmarks.machine import frozen, memory
+from benchmarks.machine import frozen
 from benchmarks.processes import PREFIX, echo, free_endpoint, running
 from benchmarks.rows import Row, quantile
 from tandem.executive.ledger.sqlite import SqliteLedger
 from tandem.executive.service.intake.request_parser import Asked, read_request
 from tandem.executive.service.tasks.task_book import TaskBook
 from tandem.executive.service.tasks.wall_clock import WallClock
+from tandem.executive.system.process_usage import shared_memory
 from tandem.executive.system.processes import SPARE_AFTER
 from tandem.executive.trials.campaigns.crash_rig import PREFIX as RIG_PREFIX
 from tandem.executive.trials.campaigns.crash_rig import CrashRig
@@ -214,10 +215,10 @@ def _remembering(folder: Path, count: int) -> Iterator[Row]:
     with running(["executive"], data=folder) as (endpoint, pids):
         bus = ZenohBus(endpoint, PREFIX)
         time.sleep(0.5)
-        before, document = memory(pids["executive"]), json.dumps(FETCH).encode()
+        before, document = shared_memory(pids["executive"]), json.dumps(FETCH).encode()
         for _ in range(count):
             _withdraw(bus, _ask(bus, REQUEST, document))
             time.sleep(PACE)
-        after = memory(pids["executive"])
+        after = shared_memory(pids["executive"])
         bus.close()
     yield Row(f"memory after {count} tasks", after, "MB", note=f"{before:.0f} MB before")

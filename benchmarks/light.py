@@ -15,9 +15,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Final
 
-from benchmarks.machine import memory, processor_seconds
 from benchmarks.processes import by_role, free_endpoint
 from benchmarks.rows import Row
+from tandem.executive.system.process_usage import processor_seconds, shared_memory
 
 _TANDEM: Final = "from tandem.executive.cli.main import run; run()"
 UP: Final = "up"
@@ -63,11 +63,11 @@ def _rows_of(robot: Robot) -> Iterator[Row]:
         meter = Meter(pid)
         time.sleep(IDLE_FOR)
         yield from _spent(f"{name}, idle", *meter.spent(), robot.idle)
-        yield from _memory(f"{name}, idle", by_role(pid, memory, above=UP), robot.memory)
+        yield from _memory(f"{name}, idle", by_role(pid, shared_memory, above=UP), robot.memory)
         meter = Meter(pid)
         ended = _request(robot.request, endpoint)
         yield from _spent(f"{name}, fetch", *meter.spent(), robot.fetch, ended)
-        yield from _memory(f"{name}, after it", by_role(pid, memory, above=UP), robot.memory)
+        yield from _memory(f"{name}, after it", by_role(pid, shared_memory, above=UP), robot.memory)
 
 
 class Meter:

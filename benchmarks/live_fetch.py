@@ -11,12 +11,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
-from benchmarks.machine import memory
 from benchmarks.processes import by_role, free_endpoint
 from benchmarks.rows import Row
 from benchmarks.stillness import Stillness
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.system.crews import roles_of
+from tandem.executive.system.process_usage import shared_memory
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.keys import CLOCK, Latest
 from tandem.skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus
@@ -83,7 +83,7 @@ def watch(demo: subprocess.Popen[bytes], bus: ZenohBus, stillness: Stillness, be
             break
         if now - looked > MEMORY_EVERY:
             looked = now
-            for role, megabytes in by_role(demo.pid, memory, above="demo").items():
+            for role, megabytes in by_role(demo.pid, shared_memory, above="demo").items():
                 seen.memory[role] = max(megabytes, seen.memory.get(role, 0.0))
     return seen
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import gc
 import os
 import platform
-import re
 import resource
 import time
 from collections.abc import Iterator
@@ -53,29 +52,6 @@ def frozen() -> Iterator[None]:
         yield
     finally:
         gc.unfreeze()
-
-
-def memory(pid: int) -> float:
-    """Return a process's proportional share of memory (PSS) in MB; its resident size where none is told."""
-    for name, field_ in (("smaps_rollup", "Pss:"), ("status", "VmRSS:")):
-        try:
-            text = (_PROC / str(pid) / name).read_text(encoding="utf-8")
-        except OSError:
-            continue
-        found = re.search(rf"^{field_}\s+(\d+) kB", text, re.MULTILINE)
-        if found:
-            return int(found[1]) / 1024.0
-    return float("nan")
-
-
-def processor_seconds(pid: int) -> float:
-    """Return the processor seconds that a process has used until now; 0 when it has ended."""
-    try:
-        text = (_PROC / str(pid) / "stat").read_text(encoding="utf-8")
-    except OSError:
-        return 0.0
-    user, system = text.rpartition(")")[2].split()[11:13]
-    return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
 
 
 def descendants(pid: int) -> list[int]:

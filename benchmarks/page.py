@@ -17,12 +17,12 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
 
-from benchmarks.machine import memory
 from benchmarks.processes import PREFIX, running
 from benchmarks.rows import Row, spread
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.ledger.port import Entry
 from tandem.executive.ledger.sqlite import SqliteLedger
+from tandem.executive.system.process_usage import shared_memory
 from tandem.executive.web.options import WebOptions
 from tandem.executive.web.robot import RobotOnZenoh, Who
 from tandem.executive.web.serve import listen, serve_until
@@ -116,7 +116,7 @@ def rows(*, quick: bool = False) -> Iterator[Row]:
                 took = [_asked(asking, query)[0] for _ in range(times)]
                 yield from spread(f"history?{query}", took, aim=1e3 * AIM)
             asking.close()
-            yield Row("memory of the executive that serves it", memory(pids["executive"]), "MB")
+            yield Row("memory of the executive that serves it", shared_memory(pids["executive"]), "MB")
 
 
 def _asked(asking: http.client.HTTPConnection, query: str) -> tuple[float, int]:

@@ -13,10 +13,11 @@ from collections.abc import Iterator
 from typing import Final
 
 from benchmarks.echo import KEY
-from benchmarks.machine import frozen, memory
+from benchmarks.machine import frozen
 from benchmarks.processes import PREFIX, burners, echo, running
 from benchmarks.rows import Row, quantile, spread
 from benchmarks.ticks import FETCH, ITEMS, forget
+from tandem.executive.system.process_usage import shared_memory
 from tandem.skills.ports.bus import Bus, Desk, Inbox, Pending
 from tandem.skills.ports.hardware import Clock
 from tandem.skills.ports.hearing import Ear
@@ -49,7 +50,7 @@ def rows(*, quick: bool = False) -> Iterator[Row]:
         yield from _once(endpoint, share, "", aim=2.0)
         with burners(cores, most=LOADED_FOR):
             yield from _once(endpoint, share * 2, f" ({cores} burners on {cores} cores)", aim=None)
-        yield Row("memory of the executive alone", memory(pids["executive"]), "MB")
+        yield Row("memory of the executive alone", shared_memory(pids["executive"]), "MB")
 
 
 def _once(endpoint: str, share: int, under: str, *, aim: float | None) -> Iterator[Row]:

@@ -15,15 +15,10 @@ from pathlib import Path
 from tandem.executive.config.run_options import BusOptions, RunOptions
 from tandem.executive.system.isolation import isolate_children
 from tandem.executive.system.process_system import ProcessSystem
+from tandem.executive.system.process_usage import processor_seconds
 from tandem.executive.system.roles.recorder import NAME
 from tandem.skills.ports.tasks import REQUEST
 from tandem.skills.wire.clocks import HostClocks
-
-
-def cpu_seconds(pid: int) -> float:
-    """Return user and system time of a process, in seconds."""
-    fields = Path(f"/proc/{pid}/stat").read_text("utf-8").rpartition(")")[2].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def resident(pid: int) -> float:
@@ -38,10 +33,10 @@ def measure(options: RunOptions, seconds: float) -> tuple[float, float]:
     with ProcessSystem(options) as system:
         pid = system.pids()[NAME]
         system.bus.publish(REQUEST, b'{"task": "fetch", "item": 29}')
-        before, began = cpu_seconds(pid), clocks.monotonic()
+        before, began = processor_seconds(pid), clocks.monotonic()
         while clocks.monotonic() - began < seconds:
             system.advance()
-        return (cpu_seconds(pid) - before) / (clocks.monotonic() - began), resident(pid)
+        return (processor_seconds(pid) - before) / (clocks.monotonic() - began), resident(pid)
 
 
 def main() -> None:

@@ -16,11 +16,11 @@ import sys
 import time
 from collections import deque
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import IO, Final
 
 from tandem.executive.system.deferred_signals import signals_later
 from tandem.executive.system.isolation import isolated, python
+from tandem.executive.system.process_usage import processor_seconds
 
 ROOM: Final = 8192
 """Characters that the nursery's command line has for that of a process which is born."""
@@ -289,7 +289,7 @@ class Births:
         """Say whether it has neither answered nor computed for too long; it may do the latter a few times."""
         if time.monotonic() < self._answer_by:
             return False
-        before, self._computed = self._computed, _processor_seconds(self._process.pid)
+        before, self._computed = self._computed, processor_seconds(self._process.pid)
         self._answer_by, self._patience = time.monotonic() + BORN_WITHIN, self._patience - 1
         return self._patience < 0 or self._computed - before < WORKS
 
@@ -328,15 +328,6 @@ def begun() -> Iterator[Births | None]:
 def possible() -> bool:
     """Say whether this system can do it."""
     return sys.platform == "linux" and hasattr(os, "pidfd_open")
-
-
-def _processor_seconds(pid: int) -> float:
-    """Return what a process has computed; 0 when it is gone."""
-    try:
-        fields = Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
-    except OSError:
-        return 0.0
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def _adopt(yes: bool) -> None:  # noqa: FBT001 - as the system's call has it

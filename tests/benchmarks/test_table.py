@@ -10,12 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.machine import Others, descendants, memory
+from benchmarks.machine import Others, descendants
 from benchmarks.rows import Row, quantile, spread
 from benchmarks.run import names, page, table
 from tandem.executive.cli.commands import bench_command
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.main import main
+from tandem.executive.system.process_usage import shared_memory
 
 
 @pytest.mark.parametrize(
@@ -63,7 +64,7 @@ def test_what_this_process_burns_is_not_others(monkeypatch: pytest.MonkeyPatch) 
 def test_a_process_has_memory_and_is_its_own_descendant() -> None:
     with subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE) as child:
         assert descendants(child.pid) == [child.pid]
-        assert 0.0 < memory(child.pid) < 1000.0
+        assert 0.0 < shared_memory(child.pid) < 1000.0
         child.kill()
 
 

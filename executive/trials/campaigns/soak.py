@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 from typing import Final
@@ -18,6 +17,7 @@ from pydantic import JsonValue
 
 from tandem.executive.config.run_options import BusOptions, RunOptions
 from tandem.executive.system.process_system import ProcessSystem
+from tandem.executive.system.process_usage import usage
 from tandem.executive.system.systems import SystemFailure, wait_for
 from tandem.executive.trials.campaigns.crash_world import ITEM, RESET, AskReset
 from tandem.executive.trials.campaigns.mock_roles import MOCKED
@@ -93,31 +93,6 @@ class Soak(Message):
     samples: tuple[Sample, ...]
     wrong: tuple[str, ...]
     """What missed its aim; empty when the run is right."""
-
-
-@dataclass(frozen=True)
-class Usage:
-    """What the kernel says of a process: anonymous memory in megabytes, open handles, threads."""
-
-    memory: float
-    handles: int
-    threads: int
-
-
-def usage(pid: int) -> Usage:
-    """Read a process's usage from ``/proc``.
-
-    Raises:
-        OSError: when there is no such process.
-    """
-    about = Path("/proc") / str(pid)
-    rollup = (about / "smaps_rollup").read_text("ascii")
-    kilobytes = next(int(line.split()[1]) for line in rollup.splitlines() if line.startswith("Anonymous:"))
-    return Usage(
-        memory=kilobytes * 1024 / 1e6,
-        handles=len(os.listdir(about / "fd")),  # noqa: PTH208 - names are enough, and no path is made of them
-        threads=len(os.listdir(about / "task")),  # noqa: PTH208
-    )
 
 
 def run_soak(
