@@ -14,9 +14,10 @@ config.insert_json5("mode", '"client"')
 config.insert_json5("connect/endpoints", json.dumps([router]))
 statuses: "queue.Queue[dict[str, object]]" = queue.Queue()
 with zenoh.open(config) as session:
-    # First listen, then ask how it stands: nothing can happen unseen in between.
+    # First listen, then ask how it stands: nothing can happen unseen in between. One key has the statuses
+    # of all tasks; a subscription for each task would cost the router memory that it never gives back.
     listening = session.declare_subscriber(
-        f"{keys}/task/{task}/status", lambda sample: statuses.put(json.loads(sample.payload.to_bytes()))
+        f"{keys}/task/status", lambda sample: statuses.put(json.loads(sample.payload.to_bytes()))
     )
     for reply in session.get(f"{keys}/task/list", payload="{}"):
         if reply.ok is not None:
@@ -25,6 +26,8 @@ with zenoh.open(config) as session:
                     statuses.put(known)
     while True:
         status = statuses.get(timeout=60.0)
+        if status["task"] != task:
+            continue
         print(status["state"], status["progress"])
         if status["state"] in ENDED:
             break

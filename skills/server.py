@@ -45,7 +45,7 @@ log = logging.getLogger(__name__)
 T = TypeVar("T")
 
 KEPT: Final = 256
-"""Ended goals whose result is remembered, and as many that were rejected."""
+"""Ended goals whose result is remembered; as many rejected ones, and as many that were called off unseen."""
 FEEDBACK_PERIOD: Final = 0.1
 """Robot seconds between two published statuses with new feedback only."""
 COMMANDER: Final = "executive"

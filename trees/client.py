@@ -155,7 +155,7 @@ class GoalHandle(Generic[G, F, R]):
             if self.state is not None:
                 self._forgotten()
             elif self._canceling:  # the answer to that: its server never had it, and won't begin it
-                self._cancel_ends(self._client.action.name)
+                self._cancel_ends()
             return
         self._sequence, self.state = status.sequence, status.state
         self._heard_at = self._told_at = self._client.clocks.monotonic()
@@ -166,14 +166,16 @@ class GoalHandle(Generic[G, F, R]):
             self.result = action.result.model_validate(status.result)
         self.failure = status.failure
         if status.state is GoalState.CANCELED:
-            self._cancel_ends(action.name)
+            self._cancel_ends()
 
-    def _cancel_ends(self, action: str) -> None:
+    def _cancel_ends(self) -> None:
         """Have it end as one that was cancelled, or did not end in time."""
         self.state = GoalState.CANCELED
         if self._timed_out:
             self.state = GoalState.FAILED
-            self.failure = self._fail(FailureKind.TIMED_OUT, f"{action} did not end in time")
+            self.failure = self._fail(
+                FailureKind.TIMED_OUT, f"{self._client.action.name} did not end in time"
+            )
 
     def _watch_time(self) -> None:
         self._age.update(counts=not self._pausing)

@@ -125,7 +125,7 @@ def _changed(folder: str) -> int:
 def _declared(group: Group, folders: tuple[tuple[str, int], ...]) -> EntryPoints:  # noqa: ARG001 - for the cache
     """Return what all packages declare in a group, read anew when a package comes or goes.
 
-    Each look reads files of every package, 4 ms for a hundred of them; `tandem up` looks 59 times.
+    Each look reads files of every package, and a command looks for each group and each name that it resolves.
     """
     return entry_points(group=group.entry_points)
 
