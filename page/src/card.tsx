@@ -2,6 +2,7 @@
 import { act, may } from "./acting";
 import { ask } from "./api";
 import { go } from "./route";
+import { Typed } from "./typed";
 import { ended, useLive } from "./state";
 import type { TaskStatus } from "./types";
 import { root, seconds, STATE_SIGNS, summary, took } from "./words";
@@ -70,8 +71,8 @@ export function Verbs({ status }: { status: TaskStatus }) {
     <p class="verbs">
       {verbs.map((verb) => <button key={verb} onClick={() => press(verb)}>{words[verb]}</button>)}
       {status.state === "QUEUED" && may("reprioritise") && (
-        <label>priority <input type="number" min={-100} max={100} value={status.priority}
-          onChange={(event) => act(() => ask("reprioritise", { task, priority: Number(event.currentTarget.value) }), "The queue has changed.")} /></label>
+        <label>priority <Typed type="number" min={-100} max={100} value={String(status.priority)}
+          take={(value) => value !== "" && act(() => ask("reprioritise", { task, priority: Number(value) }), "The queue has changed.")} /></label>
       )}
     </p>
   );

@@ -2,7 +2,7 @@
 import type { Problem } from "./types";
 
 export type Schema = {
-  type?: string; enum?: unknown[]; const?: unknown; anyOf?: Schema[]; oneOf?: Schema[]; default?: unknown; description?: string;
+  type?: string; enum?: unknown[]; const?: unknown; anyOf?: Schema[]; oneOf?: Schema[]; default?: unknown; description?: string; examples?: unknown[];
   minimum?: number; maximum?: number; exclusiveMinimum?: number; maxLength?: number; properties?: Record<string, Schema>;
   required?: string[]; items?: Schema; prefixItems?: Schema[]; $ref?: string; $defs?: Record<string, Schema>;
 };
@@ -16,7 +16,7 @@ export function fields(schema: Schema): [string, Schema][] {
 function shape(field: Schema): Schema {
   const several = field.anyOf ?? field.oneOf;
   const first = several?.find((each) => each.type !== "null");
-  return first ? { ...first, description: field.description, default: field.default } : field;
+  return first ? { ...first, description: field.description, default: field.default, examples: field.examples ?? first.examples } : field;
 }
 
 export function document(schema: Schema, values: Values): Record<string, unknown> {
@@ -78,6 +78,7 @@ export function Field({ name, field, value, needed, offers, problem, change }: G
 }
 
 function example(form: Schema): string {
+  if (form.examples?.length) return JSON.stringify(form.examples[0]);
   if (form.type === "array") return form.prefixItems ? `[${form.prefixItems.map(() => "0.0").join(", ")}]` : "[…]";
   return form.type === "object" ? '{"name": "value"}' : "";
 }

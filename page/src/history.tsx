@@ -4,6 +4,7 @@ import { get } from "./api";
 import { useKinds } from "./loading";
 import { go } from "./route";
 import { useLive } from "./state";
+import { Typed } from "./typed";
 import type { TaskStatus } from "./types";
 import { root, seconds, STATE_SIGNS, summary, took, when } from "./words";
 
@@ -14,7 +15,7 @@ type Found = {
   tasks: TaskStatus[]; count: number; pages: number; states: Record<string, number>; failures: Record<string, number>; kinds: Kind[];
   weeks: Week[]; nodes: Node[]; labels: string[];
 };
-const STATES = ["QUEUED", "RUNNING", "PAUSED", "SUCCEEDED", "FAILED", "CANCELED", "EXPIRED", "REJECTED", "INTERRUPTED"];
+const STATES = Object.keys(STATE_SIGNS);
 const DAYS: [string, string][] = [["", "any time"], ["1", "last day"], ["7", "last 7 days"], ["30", "last 30 days"]];
 
 export function History({ url }: { url: URL }) {
@@ -44,26 +45,25 @@ export function History({ url }: { url: URL }) {
   const choose = (name: string, options: [string, string][]) => (
     <label>{name === "days" ? "time" : name}
       <select value={wanted[name] ?? ""} onChange={(event) => change(name, event.currentTarget.value)}>
-        {options.map(([value, words]) => <option key={value} value={value}>{words}</option>)}
+        {offered(options, wanted[name] ?? "").map(([value, words]) => <option key={value} value={value}>{words}</option>)}
       </select>
     </label>
   );
   const any = (values: string[]): [string, string][] => [["", "any"], ...values.map((each): [string, string] => [each, each])];
-  const failures = [...new Set([...Object.keys(found?.failures ?? {}), ...(wanted.failure ? [wanted.failure] : [])])];
   return (
     <div class="history">
       <form class="card filters" onSubmit={(event) => event.preventDefault()} aria-label="Filters">
         {choose("state", any(STATES))}
-        {choose("kind", any(kinds?.kinds.map((each) => each.name) ?? (wanted.kind ? [wanted.kind] : [])))}
+        {choose("kind", any(kinds?.kinds.map((each) => each.name) ?? []))}
         <label>item <Typed value={wanted.item ?? ""} list="items" size={6} take={(value) => change("item", value)} /></label>
         <datalist id="items">{kinds?.items.map((each) => <option key={each} value={each} />)}</datalist>
-        {choose("failure", any(failures))}
-        {wanted.where && choose("where", any([wanted.where]))}
+        {choose("failure", any(Object.keys(found?.failures ?? {})))}
+        {wanted.where && choose("where", any([]))}
         <label>label <Typed value={wanted.label ?? ""} list="labels" size={10} take={(value) => change("label", value)} /></label>
         <datalist id="labels">{found?.labels.map((each) => <option key={each} value={each} />)}</datalist>
         {choose("days", DAYS)}
-        {choose("week", any([...new Set([...(found?.weeks.map((each) => each.week) ?? []), ...(wanted.week ? [wanted.week] : [])])]))}
-        <label>text <Typed search value={wanted.text ?? ""} take={(value) => change("text", value)} /></label>
+        {choose("week", any([...new Set(found?.weeks.map((each) => each.week))]))}
+        <label>text <Typed type="search" value={wanted.text ?? ""} take={(value) => change("text", value)} /></label>
         {url.search && <a href="/history">Clear</a>}
       </form>
       {error && <p class="failure" role="alert">{error}</p>}
@@ -102,12 +102,9 @@ export function History({ url }: { url: URL }) {
   );
 }
 
-// A field whose words count once they are entered; what happens meanwhile does not touch what is being typed.
-function Typed({ value, take, search, ...more }: { value: string; take: (value: string) => void; search?: boolean; list?: string; size?: number }) {
-  const [typed, type] = useState(value);
-  useEffect(() => type(value), [value]);
-  return <input {...more} type={search ? "search" : "text"} value={typed} onInput={(event) => type(event.currentTarget.value)} onChange={() => take(typed.trim())} />;
-}
+// What the address asks for is shown, also where it is none of what is offered: a filter that works is never hidden.
+const offered = (options: [string, string][], wanted: string): [string, string][] =>
+  options.some(([value]) => value === wanted) ? options : [...options, [wanted, wanted]];
 
 function Summary({ found, search }: { found: Found; search: string }) {
   // The same filters and one more.

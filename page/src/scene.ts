@@ -4,6 +4,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { CSS2DObject, CSS2DRenderer } from "three/examples/jsm/renderers/CSS2DRenderer.js";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
 import { cubes } from "./cubes";
+import { label, spread, write } from "./labels";
 import type { Live } from "./state";
 import type { Box, RobotDescription, Site } from "./types";
 import { named } from "./words";
@@ -68,6 +69,7 @@ export class RobotScene {
       this.frames += 1;
       this.renderer.render(this.scene, this.camera);
       this.labels.render(this.scene, this.camera);
+      spread(this.scene, this.camera, this.box.clientWidth, this.box.clientHeight);
       this.box.dataset.frames = String(this.frames);
       this.box.dataset.shapes = String(this.renderer.info.memory.geometries);
     };
@@ -307,18 +309,18 @@ export class RobotScene {
 
   private age(live: Live) {
     const facts = new Map((live.world?.items ?? []).map((fact) => [fact.item, fact]));
-    const write = (each: THREE.Object3D) => {
+    const date = (each: THREE.Object3D) => {
       if (!(each instanceof CSS2DObject)) return;
       const fact = facts.get(each.userData.item);
       if (!fact) return;
       const same = live.now?.seconds != null && fact.seen.boot === live.now.boot;
       const old = same ? live.now!.seconds! - fact.seen.seconds : null;
       const name = named(this.site, fact.item);
-      each.element.textContent = fact.held ? `${name} · held` : `${name}${old === null ? (live.now ? " · old" : "") : old < 2 ? "" : ` · ${old < 90 ? `${old.toFixed(0)} s` : `${(old / 60).toFixed(0)} min`}`}`;
+      write(each, fact.held ? `${name} · held` : `${name}${old === null ? (live.now ? " · old" : "") : old < 2 ? "" : ` · ${old < 90 ? `${old.toFixed(0)} s` : `${(old / 60).toFixed(0)} min`}`}`);
       each.element.classList.toggle("old", !fact.held && live.now !== null && (old === null || old > 60));
     };
-    this.things.traverse(write);
-    for (const each of this.held) each.traverse(write);
+    this.things.traverse(date);
+    for (const each of this.held) each.traverse(date);
     this.touch();
   }
 
@@ -365,13 +367,4 @@ function discard(object: THREE.Object3D) {
 function pose(object: THREE.Object3D, box: Box) {
   object.position.set(...(box.pose.position as [number, number, number]));
   object.quaternion.set(...(box.pose.orientation as [number, number, number, number]));
-}
-
-function label(words: string, kind: string, x: number, y: number, z: number) {
-  const element = document.createElement("span");
-  element.className = `label ${kind}`;
-  element.textContent = words;
-  const made = new CSS2DObject(element);
-  made.position.set(x, y, z);
-  return made;
 }

@@ -1,5 +1,5 @@
 // Numbers and states as people read them.
-import type { Failure, Site, TaskStatus } from "./types";
+import type { Failure, Site, TaskState, TaskStatus } from "./types";
 import type { Now } from "./state";
 
 export const SIGNS: Record<string, string> = { INVALID: "·", RUNNING: "▶", SUCCESS: "✓", FAILURE: "✗" };
@@ -13,7 +13,7 @@ export const KIND_WORDS: Record<string, string> = {
   sequence: "sequence: one after the other", selector: "selector: the first that succeeds", parallel: "parallel",
   recovery: "recovery: tries, repairs, tries again", decorator: "decorator", condition: "guard: only looks", action: "action",
 };
-export const STATE_SIGNS: Record<string, string> = {
+export const STATE_SIGNS: Record<TaskState, string> = {
   QUEUED: "◦", RUNNING: "▶", PAUSING: "‖", PAUSED: "‖", CANCELING: "■", SUCCEEDED: "✓", FAILED: "✗", CANCELED: "■",
   EXPIRED: "⌛", REJECTED: "✗", INTERRUPTED: "!",
 };

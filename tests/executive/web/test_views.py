@@ -24,6 +24,7 @@ from tandem.skills.ports.occupancy import Occupancy, pack
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.reflex import PipelineState, ReflexState, pipeline_state, reflex_state
 from tandem.skills.ports.tasks import (
+    TASK_STATUS,
     Attempt,
     KindOfTask,
     TaskKinds,
@@ -192,7 +193,11 @@ KIND = KindOfTask(
     summary="Fetch an item.",
     request={
         "type": "object",
-        "properties": {"task": {"const": "fetch"}, "item": {"type": "integer", "description": "which"}},
+        "properties": {
+            "task": {"const": "fetch"},
+            "item": {"type": "integer", "description": "which"},
+            "ways": {"type": "array", "items": {}, "examples": [[{"x": 1.5}]]},
+        },
         "required": ["task", "item"],
     },
 )
@@ -205,6 +210,7 @@ def test_a_form_is_kept_as_a_favourite_and_taken_along(page: Page, robot: FakeRo
     page.get_by_role("button", name="Keep as favourite").click()
     page.goto("/request?task=fetch")
     expect(page.get_by_label("item")).to_have_value("")
+    expect(page.get_by_label("ways")).to_have_attribute("placeholder", '[{"x":1.5}]')
     page.get_by_role("link", name="the red one").click()
     expect(page.get_by_label("item")).to_have_value("29")
     picture(page, "page-request")
@@ -289,6 +295,46 @@ def test_items_are_called_by_their_names_and_tins_are_round(page: Page, robot: F
         robot.tell((SCENE, PlanningScene(stamp=robot.now, version=version, objects=things)))
         expect(page.locator(".label.item")).to_have_text(["tea", str(7 + version)])
     page.wait_for_function(f"n => {drawn} <= n", arg=shapes)  # what is drawn anew leaves nothing behind
+
+
+def test_names_of_things_that_stand_close_do_not_lie_on_each_other(page: Page, robot: FakeRobot) -> None:
+    def thing(item: int) -> SceneObject:
+        place = Pose(position=(0.8 + item / 25, 0.1, 0.8), orientation=(0.0, 0.0, 0.0, 1.0))
+        return SceneObject(name=f"item {item}", kind="item", box=Box(size=(0.03,) * 3, pose=place), item=item)
+
+    things = tuple(thing(item) for item in range(1, 9))
+    page.goto("/")
+    expect(page.locator(".link")).to_contain_text("nothing heard")
+    robot.tell((SCENE, PlanningScene(stamp=robot.now, version=1, objects=things)))
+    names = page.locator(".label.item")
+    expect(names).to_have_count(len(things))
+    expect(names.first).to_be_visible()
+    drawn = """labels => labels.map(each => each.getBoundingClientRect()).flatMap((one, i, all) => all
+        .slice(i + 1).map(other => Math.min(one.right, other.right) - Math.max(one.left, other.left) > 0
+            && Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top) > 0))"""
+    picture(page, "page-names")
+    assert not any(names.evaluate_all(drawn))
+
+
+def test_what_is_typed_stays_while_the_robot_goes_on(page: Page, robot: FakeRobot) -> None:
+    waiting = TaskStatus(task="go-1", kind="go", request={}, state=TaskState.QUEUED, accepted_at=0.0)
+    robot.tasks = (waiting,)
+    page.goto("/task/go-1")
+    priority = page.get_by_label("priority")
+    priority.fill("5")
+    robot.tell((TASK_STATUS, waiting.model_copy(update={"waits_for": "its turn"})))
+    expect(page.locator(".figures")).to_contain_text("its turn")
+    with page.expect_request("**/api/verb/reprioritise") as sent:
+        priority.press("Enter")
+    assert sent.value.post_data_json["priority"] == 5
+    expect(page.get_by_role("alert")).to_be_visible()  # nobody answers here
+    expect(priority).to_have_value("0")
+
+
+@pytest.mark.parametrize("state", [*TaskState, "BAD"])
+def test_a_filter_of_the_address_is_shown(page: Page, state: str) -> None:
+    page.goto(f"/history?state={state}")
+    expect(page.get_by_label("state")).to_have_value(state)
 
 
 def test_a_failure_that_came_again_and_again_is_said_once(page: Page, robot: FakeRobot) -> None:
