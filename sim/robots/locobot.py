@@ -74,7 +74,10 @@ PLATE: Final = 0.124
 ARM_X: Final = 0.097277
 TOWER: Final = (-0.045, 0.0, PLATE)
 PAN: Final = (0.002, 0.0, PLATE + 0.44425)
-"""On the large tower, which comes with this arm: 6 cm higher than on the small one."""
+"""On the large tower, which comes with this arm: 6 cm higher than on the small one. It stands on a tongue of
+the tower's plate, 64 mm wide, then 34, that ends 18 mm before the pan's axis; the plate itself ends 58 mm
+behind the axis (measured on nav-planning's mesh of the small tower). A plate that went on to the axis would
+hold up a camera that tilts down by more than 20 degrees."""
 LASER_IN_BASE: Final = (-0.10, 0.0, 0.235)
 """Ours. The beams pass the tower's posts, which the simulated laser does not see."""
 
@@ -131,7 +134,9 @@ def _urdf() -> str:
         _shape(f'<cylinder radius="{BODY_RADIUS}" length="0.109"/>', (0.0, 0.0, 0.0695))
         + _box((-0.06, 0.0, 0.167), (0.13, 0.28, 0.086))
         + posts
-        + _box((-0.068, 0.0, 0.567), (0.198, 0.29, 0.012))
+        + _box((PAN[0] - 0.1195, 0.0, PAN[2] - 0.005), (0.123, 0.29, 0.010))
+        + _box((PAN[0] - 0.0445, 0.0, PAN[2] - 0.005), (0.027, 0.064, 0.010))
+        + _box((PAN[0] - 0.0068, 0.0, PAN[2] - 0.005), (0.0485, 0.034, 0.010))
         + _shape('<cylinder radius="0.038" length="0.04"/>', (LASER_IN_BASE[0], 0.0, 0.23))
     )
     arm = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import math
 from collections.abc import Generator
 from typing import Final
@@ -29,6 +30,11 @@ _ANSWER: Final = 1.0
 """Robot seconds for the hardware to answer a goal."""
 _OVERTIME: Final = 2.0
 """Robot seconds beyond the trajectory's own for the head to be at rest."""
+SHORT: Final = 0.05
+"""Radians (3 degrees) by which a head may rest beside its aim and is there all the same: a twentieth of what
+a picture spans. What holds up a head, such as a camera that touches the robot, leaves ten times as much."""
+
+_LOG = logging.getLogger(__name__)
 
 Steps = Generator[LookFeedback | Slice, Command, None]
 
@@ -46,6 +52,8 @@ class Head:
         self._bus, self._group, self._goal_id = bus, group, goal_id
         self._status: Latest[GroupStatus] = Latest(bus, group_status(HEAD))
         self._sent = 0
+        self.short = 0.0
+        """Radians by which the last motion ended short of its aim, if by more than ``SHORT``; else 0.0."""
         self._moving = ""
         self._interrupted = False
 
@@ -68,8 +76,8 @@ class Head:
     ) -> Steps:
         """Go to the end positions (rad) and come to rest there. A motion that strayed counts as over.
 
-        Where the camera is, is measured; so a head that stops short spoils the view and not the poses. A
-        pause halts the head; afterwards it goes on to where it was going.
+        Where the camera is, is measured; so a head that stops short spoils the view and not the poses;
+        ``short`` tells by how much. A pause halts the head; afterwards it goes on to where it was going.
 
         Args:
             session: of the run.
@@ -81,6 +89,7 @@ class Head:
             LookError: when the hardware refuses, or the head does not come to rest.
         """
         session.on_pause = self._interrupt
+        self.short = 0.0
         while True:
             self._interrupted = False
             newest = joints.newest
@@ -92,7 +101,19 @@ class Head:
             yield from self._go(session, start, end, meanwhile)
             meanwhile = None
             if not self._interrupted:
+                self._note_miss(joints, end)
                 return
+
+    def _note_miss(self, joints: JointHistory, end: tuple[float, ...]) -> None:
+        newest = joints.newest
+        assert newest is not None
+        reached = newest.position_of(self._group.joints)
+        misses = [abs(a - b) for a, b in zip(reached, end, strict=True)]
+        miss = max(misses)
+        if miss > SHORT:
+            self.short = miss
+            joint = self._group.joints[misses.index(miss)]
+            _LOG.warning("the head stopped short", extra={"joint": joint, "rad": round(miss, 3)})
 
     def _interrupt(self) -> None:
         self._interrupted = True

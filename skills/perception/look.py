@@ -52,7 +52,9 @@ class _Looking(View):
     hidden: set[int] = field(default_factory=set)
     """Items whose place the last view that showed it showed covered."""
     heads: list[tuple[float, ...]] = field(default_factory=list)
-    """Positions of the head from which a picture was taken."""
+    """Positions of the head from which a picture was to be taken."""
+    short: float = 0.0
+    """Radians by which the head stopped short in a view that the goal names."""
 
     def positions(self) -> dict[str, float]:
         """Return where the joints are, by name."""
@@ -166,6 +168,7 @@ class Look:
             if looking.found():
                 break
             reading = yield from self._one_view(looking, self._target(looking, number), goal.pictures)
+            looking.short = max(looking.short, looking.head.short)
         if goal.around > 0.0:
             reading = yield from self._look_around(looking, reading)
         yield from reading
@@ -280,6 +283,7 @@ class Look:
             sightings=merge(looking.sightings, self._sizes),
             hidden=tuple(sorted(looking.hidden - seen)),
             clutter=looking.boxes,
+            head_short=looking.short,
         )
 
 

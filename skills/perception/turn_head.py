@@ -77,4 +77,4 @@ class TurnHead:
         known = dict(zip(joints.newest.names, joints.newest.positions, strict=True))
         end = self._aim.at(transform(invert(to_pose(goal.base)), goal.at), known)
         yield from head.move(session, joints, end)
-        return end
+        return joints.newest.position_of(self._aim.group.joints)

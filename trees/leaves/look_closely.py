@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 from tandem.skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
@@ -16,6 +17,28 @@ PICTURES: Final = 3
 REACH: Final = 1.15
 """Metres from the base's axis to where no hand gets at a table's height: 1.14 m in 6,582 random postures of
 TIAGo++. The look itself goes no farther than the robot's own arms."""
+
+
+def not_seen(item: int, result: LookResult) -> Failure:
+    """Return why a look straight at the item's place has not seen it."""
+    if item in result.hidden:
+        return Failure(
+            kind=FailureKind.ITEM_HIDDEN,
+            message=f"item {item} can't be seen from here: something stands before it",
+            evidence={"item": item},
+        )
+    if result.head_short:
+        short = math.degrees(result.head_short)
+        return Failure(
+            kind=FailureKind.ITEM_HIDDEN,
+            message=f"item {item} can't be seen from here: the head stops {short:.0f} degrees short of it",
+            evidence={"item": item, "head_short_rad": round(result.head_short, 3)},
+        )
+    return Failure(
+        kind=FailureKind.ITEM_GONE,
+        message=f"item {item} is not where it was seen before",
+        evidence={"item": item, "pictures": PICTURES},
+    )
 
 
 def look_closely(
@@ -34,17 +57,7 @@ def look_closely(
             return several
         if any(sighting.item == board.item for sighting in result.sightings):
             return None
-        if board.item in result.hidden:
-            return Failure(
-                kind=FailureKind.ITEM_HIDDEN,
-                message=f"item {board.item} can't be seen from here: something stands before it",
-                evidence={"item": board.item},
-            )
-        return Failure(
-            kind=FailureKind.ITEM_GONE,
-            message=f"item {board.item} is not where it was seen before",
-            evidence={"item": board.item, "pictures": PICTURES},
-        )
+        return not_seen(board.item, result)
 
     return Act(
         name,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Final
 
 from pydantic import Field
@@ -47,6 +48,9 @@ class LookResult(Message):
     """Items that were not seen because something closer to the camera hides their place."""
     clutter: Count = 0
     """Boxes of clutter measured."""
+    head_short: Annotated[float, Field(ge=0.0, le=math.tau)] = 0.0
+    """Radians by which the head, held up by something, stopped short of where the goal had it look; 0.0 when
+    it got there. What was not seen then may well be there."""
 
 
 class TrackGoal(Message):

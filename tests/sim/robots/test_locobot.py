@@ -44,6 +44,24 @@ def test_it_stands_level_whatever_the_arm_does() -> None:
         assert orientation[:2] == pytest.approx((0.0, 0.0), abs=LEVEL)
 
 
+def test_the_camera_tilts_down_over_the_front_of_its_tower() -> None:
+    """A plate that was drawn too long held it up at 20 degrees: what stood on a low board was never seen."""
+    physics = Physics()
+    physics.add_floor()
+    model = robot_model(ROBOT)
+    home = dict(home_positions(model.description))
+    body = RobotBody(physics, model, positions=home)
+    (low,) = (
+        limit.lower for group in model.description.groups for limit in group.limits if limit.joint == "tilt"
+    )
+    wanted = home | {"tilt": low + 0.05}
+    for _ in range(600):
+        speeds = [4.0 * (wanted[each] - body.read((each,))[0].position) for each in wanted]
+        body.drive_velocities(list(wanted), speeds, [20.0] * len(wanted))
+        physics.step(1)
+    assert body.read(("tilt",))[0].position == pytest.approx(low + 0.05, abs=0.02)
+
+
 def test_it_weighs_what_its_parts_do() -> None:
     root = ET.fromstring(robot_model(ROBOT).physics_urdf)  # noqa: S314
     assert sum(float(each.get("value", "0")) for each in root.iter("mass")) == pytest.approx(9.2, abs=0.3)

@@ -100,6 +100,8 @@ class Stage:
     painted: list[float] = field(default_factory=list)
     goals: list[TrajectoryGoal] = field(default_factory=list)
     refuse: str = ""
+    held_up_at: float = -math.inf
+    """Radians of the tilt below which the head can't get, whatever its limits say."""
 
     def __post_init__(self) -> None:
         self.clocks.advance(1.0)
@@ -179,8 +181,10 @@ class Stage:
             self.head = np.array(
                 [np.interp(t, times, [point.positions[i] for point in points]) for i in range(2)]
             )
-            if t >= times[-1] + 0.03:
-                self._end(MotionState.SUCCEEDED)
+            held_up = float(self.head[1]) < self.held_up_at
+            self.head[1] = max(float(self.head[1]), self.held_up_at)
+            if held_up or t >= times[-1] + 0.03:
+                self._end(MotionState.ABORTED if held_up else MotionState.SUCCEEDED)
         self.speed = (self.head - before) / 0.01
 
     def _end(self, state: MotionState) -> None:

@@ -117,6 +117,12 @@ def test_looking_at_a_point_brings_it_to_the_middle() -> None:
     assert abs(y / z) < 0.01
 
 
+def test_a_head_that_is_held_up_is_told() -> None:
+    outcome = drive(Stage(paint(TAG), ROBOT, held_up_at=-0.2), LookGoal(tilts=(0.1, -0.5)))
+    assert outcome.result is not None
+    assert outcome.result.head_short == pytest.approx(0.3, abs=0.01)
+
+
 def test_clutter_is_measured_beside_a_known_item() -> None:
     table = box_in_map(LAB.furniture[1].boxes[0])
     can = Box(size=(0.08, 0.08, 0.15), pose=Pose(position=(0.7, 0.4, 0.785)))
