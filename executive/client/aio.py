@@ -272,9 +272,9 @@ class AsyncClient:
         """Return the camera's picture of an attempt as JPEG; empty when it is not kept (any more)."""
         return await self._drive(self._ask.picture(task, number))
 
-    async def camera(self) -> bytes:
-        """Return what the head camera sees now as JPEG; empty when no picture comes."""
-        return await self._drive(self._ask.camera())
+    async def camera(self, name: str = "") -> bytes:
+        """Return what a camera (the first, unless named) sees now as JPEG; empty when no picture comes."""
+        return await self._drive(self._ask.camera(name))
 
     # Verbs: as in sync.
 

@@ -14,7 +14,7 @@ from tandem.executive.client.errors import RefusedError, RejectedError, UnknownT
 from tandem.executive.client.talks import Sent, Talk, Talks
 from tandem.executive.render.failure_words import chosen, explain
 from tandem.executive.security.identity import Identity
-from tandem.skills.ports.actions.perception import PICTURE
+from tandem.skills.ports.actions.perception import PICTURE, AskView
 from tandem.skills.ports.hardware import RobotDescription, Stop, StopRelease, StopState
 from tandem.skills.ports.keys import DESCRIPTION, STOP, STOP_RELEASE, Nothing, Service
 from tandem.skills.ports.message import Message
@@ -166,9 +166,10 @@ class Questions:
         asked = AskPicture(task=task, picture=number).model_dump_json().encode()
         return (yield from self.talks.raw(TASK_PICTURE, asked)) or b""
 
-    def camera(self) -> Talk[bytes]:
-        """Return what the head camera sees now as JPEG; empty when no picture comes."""
-        return (yield from self.talks.raw(PICTURE, b"")) or b""
+    def camera(self, name: str = "") -> Talk[bytes]:
+        """Return what a camera sees now as JPEG; empty when no picture comes."""
+        asked = AskView(camera=name).model_dump_json().encode() if name else b""
+        return (yield from self.talks.raw(PICTURE, asked)) or b""
 
     def switch_reflex(self, reflex: str, by: str, *, on: bool) -> Talk[ReflexState]:
         """Switch a reflex on or off."""

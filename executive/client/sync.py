@@ -253,9 +253,9 @@ class Client:
         """Return the camera's picture of an attempt as JPEG; empty when it is not kept (any more)."""
         return self._drive(self._ask.picture(task, number))
 
-    def camera(self) -> bytes:
-        """Return what the head camera sees now as JPEG; empty when no picture comes."""
-        return self._drive(self._ask.camera())
+    def camera(self, name: str = "") -> bytes:
+        """Return what a camera (the first, unless named) sees now as JPEG; empty when no picture comes."""
+        return self._drive(self._ask.camera(name))
 
     # Verbs: each but cancel is of the running task unless one is named, and returns the task's id;
     # RefusedError has the executive's reason when it is not taken.

@@ -172,9 +172,9 @@ class Site:
         return Response(found, media_type="image/jpeg")
 
     async def camera(self, request: Request) -> Response:
-        """Send what the camera sees now."""
-        del request
-        jpeg, age = await self.eye.picture(await self.robot.client())
+        """Send what a camera sees now."""
+        name = request.query_params.get("name", "")
+        jpeg, age = await self.eye.picture(await self.robot.client(), name)
         if not jpeg:
             raise WrongError(404, "the camera sends no picture")
         headers = {"Cache-Control": "no-store", "X-Age": f"{age:.1f}"}

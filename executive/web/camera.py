@@ -1,4 +1,4 @@
-"""The camera's picture for all who look on: asked for once, however many they are."""
+"""A camera's picture for all who look on: asked for once, however many they are."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Shot:
 
 
 class Camera:
-    """Asks perception for the head camera's next picture.
+    """Asks perception for the next picture of a camera.
 
     Args:
         monotonic: seconds of the host.
@@ -33,12 +33,20 @@ class Camera:
     def __init__(self, monotonic: Callable[[], float] = time.monotonic) -> None:
         self._monotonic = monotonic
         self._asking = asyncio.Lock()
-        self._shot: Shot | None = None
+        self._shots: dict[str, Shot] = {}
 
-    async def picture(self, client: AsyncClient) -> tuple[bytes, float]:
-        """Return a JPEG (empty: there is none) and its age in host seconds; errors as the client's."""
+    async def picture(self, client: AsyncClient, name: str = "") -> tuple[bytes, float]:
+        """Return a JPEG (empty: there is none) and its age in host seconds; errors as the client's.
+
+        Args:
+            client: who asks.
+            name: the camera's; empty: the first.
+        """
         async with self._asking:
-            if self._shot is None or self._monotonic() - self._shot.came > KEPT:
-                jpeg = await client.camera()
-                self._shot = Shot(jpeg, self._monotonic())
-            return self._shot.jpeg, self._monotonic() - self._shot.came
+            now = self._monotonic()
+            self._shots = {each: shot for each, shot in self._shots.items() if now - shot.came <= KEPT}
+            if name not in self._shots:
+                jpeg = await client.camera(name)
+                self._shots[name] = Shot(jpeg, self._monotonic())
+            shot = self._shots[name]
+            return shot.jpeg, self._monotonic() - shot.came

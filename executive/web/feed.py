@@ -40,7 +40,7 @@ LASER_EVERY: Final = 5
 """Polls between two scans."""
 SECOND: Final = 20
 """Polls in a second."""
-UNTOLD: Final = frozenset({"nodes", "tree", "joints", "laser"})
+UNTOLD: Final = frozenset({"nodes", "tree", "joints", "lasers"})
 """Parts that are not kept as they were told."""
 KEPT: Final = 200
 """Tasks that are told to who opens the page."""
@@ -75,7 +75,7 @@ class Feed:
         self._pipelines = Latest(bus, pipeline_state("*"), depth=4)
         self._sightings = Latest(bus, SIGHTINGS, depth=16)
         self._drive = Latest(bus, status_topic(DRIVE.name), depth=4)
-        self._laser: Latest[LaserScan] | None = None
+        self._lasers: dict[str, Latest[LaserScan]] = {}
         self._arms: dict[str, Latest[GoalStatus]] = {}
         self._told: Update = {}
         self._last: TreeSnapshot | None = None
@@ -91,8 +91,9 @@ class Feed:
         for hand in robot.end_effectors:
             if hand.group not in self._arms:
                 self._arms[hand.group] = Latest(self._bus, status_topic(move(hand.group).name), depth=4)
-        if robot.lasers and self._laser is None:
-            self._laser = Latest(self._bus, laser(robot.lasers[0].name), depth=1)
+        for sensor in robot.lasers:
+            if sensor.name not in self._lasers:
+                self._lasers[sensor.name] = Latest(self._bus, laser(sensor.name), depth=1)
 
     def whole(self) -> Update:
         """Return all that is known, for who has just come."""
@@ -141,10 +142,12 @@ class Feed:
         for heard in (
             self._clock, self._joints, self._pose, self._stop, self._scene, self._world, self._pulse,
             self._statuses, self._trees, self._reflexes, self._pipelines, self._sightings, self._drive,
-            self._laser, *self._arms.values(),
         ):  # fmt: skip
-            if heard is not None:
-                heard.close()
+            heard.close()
+        for scans in self._lasers.values():
+            scans.close()
+        for moves in self._arms.values():
+            moves.close()
         self._others.close()
 
     def _time(self, update: Update) -> None:
@@ -175,10 +178,11 @@ class Feed:
             told |= {"x": round(at.x, 3), "y": round(at.y, 3), "yaw": round(at.yaw, 4)}
             told["position_sigma"] = round(pose.position_sigma, 3)
             self._if_new("pose", told, update)
-        if self._laser is not None and self._polls % LASER_EVERY == 0:
-            scan = self._fresh(self._laser)
-            if scan is not None:
-                update["laser"] = [round(each, 2) for each in scan.ranges]
+        if self._polls % LASER_EVERY == 0:
+            for name, heard in self._lasers.items():
+                scan = self._fresh(heard)
+                if scan is not None:
+                    merge(update, {"lasers": {name: [round(each, 2) for each in scan.ranges]}})
 
     def _beliefs(self, update: Update) -> None:
         scene = self._fresh(self._scene)

@@ -20,6 +20,7 @@ from tandem.executive.security.rights import Rights
 from tandem.executive.web.robot import REPLAY, Ears, Who
 from tandem.executive.web.viewers import Update
 from tandem.skills.ports.bus import Bus
+from tandem.skills.ports.keys import rgbd
 from tandem.skills.ports.message import Message, RobotTime
 
 LONGEST: Final = 0.25
@@ -112,12 +113,13 @@ class Replay:
         }
         return {"replay": told}
 
-    def picture(self) -> bytes:
-        """Return what the camera saw last, as JPEG; empty when there is none."""
+    def picture(self, camera: str) -> bytes:
+        """Return what a camera saw last, as JPEG; empty when there is none. Without a name: any camera."""
         at = self.player.at
         found = b""
         for each in self.record.pictures(at - PICTURE_WITHIN, at):
-            found = each.payload
+            if not camera or each.key == rgbd(camera):
+                found = each.payload
         return found
 
     def _at_of(self, seconds: float) -> float | None:
@@ -164,5 +166,5 @@ class _PastClient(AsyncClient):
         super().__init__(str(replay.record.path), link=_PastLink(replay.player), patience=0.5)
         self._replay = replay
 
-    async def camera(self) -> bytes:
-        return self._replay.picture()
+    async def camera(self, name: str = "") -> bytes:
+        return self._replay.picture(name)

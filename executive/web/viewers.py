@@ -14,7 +14,7 @@ from typing import Final
 from pydantic import JsonValue
 
 Update = dict[str, JsonValue]
-MERGED: Final = frozenset({"tasks", "nodes", "joints", "reflexes", "pipelines", "robots", "hands"})
+MERGED: Final = frozenset({"tasks", "nodes", "joints", "reflexes", "pipelines", "robots", "hands", "lasers"})
 MOST: Final = 32
 """Viewers at once."""
 

@@ -1,7 +1,9 @@
-// What the camera sees, with the tags that perception has found. Asked for only while it is open and in view.
+// What a camera sees, with the tags that perception has found. Asked for only while it is open and in view.
+import type { ComponentChildren } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { picture } from "./api";
 import { useRobot, useSite } from "./loading";
+import { mark } from "./route";
 import { useLive, type Tags } from "./state";
 import type { CameraSensor } from "./types";
 import { named } from "./words";
@@ -9,12 +11,23 @@ import { named } from "./words";
 const EVERY = 1000;
 const FRESH = 3; // robot seconds for which a tag is drawn where it was seen
 
-export function Camera() {
+// The camera of that name, or the first: with that one perception looks, so that the tags are in its picture.
+export function Camera({ name }: { name: string }) {
+  const cameras = useRobot().value?.cameras;
+  if (!cameras?.length) return null;
+  const sensor = cameras.find((each) => each.name === name) ?? cameras[0]!;
+  const choice = cameras.length > 1 && (
+    <select aria-label="Camera" value={sensor.name} onChange={(event) => mark("camera", event.currentTarget.value)}>
+      {cameras.map((each) => <option key={each.name} value={each.name}>{each.name}</option>)}
+    </select>
+  );
+  return <View key={sensor.name} sensor={sensor} reads={sensor === cameras[0]}>{choice}</View>;
+}
+
+function View({ sensor, reads, children }: { sensor: CameraSensor; reads: boolean; children: ComponentChildren }) {
   const [shown, show] = useState<{ url: string; came: number } | null>(null);
   const [error, fail] = useState("");
   const [now, tick] = useState(performance.now());
-  const robot = useRobot().value;
-  const sensor = robot?.cameras[0];
   useEffect(() => {
     let over = false;
     let timer = 0;
@@ -22,7 +35,7 @@ export function Camera() {
     const look = async () => {
       if (!document.hidden) {
         try {
-          const { blob, age } = await picture("/api/camera");
+          const { blob, age } = await picture(`/api/camera?name=${encodeURIComponent(sensor.name)}`);
           if (over) return;
           URL.revokeObjectURL(last);
           last = URL.createObjectURL(blob);
@@ -46,9 +59,9 @@ export function Camera() {
   const age = shown ? Math.max(0, (now - shown.came) / 1000) : null;
   return (
     <figure class="camera">
-      {shown ? <span class="shot"><img src={shown.url} alt="What the robot's camera sees" />{sensor && <Found sensor={sensor} />}</span>
-        : <p class="quiet">{error || "Asking for a picture…"}</p>}
-      {shown && <figcaption>{error ? `${error}; this one is ${age!.toFixed(0)} s old` : `${age! < 1.5 ? "now" : `${age!.toFixed(0)} s old`}`}<Seen /></figcaption>}
+      {shown ? <span class="shot"><img src={shown.url} alt={`What the camera ${sensor.name} sees`} />{reads && <Found sensor={sensor} />}</span>
+        : <p class="quiet">{children}{error || "Asking for a picture…"}</p>}
+      {shown && <figcaption>{children}{error ? `${error}; this one is ${age!.toFixed(0)} s old` : `${age! < 1.5 ? "now" : `${age!.toFixed(0)} s old`}`}{reads && <Seen />}</figcaption>}
     </figure>
   );
 }

@@ -9,7 +9,14 @@ export type Schema = {
 export type Values = Record<string, string>;
 
 export function fields(schema: Schema): [string, Schema][] {
-  return Object.entries(schema.properties ?? {}).filter(([, field]) => field.const === undefined);
+  return Object.entries(schema.properties ?? {}).map(([name, field]): [string, Schema] => [name, named(field, schema.$defs ?? {})]).filter(([, field]) => field.const === undefined);
+}
+
+// A field with what its names stand for; its own words before those of what is named.
+function named(field: Schema, all: Record<string, Schema>): Schema {
+  const meant = field.$ref ? all[field.$ref.split("/").at(-1)!] : undefined;
+  const anyOf = field.anyOf?.map((each) => named(each, all));
+  return { ...meant, ...field, ...(anyOf && { anyOf }) };
 }
 
 // The shape that a person fills in: of alternatives the first that is not null.
@@ -21,7 +28,8 @@ function shape(field: Schema): Schema {
 
 export function document(schema: Schema, values: Values): Record<string, unknown> {
   const made: Record<string, unknown> = {};
-  for (const [name, field] of Object.entries(schema.properties ?? {})) {
+  for (const [name, plain] of Object.entries(schema.properties ?? {})) {
+    const field = named(plain, schema.$defs ?? {});
     if (field.const !== undefined) made[name] = field.const;
     else if (values[name]?.trim()) made[name] = read(field, values[name]!.trim());
   }
@@ -78,7 +86,8 @@ export function Field({ name, field, value, needed, offers, problem, change }: G
 }
 
 function example(form: Schema): string {
-  if (form.examples?.length) return JSON.stringify(form.examples[0]);
+  const [first] = form.examples ?? [];
+  if (first !== undefined) return typeof first === "string" ? first : JSON.stringify(first);
   if (form.type === "array") return form.prefixItems ? `[${form.prefixItems.map(() => "0.0").join(", ")}]` : "[…]";
   return form.type === "object" ? '{"name": "value"}' : "";
 }

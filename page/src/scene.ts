@@ -27,6 +27,7 @@ export class RobotScene {
   private things = new THREE.Group();
   private others = new THREE.Group();
   private held: THREE.Object3D[] = [];
+  private gone: Element[] = []; // names of what is drawn no more, until the next picture has the others
   private path = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x2f8f6f }));
   private plan = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineDashedMaterial({ color: 0x1257c8, dashSize: 0.1, gapSize: 0.06 }));
   private hands = new THREE.Group();
@@ -69,6 +70,7 @@ export class RobotScene {
       this.frames += 1;
       this.renderer.render(this.scene, this.camera);
       this.labels.render(this.scene, this.camera);
+      for (const each of this.gone.splice(0)) each.remove();
       spread(this.scene, this.camera, this.box.clientWidth, this.box.clientHeight);
       this.box.dataset.frames = String(this.frames);
       this.box.dataset.shapes = String(this.renderer.info.memory.geometries);
@@ -139,7 +141,7 @@ export class RobotScene {
   setSite(site: Site) {
     this.site = site;
     if (this.shown.scene) this.place(this.shown as Live); // its items have their names now
-    discard(this.room);
+    discard(this.room, this.gone);
     this.room.clear();
     const [x0, y0, x1, y1] = site.bounds;
     const floor = new THREE.Mesh(
@@ -198,7 +200,7 @@ export class RobotScene {
     if (live.hands !== this.shown.hands) this.reach(live.hands);
     if (live.robots !== this.shown.robots) this.placeOthers(live.robots);
     if (live.occupied !== this.shown.occupied) this.fill(live.occupied);
-    if (live.laser !== this.shown.laser) this.beams(live.laser);
+    if (live.lasers !== this.shown.lasers) this.beams(live.lasers);
     this.shown = live;
   }
 
@@ -222,7 +224,7 @@ export class RobotScene {
 
   // Of another robot only its place is told: a drum with its name, and a nose that says where it looks.
   private placeOthers(robots: Live["robots"]) {
-    discard(this.others);
+    discard(this.others, this.gone);
     this.others.clear();
     for (const [name, { at, silent }] of Object.entries(robots)) {
       if (!at) continue;
@@ -262,19 +264,21 @@ export class RobotScene {
     this.touch();
   }
 
-  private beams(ranges: number[]) {
-    const sensor = this.description?.lasers[0];
-    const frame = sensor && this.robot?.frames[sensor.frame];
-    if (!sensor || !frame) return;
-    frame.updateWorldMatrix(true, false);
+  private beams(lasers: Live["lasers"]) {
     const points: number[] = [];
     const point = new THREE.Vector3();
-    ranges.forEach((range, i) => {
-      if (range >= sensor.range_max) return;
-      const angle = sensor.angle_min + i * sensor.angle_step;
-      point.set(range * Math.cos(angle), range * Math.sin(angle), 0).applyMatrix4(frame.matrixWorld);
-      points.push(point.x, point.y, point.z);
-    });
+    for (const sensor of this.description?.lasers ?? []) {
+      const frame = this.robot?.frames[sensor.frame];
+      if (!frame) continue;
+      frame.updateWorldMatrix(true, false);
+      (lasers[sensor.name] ?? []).forEach((range, i) => {
+        if (range >= sensor.range_max) return;
+        const angle = sensor.angle_min + i * sensor.angle_step;
+        point.set(range * Math.cos(angle), range * Math.sin(angle), 0).applyMatrix4(frame.matrixWorld);
+        points.push(point.x, point.y, point.z);
+      });
+    }
+    this.box.dataset.beams = String(points.length / 3);
     this.scan.geometry.dispose();
     this.scan.geometry = new THREE.BufferGeometry();
     this.scan.geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
@@ -283,7 +287,7 @@ export class RobotScene {
 
   // Items as they are believed, and what else stands in the planning scene; what is held hangs on its hand.
   private place(live: Live) {
-    for (const each of [this.things, ...this.held]) discard(each);
+    for (const each of [this.things, ...this.held]) discard(each, this.gone);
     this.things.clear();
     for (const each of this.held) each.removeFromParent();
     this.held = [];
@@ -353,11 +357,11 @@ function meshOf(geometry: THREE.BufferGeometry, colour: THREE.Color, opacity: nu
   return mesh;
 }
 
-// What is drawn no more: a label's element stays in the document, and shapes stay on the graphics card, unless they
-// are taken out.
-function discard(object: THREE.Object3D) {
+// What is drawn no more: a name's element stays in the document, and shapes stay on the graphics card, unless they
+// are taken out. Names go with the next picture: without any until then, they would flicker.
+function discard(object: THREE.Object3D, gone: Element[]) {
   object.traverse((each) => {
-    if (each instanceof CSS2DObject) each.element.remove();
+    if (each instanceof CSS2DObject) gone.push(each.element);
     const { geometry, material } = each as Partial<THREE.Mesh>;
     geometry?.dispose();
     for (const one of material ? [material].flat() : []) one.dispose();

@@ -31,7 +31,7 @@ export type Live = {
   tags: Tags | null;
   replay: Replayed | null;
   robots: Record<string, Other>; // the others of the site
-  laser: number[];
+  lasers: Record<string, number[]>; // what each measured last
   occupied: Occupied | null;
   scene: Omit<PlanningScene, "stamp" | "version" | "occupied"> | null;
   world: Omit<WorldState, "stamp" | "version"> | null;
@@ -45,7 +45,7 @@ type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & {
 
 const EMPTY: Live = {
   connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, board: {}, joints: {},
-  pose: null, path: [], plan: [], hands: {}, tags: null, replay: null, robots: {}, laser: [], occupied: null, scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
+  pose: null, path: [], plan: [], hands: {}, tags: null, replay: null, robots: {}, lasers: {}, occupied: null, scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
   pipelines: {},
 };
 const PATH = 2000;
@@ -101,7 +101,7 @@ export function take(update: Update) {
   const same = live.replay === null ? { path: live.path, kept: live.kept } : { replay: live.replay };
   const before = update.whole ? { ...EMPTY, connected: true, ...same } : live;
   const next: Live = { ...before, ...update, heardAt: performance.now() };
-  for (const part of ["tasks", "joints", "nodes", "reflexes", "pipelines", "robots", "hands"] as const) {
+  for (const part of ["tasks", "joints", "nodes", "reflexes", "pipelines", "robots", "hands", "lasers"] as const) {
     if (update[part]) Object.assign(next, { [part]: { ...before[part], ...update[part] } });
   }
   if (update.tasks) next.tasks = lately(next.tasks);

@@ -45,12 +45,12 @@ export function View3d() {
     <section class="view3d" aria-label="The robot in its room">
       <div class="canvas" ref={box} />
       {error && <p class="quiet over">{error} <a href="/map">Map</a></p>}
-      {looks && <Camera />}
+      {looks && <Camera name={words.get("camera") ?? ""} />}
       <div class="tools">
         <button onClick={() => scene.current?.look("side")}>Side</button>
         <button onClick={() => scene.current?.look("above")}>Above</button>
         <button onClick={clearPath}>Clear path</button>
-        {robot.value?.cameras.length !== 0 && <button aria-pressed={looks} onClick={() => mark("camera", !looks)}>Camera</button>}
+        {Boolean(robot.value?.cameras.length) && <button aria-pressed={looks} onClick={() => mark("camera", !looks)}>Camera</button>}
         {measured && <button aria-pressed={!hides} onClick={() => mark("unoccupied", !hides)}>Occupied space</button>}
       </div>
     </section>

@@ -57,6 +57,6 @@ def nodes(
         ActionServer(bus, clocks, look, charge=charge),
         ActionServer(bus, clocks, track, charge=charge),
         ActionServer(bus, clocks, TurnHead(bus, clocks, description), charge=charge),
-        Snapshots(bus, clocks, compute, description.camera.name),
+        Snapshots(bus, clocks, compute, tuple(each.name for each in description.cameras)),
         *(() if mapper is None else (mapper,)),
     )

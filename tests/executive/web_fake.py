@@ -18,7 +18,7 @@ from tandem.executive.web.replay import Replay
 from tandem.executive.web.robot import Ears, Who
 from tandem.executive.web.serve import listen, serve_until
 from tandem.sim.robots.registry import robot_model
-from tandem.skills.ports.actions.perception import PICTURE
+from tandem.skills.ports.actions.perception import PICTURE, AskView
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.endpoint import Endpoint, answering
 from tandem.skills.ports.hardware import Clock, RobotDescription, Stop, StopRelease, StopState
@@ -60,7 +60,7 @@ from tandem.skills.site import load
 from tandem.skills.wire.memory import MemoryHub
 
 M = TypeVar("M", bound=Message)
-CAMERA = Service(PICTURE, Nothing, Nothing, reads=True, exact=True)
+CAMERA = Service(PICTURE, AskView, Nothing, reads=True, exact=True)
 EMPTY = TreeSnapshot(
     task="", kind="none", tick=0, root=TreeNode(path="none", name="none", kind="action", type="None")
 )
@@ -81,6 +81,8 @@ class FakeRobot:
     timeline: Timeline = field(default_factory=lambda: Timeline(task=""))
     tree: TreeSnapshot = EMPTY
     picture: bytes = b""
+    viewed: list[str] = field(default_factory=list)
+    """Which cameras were asked for."""
     reflexes: dict[str, ReflexState] = field(default_factory=dict)
     seconds: float = 1.0
 
@@ -104,10 +106,14 @@ class FakeRobot:
         yield answering(TASK_RECORDS, lambda _: self.records)
         yield answering(TASK_TIMELINE, lambda _: self.timeline)
         yield answering(TREE_NOW, lambda _: self.tree)
-        yield answering(CAMERA, lambda _: self.picture)
+        yield answering(CAMERA, self.view)
         yield answering(STOP, lambda asked: self.stop(asked, stopped=True))
         yield answering(STOP_RELEASE, lambda asked: self.stop(asked, stopped=False))
         yield answering(reflex_switch("avoid_collision"), self.switch)
+
+    def view(self, asked: AskView) -> bytes:
+        self.viewed.append(asked.camera)
+        return self.picture
 
     def history(self, asked: AskHistory) -> History:
         named = [each for each in self.tasks if not asked.task or each.task == asked.task]

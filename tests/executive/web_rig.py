@@ -15,7 +15,7 @@ from tandem.executive.security.role import Role
 from tandem.executive.web.app import application
 from tandem.executive.web.robot import Ears, Who
 from tandem.sim.robots.registry import robot_model
-from tandem.skills.ports.actions.perception import PICTURE
+from tandem.skills.ports.actions.perception import PICTURE, AskView
 from tandem.skills.ports.endpoint import answering
 from tandem.skills.ports.hardware import Stop, StopRelease, StopState
 from tandem.skills.ports.keys import DESCRIPTION, STOP, STOP_RELEASE, STOP_STATE, Nothing, Service
@@ -23,7 +23,7 @@ from tandem.skills.ports.reflex import ReflexState, ReflexSwitch, reflex_switch
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.wire.memory import MemoryBus
 
-CAMERA = Service(PICTURE, Nothing, Nothing, reads=True, exact=True)
+CAMERA = Service(PICTURE, AskView, Nothing, reads=True, exact=True)
 """Answered with a JPEG."""
 AT = "http://127.0.0.1:8447"
 
@@ -54,10 +54,9 @@ class Hardware:
     def release(self, asked: StopRelease) -> StopState:
         return self.told(StopState(stopped=False, by=asked.by, reason=asked.reason))
 
-    def picture(self, asked: Nothing) -> bytes:
-        del asked
+    def picture(self, asked: AskView) -> bytes:
         self.asked_pictures += 1
-        return self.pictures[-1]
+        return asked.camera.encode() or self.pictures[-1]
 
     def switch(self, asked: ReflexSwitch) -> ReflexState:
         return ReflexState(

@@ -88,8 +88,15 @@ class TurnHeadResult(Message):
     positions: tuple[float, ...]
 
 
+class AskView(Message):
+    """Query what a camera sees."""
+
+    camera: str = ""
+    """One of the description's; empty: the first, which perception looks with."""
+
+
 PICTURE: Final = "skill/perception/picture"
-"""Asked with nothing; answered with the head camera's next picture as JPEG, or empty when none comes."""
+"""Asked with an ``AskView``; answered with the camera's next picture as JPEG, or empty when none comes."""
 LOOK: Final = ActionType("perception/look", LookGoal, LookFeedback, LookResult, timeout=30.0)
 TRACK: Final = ActionType("perception/track", TrackGoal, LookFeedback, TrackResult, timeout=600.0)
 TURN_HEAD: Final = ActionType(

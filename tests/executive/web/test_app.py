@@ -134,6 +134,13 @@ def test_the_camera_is_asked_once_for_all_who_look(page: TestClient, rig: Rig) -
     assert (float(answers[0].headers["x-age"]) < 1.0, rig.hardware.asked_pictures) == (True, 1)
 
 
+def test_each_camera_has_a_picture_of_its_own(page: TestClient, rig: Rig) -> None:
+    names = ("wrist", "wrist", "", "wrist", "")
+    answers = [page.get("/api/camera", params={"name": name} if name else {}).content for name in names]
+    assert answers == [b"wrist", b"wrist", b"a jpeg", b"wrist", b"a jpeg"]
+    assert rig.hardware.asked_pictures == 2
+
+
 def test_a_camera_without_a_picture_is_said_so(page: TestClient, rig: Rig) -> None:
     rig.hardware.pictures.append(b"")
     answer = page.get("/api/camera")

@@ -19,10 +19,12 @@ from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
 from tandem.skills.ports.actions.arm import MoveFeedback, MovePhase, move
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.keys import laser
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.occupancy import Occupancy, pack
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.reflex import PipelineState, ReflexState, pipeline_state, reflex_state
+from tandem.skills.ports.sensors import LaserScan
 from tandem.skills.ports.tasks import (
     TASK_STATUS,
     Attempt,
@@ -124,6 +126,32 @@ def test_the_camera_is_shown_with_the_tags_that_were_found(page: Page, robot: Fa
     expect(page.locator(".camera")).to_have_count(0)
 
 
+def test_of_several_cameras_one_is_chosen(page: Page, robot: FakeRobot) -> None:
+    (head,) = robot.description.cameras
+    wrist = head.model_copy(update={"name": "wrist"})
+    robot.description = robot.description.model_copy(update={"cameras": (head, wrist)})
+    page.goto("/?camera")
+    page.get_by_label("Camera", exact=True).and_(page.locator("select")).select_option("wrist")
+    expect(page).to_have_url("/?camera=wrist")
+    expect(page.get_by_alt_text("What the camera wrist sees")).to_be_visible()
+    assert robot.viewed[-1] == "wrist"
+    expect(page.locator(".camera figcaption")).not_to_contain_text("tag")  # they are of the first one
+    picture(page, "page-cameras")
+
+
+def test_the_points_of_all_lasers_are_drawn(page: Page, robot: FakeRobot) -> None:
+    (front,) = robot.description.lasers
+    rear = front.model_copy(update={"name": "rear"})
+    robot.description = robot.description.model_copy(update={"lasers": (front, rear)})
+    page.goto("/")
+    expect(page.locator(".canvas")).to_have_attribute("data-robot", "loaded")
+    near, far = front.range_min + 1.0, front.range_max
+    robot.tell((laser(front.name), LaserScan(stamp=robot.now, ranges=(near, near, far))))
+    expect(page.locator(".canvas")).to_have_attribute("data-beams", "2")
+    robot.tell((laser(rear.name), LaserScan(stamp=robot.now, ranges=(near, near, near))))
+    expect(page.locator(".canvas")).to_have_attribute("data-beams", "5")
+
+
 def test_the_planned_way_is_drawn(page: Page, robot: FakeRobot) -> None:
     page.goto("/")
     expect(page.locator(".link")).to_contain_text("nothing heard")
@@ -197,7 +225,10 @@ KIND = KindOfTask(
             "task": {"const": "fetch"},
             "item": {"type": "integer", "description": "which"},
             "ways": {"type": "array", "items": {}, "examples": [[{"x": 1.5}]]},
+            "hand": {"type": "string", "examples": ["left"]},
+            "source": {"$ref": "#/$defs/Source", "default": "sensor"},
         },
+        "$defs": {"Source": {"type": "string", "enum": ["sensor", "belief"]}},
         "required": ["task", "item"],
     },
 )
@@ -211,6 +242,10 @@ def test_a_form_is_kept_as_a_favourite_and_taken_along(page: Page, robot: FakeRo
     page.goto("/request?task=fetch")
     expect(page.get_by_label("item")).to_have_value("")
     expect(page.get_by_label("ways")).to_have_attribute("placeholder", '[{"x":1.5}]')
+    expect(page.get_by_label("hand")).to_have_attribute("placeholder", "left")
+    expect(page.get_by_label("source").locator("option")).to_have_text(
+        ["sensor (default)", "sensor", "belief"]
+    )
     page.get_by_role("link", name="the red one").click()
     expect(page.get_by_label("item")).to_have_value("29")
     picture(page, "page-request")
@@ -399,3 +434,13 @@ def test_the_other_robots_of_the_site_are_on_the_map(page: Page, robot: FakeRobo
     page.goto("/")
     expect(page.locator(".view3d .label", has_text="r2")).to_be_visible()
     picture(page, "page-robots")
+    page.evaluate("""() => {
+        window.least = 1
+        const names = () => document.querySelectorAll(".label.item").length
+        const count = () => window.least = Math.min(window.least, names())
+        new MutationObserver(count).observe(document.querySelector(".labels"), {childList: true})
+    }""")
+    robot.tell_site("r2", told.model_copy(update={"sequence": 2, "phase": "corner 3"}))
+    expect(page.locator(".others li")).to_contain_text("corner 3")
+    expect(page.locator(".view3d .label.item")).to_have_text("r2")
+    assert page.evaluate("window.least") == 1, "names that are drawn anew don't flicker"

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 
 from tandem.skills.perception.snapshot import Snapshots
-from tandem.skills.ports.actions.perception import PICTURE
+from tandem.skills.ports.actions.perception import PICTURE, AskView
 from tandem.skills.ports.hearing import Reason
 from tandem.skills.ports.image import RgbdImage
 from tandem.skills.ports.keys import rgbd
@@ -25,7 +25,7 @@ def painter(_: Pose, now: RobotTime) -> RgbdImage:
 
 
 def ask(stage: Stage, seconds: float = 1.5) -> bytes | None:
-    node = Snapshots(stage.bus, stage.clocks, InlineCompute(stage.clocks), "head")
+    node = Snapshots(stage.bus, stage.clocks, InlineCompute(stage.clocks), ("head",))
     node.step()
     assert not stage.bus.listened(rgbd("head")), "nobody asked"
     pending = stage.bus.query(PICTURE, b"")
@@ -53,9 +53,23 @@ def test_a_silent_camera_gives_nothing_within_its_time() -> None:
     assert ask(Stage(painter, camera_works=False), seconds=1.1) == b""
 
 
+def test_a_camera_is_chosen_by_its_name() -> None:
+    stage = Stage(painter)
+    node = Snapshots(stage.bus, stage.clocks, InlineCompute(stage.clocks), ("head", "wrist"))
+    wrist, unknown = (
+        stage.bus.query(PICTURE, AskView(camera=name).model_dump_json().encode())
+        for name in ("wrist", "tail")
+    )
+    node.step()
+    assert (stage.bus.listened(rgbd("wrist")), stage.bus.listened(rgbd("head"))) == (True, False)
+    assert (wrist.poll(), unknown.poll()) == (None, b"")
+    node.close()
+    assert wrist.poll() == b""
+
+
 def test_what_is_no_picture_is_not_taken_for_the_next_one() -> None:
     stage = Stage(painter, camera_works=False)
-    node = Snapshots(stage.bus, stage.clocks, InlineCompute(stage.clocks), "head")
+    node = Snapshots(stage.bus, stage.clocks, InlineCompute(stage.clocks), ("head",))
     pending = stage.bus.query(PICTURE, b"")
     node.step()
     for payload in (b"", b"\x01\x00\x00\x00{", b"\xff" * 100):
