@@ -91,7 +91,7 @@ class TurnHeadResult(Message):
 class AskView(Message):
     """Query what a camera sees."""
 
-    camera: str = ""
+    camera: Annotated[str, Field(max_length=64)] = ""
     """One of the description's; empty: the first, which perception looks with."""
 
 
