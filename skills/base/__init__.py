@@ -1,7 +1,8 @@
 """The base: where the robot is, and how it gets elsewhere.
 
 Skills: drive, rotate, localise, process.
-Where the robot is: whereabouts; localiser, matcher, search, scan, odometry, map, field, floor; fixed.
+Where the robot is: whereabouts; localiser, matcher, search, scan, odometry, odometry_drift, map, field,
+floor; fixed.
 The way: planner, path, journey, course, leg, headway, obstacles, occupied, cliffs, ranger; ``people/`` has
 who walks about, ``band/`` how the path is left for them.
 Where nothing is mapped: tracker, surround, macros, go, follow_robot, sights, way_back.

@@ -12,12 +12,12 @@ from collections import deque
 from dataclasses import dataclass
 from typing import Final
 
-from tandem.skills.base.floor import ORIGIN, FloatArray, compose, invert, points_in
+from tandem.skills.base.floor import FloatArray, compose, invert, points_in
 from tandem.skills.base.map import SiteMap
 from tandem.skills.base.matcher import Match, carried, diagonal, match, share_near
 from tandem.skills.base.odometry import OdometryBuffer, ahead
+from tandem.skills.base.odometry_drift import OdometryDrift
 from tandem.skills.base.scan import ScanGeometry, ScanPoints
-from tandem.skills.base.whereabouts import wheels_turn
 from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
@@ -68,7 +68,7 @@ class PlacedScan:
     fit: float
 
 
-class Localiser:
+class Localiser(OdometryDrift):
     """The monitor of the robot's pose; a ``Node``.
 
     Args:
@@ -79,14 +79,14 @@ class Localiser:
     """
 
     def __init__(self, bus: Bus, clocks: Clocks, description: RobotDescription, site_map: SiteMap) -> None:
+        super().__init__()
         self._bus, self._clocks, self._map = bus, clocks, site_map
         self._geometry = ScanGeometry(description.laser, site_map.laser_in_base)
         self._odometry_in = Latest(bus, ODOMETRY)
         self._scans_in = Latest(bus, laser(description.laser.name), depth=4)
-        self._buffer, self._drive = OdometryBuffer(), description.driven
+        self._drive = description.driven
         self._waiting: LaserScan | None = None
         self._recent: deque[ScanPoints] = deque(maxlen=10)
-        self._odom_in_map = ORIGIN
         self._covariance = diagonal(10.0, math.pi)
         self._matched_at: FloorPose | None = None
         self._scans_at_rest = 0
@@ -122,21 +122,6 @@ class Localiser:
             where=where,
             evidence={"silent_s": silent},
         )
-
-    @property
-    def odometry(self) -> Odometry | None:
-        """The newest odometry."""
-        return self._buffer.last
-
-    @property
-    def odom_in_map(self) -> FloorPose:
-        """The drift of odometry, as believed now."""
-        return self._odom_in_map
-
-    @property
-    def moving(self) -> bool:
-        """Whether the wheels turn."""
-        return wheels_turn(self._buffer.last)
 
     def initialise(self, base_in_map: FloorPose, at: RobotTime, sigma: tuple[float, float]) -> bool:
         """Start from a pose that held at a moment, known to ``sigma`` (m, rad).

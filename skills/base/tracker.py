@@ -10,14 +10,14 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from tandem.skills.base.floor import ORIGIN, compose, invert
-from tandem.skills.base.odometry import OdometryBuffer, ahead
-from tandem.skills.base.whereabouts import wheels_turn
+from tandem.skills.base.floor import compose, invert
+from tandem.skills.base.odometry import ahead
+from tandem.skills.base.odometry_drift import OdometryDrift
 from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import Odometry, RobotDescription
+from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import ODOMETRY, POSE_READING, Latest
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
@@ -35,7 +35,7 @@ LEAP: Final = 0.5
 """Metres by which a reading is beyond noise: the robot was carried, and is where the sensor says."""
 
 
-class PoseTracker:
+class PoseTracker(OdometryDrift):
     """The monitor of the pose; a ``Node``.
 
     Args:
@@ -47,28 +47,12 @@ class PoseTracker:
     name: Final = "base/tracker"
 
     def __init__(self, bus: Bus, clocks: Clocks, description: RobotDescription) -> None:
+        super().__init__()
         self._bus, self._clocks = bus, clocks
         self._sensor = description.pose_sensors[0]
         self._odometry_in, self._readings_in = Latest(bus, ODOMETRY), Latest(bus, POSE_READING, depth=8)
-        self._buffer = OdometryBuffer()
-        self._odom_in_map = ORIGIN
         self._heard: RobotTime | None = None
         self._published_at = -math.inf
-
-    @property
-    def odometry(self) -> Odometry | None:
-        """The newest odometry."""
-        return self._buffer.last
-
-    @property
-    def odom_in_map(self) -> FloorPose:
-        """The drift of odometry, as believed now."""
-        return self._odom_in_map
-
-    @property
-    def moving(self) -> bool:
-        """Whether the wheels turn."""
-        return wheels_turn(self._buffer.last)
 
     @property
     def localised(self) -> bool:

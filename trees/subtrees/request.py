@@ -43,7 +43,19 @@ def request(context: TreeContext, board: FetchBoard) -> Behaviour:
 
 
 def know_where(context: TreeContext) -> Behaviour:
-    """Return the subtree that ends when the robot knows its pose in the map."""
+    """Return the subtree that ends when the robot knows its pose in the map; it is tried more than once."""
+    again = RecoveryStep("request: once more", localising_helps, LOCALISES, a_moment("request", context))
+    return localised_by(context, (wait_back("request", context), again), within=WITHIN)
+
+
+def localised_by(context: TreeContext, steps: tuple[RecoveryStep, ...], *, within: float) -> Behaviour:
+    """Return the subtree that localises unless that is done, with what is tried when it fails.
+
+    Args:
+        context: of the task.
+        steps: what is tried then.
+        within: robot seconds after which nothing more is tried.
+    """
     return Selector(
         "know where I am",
         memory=True,
@@ -53,13 +65,8 @@ def know_where(context: TreeContext) -> Behaviour:
                 "get localised",
                 context,
                 localise(context),
-                (
-                    wait_back("request", context),
-                    RecoveryStep(
-                        "request: once more", localising_helps, LOCALISES, a_moment("request", context)
-                    ),
-                ),
-                within=WITHIN,
+                steps,
+                within=within,
             ),
         ],
     )

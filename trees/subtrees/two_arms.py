@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from py_trees.behaviour import Behaviour
-from py_trees.composites import Selector, Sequence
+from py_trees.composites import Sequence
 
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.trees.behaviours.decide import Decide
@@ -14,18 +14,16 @@ from tandem.trees.behaviours.pause import Pause
 from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
 from tandem.trees.behaviours.wait_for import WaitFor
 from tandem.trees.branch import branch
-from tandem.trees.conditions.localised import localised
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
 from tandem.trees.leaves.coordinate import Mode, coordinate
-from tandem.trees.leaves.localise import localise
 from tandem.trees.leaves.look_at_table import look_at_table
 from tandem.trees.leaves.track import track
 from tandem.trees.leaves.within_reach import zoned
 from tandem.trees.recovery_kinds import unseen
 from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.recovery_steps import wait_back
-from tandem.trees.subtrees.request import ready
+from tandem.trees.subtrees.request import localised_by, ready
 
 ZONES_WITHIN: Final = 20.0
 """Robot seconds in which the workspace zones must be known: they are computed once at the start."""
@@ -43,20 +41,7 @@ def take_up(context: TreeContext, boards: tuple[HandBoard, ...], *, check: bool 
     arm is chosen later.
     """
     items = tuple(dict.fromkeys(board.item for board in boards))
-    where = Selector(
-        "know where I am",
-        memory=True,
-        children=[
-            localised(context),
-            Recovery(
-                "get localised",
-                context,
-                localise(context),
-                (wait_back("request", context),),
-                within=WITHIN,
-            ),
-        ],
-    )
+    where = localised_by(context, (wait_back("request", context),), within=WITHIN)
     look = Recovery(
         "see the items",
         context,
