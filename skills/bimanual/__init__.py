@@ -2,6 +2,7 @@
 
 Zones: zones, zones_node.
 Coordination: coordinate, coordination, coordinator, observer, announced, way, alone.
-Two hands on one thing: two_hands, object_frame, ready, glide, hold, squeeze, landing, trial, lead.
+Two hands on one thing: two_hands, object_frame, ready, glide, hold, squeeze,
+supervision, landing, trial, lead.
 All of it: process.
 """

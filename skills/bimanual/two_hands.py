@@ -16,7 +16,8 @@ from tandem.skills.bimanual.hold import TwoArms
 from tandem.skills.bimanual.landing import Landing
 from tandem.skills.bimanual.object_frame import HandsApartError, tilt
 from tandem.skills.bimanual.ready import STRAIGHT, between, ready_tools, swing, ways_back
-from tandem.skills.bimanual.squeeze import TOUCH, agree
+from tandem.skills.bimanual.squeeze import agree
+from tandem.skills.bimanual.supervision import trouble
 from tandem.skills.bimanual.trial import SLICE, OutOfReach, try_way
 from tandem.skills.geometry.poses import compose, invert, to_pose
 from tandem.skills.grasping.item_frames import standing_in_map
@@ -59,10 +60,6 @@ WITHIN: Final = 8.0
 """Robot seconds in which the squeeze must stand."""
 EASE: Final = 0.4
 """Robot seconds in which the squeeze is taken back before the hands open."""
-STRAYED: Final = 0.12
-"""Radians by which an arm may be off what it was told before it is said to have failed."""
-LEVEL: Final = 0.0524
-"""Radians (3 degrees) by which what is held may lean."""
 TRY_COST: Final = 2.5e-4
 """Robot seconds that lockstep charges for a pose that is tried on both arms."""
 HEARD_WITHIN: Final = 2.0
@@ -319,31 +316,9 @@ class HoldWithTwo:
 
     def _watch(self, *, holding: bool, level: Pose | None = None) -> None:
         """End the goal when an arm does not follow, the thing is lost, or it leans."""
-        arms = self._arms
-        if arms.stopped:
-            raise self._stopped(FailureKind.HARDWARE_STOPPED, "the hardware's stop is set")
-        if not arms.leading:
-            raise self._stopped(FailureKind.ARM_STOPPED, "somebody else moves one of the arms")
-        off, side = arms.strayed()
-        if off > STRAYED:
-            raise self._stopped(
-                FailureKind.ARM_STOPPED,
-                f"the {side} arm is {off:.3f} rad off what it was told",
-                arm=side,
-                error_rad=round(off, 3),
-            )
-        if holding and min(arms.forces) < TOUCH:
-            lost = PAIR[0] if arms.forces[0] < arms.forces[1] else PAIR[1]
-            raise self._stopped(
-                FailureKind.GRASP_LOST,
-                f"the {lost} hand presses with {min(arms.forces):.1f} N only",
-                arm=lost,
-            )
-        held = arms.held_middle() if level is not None else None
-        if held is not None and level is not None and (leaning := tilt(level, held)) > LEVEL:
-            raise self._stopped(
-                FailureKind.TILTED, f"the hands lean by {leaning:.3f} rad", tilt_rad=round(leaning, 4)
-            )
+        found = trouble(self._arms, holding=holding, level=level)
+        if found is not None:
+            raise _StoppedError(found)
 
     def _believed(self, item: int) -> Steps[Pose]:
         """Return the item's centre in the base, once all that is needed has been heard."""
