@@ -2,8 +2,8 @@
 
 One process: worker, playing, leased_loop, skill_process, router, isolation, command_line,
     quiet_screen.
-All of them: systems, process_system, processes, births, nursery, deferred_signals, crews,
-    hung_processes, process_usage, lockstep.
+All of them: systems, process_system, settings_of_processes, processes, births, nursery, deferred_signals,
+    crews, hung_processes, process_usage, lockstep.
 Plug-ins: plugins, plugin_probe.
 The start: free_endpoint, startup_notice, first_request, declared_reflexes.
 """

@@ -12,7 +12,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Final, Self
 
-from tandem.executive.config.process_settings import REFUSED, UNKEPT, WorkerSettings
+from tandem.executive.config.process_settings import REFUSED, UNKEPT
 from tandem.executive.config.run_options import RunOptions
 from tandem.executive.security.identity import Identity
 from tandem.executive.system.births import Births
@@ -23,8 +23,8 @@ from tandem.executive.system.processes import RESTARTED, Death, Supervisor
 from tandem.executive.system.roles.observer import NAME as OBSERVER
 from tandem.executive.system.roles.recorder import NAME as RECORDER
 from tandem.executive.system.roles.registry import plugged
-from tandem.executive.system.roles.skills import NAME as SKILLS
 from tandem.executive.system.roles.web import NAME as WEB
+from tandem.executive.system.settings_of_processes import SettingsOfProcesses
 from tandem.executive.system.systems import (
     LedgerFailure,
     RefusedError,
@@ -47,8 +47,6 @@ from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
 
 READY_WITHIN: Final = 60.0
 """Host seconds that processes have for their start."""
-KEEPERS: Final = ("keeper", SKILLS)
-"""Roles that keep what no sensor can restore."""
 POSES_WITHIN: Final = 2.0
 """Host seconds for which robots may be asked where they are, before the system is ready all the same."""
 TELL_POSE: Final = {"base", "skills"}
@@ -88,13 +86,19 @@ class ProcessSystem:
         self._crews = crews_of(scenario, options, roles, hung_after)
         self._main = self._crews[0]
         self._options, self._say = options, say
-        self._first, self._played_by, self._births = tuple(first), played_by, births
+        self._first, self._births = tuple(first), births
         plugged_in = tuple(plugged(options.left_out))
         self._plugged = frozenset(crew.called(role) for crew in self._crews for role in plugged_in)
         """Roles of other packages: the rest can do without."""
         self._ready = False
-        self._site = locate(options.site) if options.site else scenario.site
         self._folder = tempfile.TemporaryDirectory(prefix="tandem-")
+        self._settings = SettingsOfProcesses(
+            options,
+            self._crews,
+            site=locate(options.site) if options.site else scenario.site,
+            folder=Path(self._folder.name),
+            played_by=played_by,
+        )
         # Beside the ledger, where `tandem logs` finds them, during the run and after it.
         self.supervisor = Supervisor(_log_folder(self._main.logs(options), Path(self._folder.name)))
         self._logs = ExitStack()
@@ -183,13 +187,13 @@ class ProcessSystem:
         for line in self._first:
             self._say(line)
         if "router" in self._main.roles:
-            self.supervisor.start(self._settings(self._main, "router"))
+            self.supervisor.start(self._settings.of(self._main, "router"))
         for crew in self._crews:
             self._connect(crew)
         for crew in self._crews:
             for role in crew.roles:
                 if role != "router":
-                    self.supervisor.start(self._settings(crew, role))
+                    self.supervisor.start(self._settings.of(crew, role))
         every = " and ".join(crew.prefix for crew in self._crews)
         self._await(
             lambda: self._plugged.issuperset(self._not_started()), f"not all processes of {every} started"
@@ -280,47 +284,6 @@ class ProcessSystem:
             if time.monotonic() > deadline:
                 raise SystemFailure(f"{otherwise} within {READY_WITHIN:.0f} s")
 
-    def _settings(self, crew: Crew, role: str) -> WorkerSettings:
-        options, called = self._options, crew.called(role)
-        data = crew.data or Path(self._folder.name) / crew.robot
-        return WorkerSettings(
-            role=role,
-            unit="" if called == role else called,
-            played_by=self._played_by.get(role, ""),
-            endpoint=options.bus.endpoint,
-            prefix=crew.prefix,
-            site=self._site,
-            scenario=options.scenario,
-            faults=None if options.faults is None else str(options.faults),
-            seed=options.seed,
-            speed=options.speed,
-            gui=options.gui,
-            journal=str(data / "held.jsonl") if role in KEEPERS else None,
-            data=str(data),
-            on_restart=options.on_restart,
-            verbose=options.verbose,
-            log_format=options.log_format,
-            metrics=self._metrics_of(crew) if role == OBSERVER else "",
-            traces=options.traces if role == OBSERVER else "",
-            web=options.web if role == WEB else "",
-            person=options.person if role == WEB else "",
-            record=_record_of(options, crew.robot) if role == RECORDER else "",
-            record_pictures=options.record_pictures,
-            commit=options.commit,
-            silent_after=options.silent_after,
-            listen=options.listen if role == "router" else (),
-            left_out=options.left_out,
-            keys=None if options.bus.keys is None else str(options.bus.keys),
-            holder=options.bus.holder,
-        )
-
-    def _metrics_of(self, crew: Crew) -> str:
-        """Return where a robot's metrics are served: of several, each at the port after the one before."""
-        if not self._options.metrics:
-            return ""
-        host, _, port = self._options.metrics.rpartition(":")
-        return f"{host}:{int(port) + self._crews.index(crew) if int(port) else 0}"
-
     def _look_after(self) -> None:
         """Start skills again that have died; what died in the start, or too often, ends the system."""
         deaths, fatal = self.supervisor.deaths(), list[Death]()
@@ -388,11 +351,6 @@ def _log_folder(data: Path | None, otherwise: Path) -> Path:
             (data / LOGS).mkdir(parents=True, exist_ok=True)
             return data / LOGS
     return otherwise / LOGS
-
-
-def _record_of(options: RunOptions, robot: str) -> str:
-    """Return the folder of a robot's recordings: of several robots one each."""
-    return "" if options.record is None else str((options.record / robot).absolute())
 
 
 def _to_stderr(line: str) -> None:

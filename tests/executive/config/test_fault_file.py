@@ -106,7 +106,7 @@ def test_each_process_is_told_of_the_file(tmp_path: Path) -> None:
     file = written(tmp_path, GOOD)
     system = ProcessSystem(RunOptions(bus=BusOptions(), faults=file))
     (crew,) = system._crews
-    assert [system._settings(crew, role).faults for role in ("hardware", "base")] == [str(file)] * 2
+    assert [system._settings.of(crew, role).faults for role in ("hardware", "base")] == [str(file)] * 2
     system.close()
 
 
