@@ -88,9 +88,15 @@ def parse_document(text: str, name: str) -> tuple[JsonValue, Source]:
         mark = error.problem_mark or error.context_mark
         where = "" if mark is None else f" line {mark.line + 1}, column {mark.column + 1}:"
         reason = error.problem or error.context or "no reason given"
-        raise DocumentError(f"{name}:{where} not YAML: {reason}") from None
+        raise DocumentError(f"{name}:{where} not YAML: {reason}{_hint(reason)}") from None
     except yaml.YAMLError as error:
         raise DocumentError(f"{name}: not YAML: {' '.join(str(error).split())}") from None
+
+
+def _hint(reason: str) -> str:
+    """Return what is mostly meant by words of the parser's that only its authors understand."""
+    indent = "block end" in reason or reason.startswith("mapping values are not allowed")
+    return "; is this line indented as its neighbours are, and the one before it complete?" if indent else ""
 
 
 def validate(data: JsonValue, source: Source, model: type[Document]) -> Document:

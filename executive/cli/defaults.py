@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Final
 
 from typer.core import TyperCommand, TyperGroup
@@ -34,9 +35,19 @@ def _of(command: object, said: Mapping[str, object], *, whole: bool) -> dict[str
         return {name: _of(each, said, whole=whole) for name, each in command.commands.items()}
     assert isinstance(command, TyperCommand), "a command is typer's"
     found: dict[str, object] = {}
+    options = {option for parameter in command.params for option in parameter.opts}
+    if "--scenario" in said and "--site" in options and "--scenario" not in options:
+        said = {"--site": partial(_site_of, str(said["--scenario"])), **said}
     for parameter in command.params:
         for option in said.keys() & set(parameter.opts):
             shared = getattr(parameter, "envvar", None) or option in EVERYWHERE
             if (whole or shared) and parameter.name is not None:
                 found[parameter.name] = said[option]
     return found
+
+
+def _site_of(scenario: str) -> str:
+    """Return the site that a scenario names; asked only when a command uses it."""
+    from tandem.sim.scenario import load_scenario  # noqa: PLC0415 - most commands need none
+
+    return load_scenario(scenario).site

@@ -103,7 +103,7 @@ class MemoryLedger:
             for each in reversed(self._entries.values())
             if (not asked.states or each.status.state in asked.states)
             and each.status.accepted_at >= asked.since
-            and asked.task in {"", each.status.task}
+            and asked.task in {"", each.status.task, each.status.client_id}
             and (asked.before == 0 or each.number < asked.before)
         ]
         tasks = tuple(each.status for each in found[: asked.limit])

@@ -10,6 +10,7 @@ import fcntl
 import os
 import sqlite3
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from functools import wraps
 from pathlib import Path
 from typing import Concatenate, Final, ParamSpec, TypeVar
@@ -92,6 +93,7 @@ class SqliteLedger:
             self._open(migrations)
             if robot is not None:
                 self._belong_to(robot)
+                self._say_whose()
         except sqlite3.Error as error:
             self.close()
             raise LedgerError(in_words(self.path, error)) from error
@@ -130,6 +132,13 @@ class SqliteLedger:
                 f"{self.path}: these are tasks of {owner}, and {robot} must not take them up; choose another"
                 " --data, or the --site-key and --robot that they are of"
             )
+
+    def _say_whose(self) -> None:
+        """Write the owner's name beside the file, which nobody else can read while it is open."""
+        owner = (self.owner or "").encode()
+        with suppress(OSError):  # told for convenience only: the ledger itself says it, too
+            os.ftruncate(self._lock, 0)
+            os.pwrite(self._lock, owner, 0)
 
     @_told
     def enter(self, entry: Entry) -> None:
@@ -233,8 +242,9 @@ class SqliteLedger:
         states = ", ".join(f"'{state}'" for state in asked.states or tuple(TaskState))
         found = self._entries(
             f"{_ENTRY} WHERE forgotten = 0 AND state IN ({states}) AND accepted_at >= ? "
-            "AND (? = '' OR task = ?) AND (? = 0 OR number < ?) ORDER BY number DESC LIMIT ?",
-            (asked.since, asked.task, asked.task, asked.before, asked.before, asked.limit + 1),
+            "AND (? = '' OR task = ? OR client_id = ?) AND (? = 0 OR number < ?) "
+            "ORDER BY number DESC LIMIT ?",
+            (asked.since, asked.task, asked.task, asked.task, asked.before, asked.before, asked.limit + 1),
         )
         tasks = tuple(entry.status for entry in found[: asked.limit])
         return History(tasks=tasks, more=found[asked.limit - 1].number if len(found) > asked.limit else 0)
@@ -359,6 +369,15 @@ def _lock(folder: Path) -> int:
             f"{folder}: another executive has this ledger; stop it first, or choose another --data"
         ) from error
     return lock
+
+
+def owner_of(folder: Path) -> str | None:
+    """Return ``<site>/<robot>`` whose ledger a folder has, also while it is open; None when nothing tells."""
+    try:
+        said = (folder / LOCK).read_text("utf-8")
+    except (OSError, UnicodeDecodeError):
+        return None
+    return said or None
 
 
 def in_words(path: Path, error: sqlite3.Error) -> str:

@@ -124,6 +124,6 @@ def _same(data: bytes, asked: Nothing) -> bytes:
 def _wanted(status: TaskStatus, asked: AskHistory) -> bool:
     return (
         (not asked.states or status.state in asked.states)
-        and (not asked.task or status.task == asked.task)
+        and (not asked.task or asked.task in {status.task, status.client_id})
         and status.accepted_at >= asked.since
     )

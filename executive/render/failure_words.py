@@ -106,9 +106,13 @@ def last_picture(status: TaskStatus) -> str:
 
 
 def chosen(tasks: tuple[TaskStatus, ...], wanted: str) -> TaskStatus | None:
-    """Return the task of this id; without one, the last that ended badly, or else the one that runs."""
+    """Return the task that is asked for: by its id, or the newest whose request has this ``id``.
+
+    Without one it is the last that ended badly, or else the one that runs.
+    """
     if wanted:
-        return next((each for each in tasks if each.task == wanted), None)
+        named = [each for each in tasks if wanted in {each.task, each.client_id}]
+        return next((each for each in named if each.task == wanted), next(reversed(named), None))
     bad = [each for each in tasks if each.state is TaskState.FAILED or _bad_end(each)]
     runs = [each for each in tasks if not each.state.terminal and each.state is not TaskState.QUEUED]
     return next(reversed(bad or runs), None)

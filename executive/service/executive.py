@@ -153,7 +153,7 @@ class Executive:
         )
         self._control = Control(self.book, clocks, lambda: self._turn, self._tell)
         self._control.changed = self._changed_by_verb
-        own = cancel_of_own(self.book.find, self._control.cancel)
+        own = cancel_of_own(self.book.find, self._control.of_client, self._control.cancel)
         self._verbs = Verbs(bus, clocks, self._control.verbs(), self._keep, (own,))
         self._album = Album(bus, clocks)
         self._questions = Questions(

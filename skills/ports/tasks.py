@@ -145,7 +145,10 @@ class TaskList(Message):
 
 
 class NameTask(Message):
-    """Pause, resume or abandon the task with this id, or query its status."""
+    """Pause, resume or abandon the task with this id, or query its status.
+
+    Here and in every other command, ``task`` may also be the ``id`` that the client gave its request.
+    """
 
     task: str
 
@@ -197,7 +200,7 @@ class AskHistory(Message):
     since: float = 0.0
     """Only tasks accepted at or after these UTC seconds."""
     task: str = ""
-    """Only the task with this id."""
+    """Only the task with this id, and those whose request has it as ``id``."""
     before: Place = 0
     """Only tasks older than the ``more`` of the previous answer; 0: start with the newest."""
     limit: Annotated[int, Field(ge=1, le=PAGE)] = PAGE

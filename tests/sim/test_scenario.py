@@ -36,6 +36,8 @@ def test_the_demo_has_what_is_promised() -> None:
     ("text", "path", "said"),
     [
         ("name: [", "", "not YAML"),
+        ("name: x\n site: lab", "line 2", "indented as its neighbours"),
+        ("items:\n  - {tag: 1}\n - {tag: 2}", "line 3", "indented as its neighbours"),
         ("- 1", "", "a mapping"),
         ("name: x", "start", "expected a value"),
         ("{name: x, start: {x: 0, y: 0, yaw: 0}, colour: red}", "colour", "no such field"),

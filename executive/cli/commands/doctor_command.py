@@ -139,10 +139,14 @@ def _robot_files() -> Finding:
 
 def _files() -> list[Finding]:
     from tandem.sim.scenario import scenario_names  # noqa: PLC0415
-    from tandem.skills.site import names  # noqa: PLC0415
+    from tandem.skills.site import names, plugged  # noqa: PLC0415
     from tandem.trees.registry import discover  # noqa: PLC0415
 
-    parts = (("sites", names()), ("scenarios", scenario_names()), ("tasks", tuple(discover())))
+    parts = (
+        ("sites", (*names(), *plugged().found)),
+        ("scenarios", scenario_names()),
+        ("tasks", tuple(discover())),
+    )
     return [Finding(subject, bool(each), ", ".join(each) or "none are installed") for subject, each in parts]
 
 

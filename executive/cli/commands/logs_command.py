@@ -12,6 +12,7 @@ import typer
 from tandem.executive.cli.arguments import Json, connects
 from tandem.executive.cli.completing import logged
 from tandem.executive.cli.errors import CommandError
+from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import BusOptions, default_data
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ def logs(
     """
     from tandem.executive.telemetry.log_reading import FOLDER, LogFolder, roles_in  # noqa: PLC0415
 
-    folder = (data or default_data(bus, os.environ)) / FOLDER
+    folder = (data or _own_folder(bus)) / FOLDER
     roles = roles_in(folder)
     if about in roles or not about:
         if not roles:
@@ -67,9 +68,14 @@ def logs(
         found = LogFolder(folder, lambda line: line.task == about)
     begun = found.first(lines)
     if about and about not in roles and not begun:
-        _print(_of_ledger(bus, data, about, roles), as_json=as_json)
-        if not (follow and roles):
-            return
+        status = _in_ledger(bus, data, about, roles)
+        if status.task != about:  # the client's own id of its request; the logs name the task's
+            found = LogFolder(folder, lambda line: line.task == status.task)
+            begun = found.first(lines)
+        if not begun:
+            _print(_events(status), as_json=as_json)
+            if not (follow and roles):
+                return
     _print(begun, as_json=as_json)
     while follow:
         time.sleep(LOOKS)
@@ -86,20 +92,40 @@ def _print(lines: Iterable[LogLine], *, as_json: bool) -> None:
             typer.echo(line.text)
 
 
-def _of_ledger(bus: BusOptions, data: Path | None, task: str, roles: tuple[str, ...]) -> tuple[LogLine, ...]:
-    """Return what the ledger knows of a task, as lines.
+def _own_folder(bus: BusOptions) -> Path:
+    """Return the default folder of a robot's data.
+
+    Raises:
+        CommandError: NOBODY_THERE when another robot has it: c at a-b and b-c at a have one folder.
+    """
+    from tandem.executive.ledger.sqlite import owner_of  # noqa: PLC0415
+
+    folder, robot = default_data(bus, os.environ), bus.prefix
+    owner = owner_of(folder)
+    if owner not in {None, robot}:
+        raise CommandError(
+            f"{folder} has the logs of {owner}, not of {robot}; name that robot with --site-key and --robot, "
+            "or the folder with --data",
+            ExitCode.NOBODY_THERE,
+        )
+    return folder
+
+
+def _in_ledger(bus: BusOptions, data: Path | None, task: str, roles: tuple[str, ...]) -> TaskStatus:
+    """Return what the ledger knows of a task.
 
     Raises:
         CommandError: when there is no such task, and no such role.
     """
     from tandem.executive.cli.commands.history_command import of_ledger  # noqa: PLC0415
+    from tandem.executive.render.failure_words import chosen  # noqa: PLC0415
     from tandem.skills.ports.tasks import AskHistory  # noqa: PLC0415
 
-    known = of_ledger(bus, data, AskHistory(task=task))
-    if not known:
+    known = chosen(of_ledger(bus, data, AskHistory(task=task)), task)
+    if known is None:
         processes = f"; the processes with a log are {', '.join(roles)}" if roles else ""
         raise CommandError(f"neither a process nor a task is called {task!r}{processes}")
-    return tuple(_events(known[-1]))
+    return known
 
 
 def _events(status: TaskStatus) -> Iterator[LogLine]:

@@ -47,12 +47,13 @@ def retry(
     """
     from tandem.executive.cli.commands.history_command import of_ledger  # noqa: PLC0415
     from tandem.executive.cli.sending import send_fields  # noqa: PLC0415
+    from tandem.executive.render.failure_words import chosen  # noqa: PLC0415
     from tandem.skills.ports.tasks import AskHistory  # noqa: PLC0415
 
-    known = of_ledger(bus, data, AskHistory(task=task))
-    if not task or not known:
+    known = chosen(of_ledger(bus, data, AskHistory(task=task)), task) if task else None
+    if known is None:
         raise CommandError(f"unknown task {task!r}; see `tandem tasks --all`")
-    send_fields(document_of(known[-1]), bus, wait=wait, as_json=as_json)
+    send_fields(document_of(known), bus, wait=wait, as_json=as_json)
 
 
 def document_of(status: TaskStatus) -> dict[str, JsonValue]:

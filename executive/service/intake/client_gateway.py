@@ -27,20 +27,26 @@ def with_sender(fields: Mapping[str, JsonValue], sender: str) -> dict[str, JsonV
 
 
 def cancel_of_own(
-    find: Callable[[str], TaskStatus | None], cancel: Callable[[CancelTask], ControlAnswer]
+    find: Callable[[str], TaskStatus | None],
+    known: Callable[[CancelTask, str], CancelTask | ControlAnswer],
+    cancel: Callable[[CancelTask], ControlAnswer],
 ) -> Endpoint:
     """Return the endpoint at which a named client cancels its own tasks, and nobody else's.
 
     Args:
         find: returns a task by its id.
+        known: puts the task's id in place of the one that this client chose for its request.
         cancel: cancels one.
     """
 
     def take(call: Call[CancelTask]) -> ControlAnswer:
-        status = find(call.document.task)
+        asked = known(call.document, call.name)
+        if isinstance(asked, ControlAnswer):
+            return asked
+        status = find(asked.task)
         if status is not None and asked_by(status.request) != call.name:
             reason = f"{status.task} belongs to another client than {call.name}; an operator may cancel it"
             return ControlAnswer(accepted=False, reason=reason)
-        return cancel(call.document)
+        return cancel(asked)
 
     return endpoint(TASK_CANCEL, take, at=by_client("*", TASK_CANCEL.key))

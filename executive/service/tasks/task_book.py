@@ -180,6 +180,25 @@ class TaskBook:
             status = None if entry is None else entry.status
         return status
 
+    def named(self, name: str, by: str | None = None) -> tuple[str, ...]:
+        """Return the ids of the tasks that a client may mean by a name: a task's id, or a request's ``id``.
+
+        A task's own id comes first, so that no client's choice can hide a task. Of requests with one ``id``
+        those that have not ended count, and without any the newest that ended and is still in memory.
+
+        Args:
+            name: as the client says it.
+            by: only this client's requests, by its ``id``; None: anybody's.
+        """
+        if self.find(name) is not None or not name:
+            return (name,)
+
+        def meant(status: TaskStatus) -> bool:
+            return status.client_id == name and by in {None, asked_by(status.request)}
+
+        found = tuple(task for task, entry in self._entries.items() if meant(entry.status))
+        return found or tuple(task for task, status in self._ended.items() if meant(status))[-1:]
+
     def entry(self, task: str) -> Entry:
         """Return what was accepted; KeyError when it has ended."""
         return self._entries[task]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Final, cast
+from typing import Final, Protocol, TypeVar, cast
 
 from py_trees.common import Status
 
@@ -37,6 +37,16 @@ from tandem.skills.ports.tasks import (
 )
 
 TAKEN: Final = ControlAnswer(accepted=True)
+
+
+class _OfTask(Protocol):
+    """The document of a verb on a task."""
+
+    @property
+    def task(self) -> str: ...
+
+
+M = TypeVar("M", bound=Message)
 
 
 class Control:
@@ -74,7 +84,27 @@ class Control:
             Verb(TASK_FORCE, self.force),
         )
         # One list of verbs with documents of different models; a verb reads its own.
-        return cast("tuple[Verb[Message], ...]", made)
+        return tuple(self._by_any_id(each) for each in cast("tuple[Verb[Message], ...]", made))
+
+    def of_client(self, asked: M, by: str | None = None) -> M | ControlAnswer:
+        """Return a verb's document with the task's own id in place of the ``id`` that its client chose.
+
+        Args:
+            asked: what a client has sent; its model has a field ``task``.
+            by: the client whose ids count; None: anybody's.
+        """
+        name = cast("_OfTask", asked).task
+        found = self._book.named(name, by)
+        if len(found) > 1:
+            return _refused(f"{len(found)} requests have the id {name[:80]!r}; name one: {', '.join(found)}")
+        return asked.model_copy(update={"task": found[0]}) if found else asked
+
+    def _by_any_id(self, verb: Verb[Message]) -> Verb[Message]:
+        def take(asked: Message) -> ControlAnswer:
+            known = self.of_client(asked)
+            return known if isinstance(known, ControlAnswer) else verb.take(known)
+
+        return Verb(verb.service, take)
 
     def cancel(self, asked: CancelTask) -> ControlAnswer:
         """Take it out of the queue, or bring it to rest."""

@@ -79,7 +79,7 @@ class Questions:
                 answering(TASK_INFO, lambda _: info()),
                 answering(TASK_KINDS, lambda _: kinds()),
                 answering(TASK_SITE, lambda _: site),
-                answering(TASK_TIMELINE, lambda asked: timeline(asked.task)),
+                answering(TASK_TIMELINE, lambda asked: timeline(self._meant(asked.task))),
                 answering(TREE_NOW, lambda _: tree()),
                 answering(LAST_TREE, lambda _: tree()),
                 answering(LAST_STATUS, lambda _: self._find(self.last) if self.last else None),
@@ -98,8 +98,12 @@ class Questions:
         self._endpoints.close()
 
     def _find(self, task: str) -> TaskStatus | None:
-        status = self._book.find(task)
+        status = self._book.find(self._meant(task))
         return None if status is None else self._book.explained(status)
+
+    def _meant(self, name: str) -> str:
+        """Return the id of the task that somebody names, the newest of those whose client chose this id."""
+        return next(reversed(self._book.named(name)), name)
 
     def _keys(self) -> Iterable[str]:
         tasks, _ = self._book.page(0, PAGE)

@@ -143,3 +143,15 @@ def test_a_request_finds_the_robot_of_the_project(project: Path, capsys: pytest.
     for words in (("fetch", "--item", "3"), ("json", "{}")):
         assert main(["request", *words]) == 3
         assert "no router answers at tcp/127.0.0.1:7999" in capsys.readouterr().err
+
+
+def test_the_site_of_the_projects_scenario_is_that_of_commands_without_a_scenario(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "tandem.yaml").write_text("scenario: TwoArms\n")
+    wrong = '{"task": "fetch", "item": 29, "near": "nowhere"}'
+    assert main(["tree", "render", "fetch", "--request", wrong]) == 2
+    there = capfd.readouterr().err
+    assert main(["tree", "render", "fetch", "--request", wrong, "--site", "bimanual"]) == 2
+    assert capfd.readouterr().err == there

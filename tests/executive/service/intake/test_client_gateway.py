@@ -165,3 +165,13 @@ def test_a_name_that_is_none_gets_nowhere(name: str) -> None:
 @pytest.mark.parametrize("text", ["a\nb", "\x00", "\x7f", "\u2028", "a\n", "\u202e92"])
 def test_an_id_has_no_control_characters(text: str) -> None:
     assert refused(Here().ask("", {**WAIT, "id": text}))[0] == "id"
+
+
+def test_a_clients_own_id_is_its_own_alone() -> None:
+    here = Here()
+    hers, his = (accepted(here.ask(each, {**WAIT, "id": "1"})) for each in ("ann", "bob"))
+    both = here.cancel("", "1")
+    assert f"2 requests have the id '1'; name one: {hers}, {his}" == both.reason
+    assert here.cancel("bob", "1").accepted
+    assert "another client than bob" in here.cancel("bob", hers).reason
+    assert here.cancel("", "1").accepted  # the one that has not ended

@@ -31,6 +31,8 @@ from tandem.skills.ports.tasks import (
     Reprioritise,
     StepTask,
     TaskState,
+    TaskStatus,
+    task_status,
 )
 
 S = TaskState
@@ -196,3 +198,27 @@ def test_one_tick_is_stepped(here: Surroundings) -> None:
     here.step(5)
     assert here.executive.running.ticks == ticks + 1
     assert here.executive.book.find(task).state in {S.PAUSING, S.PAUSED}
+
+
+@pytest.mark.parametrize("verb", ["cancel", "pause", "breakpoint"])
+def test_a_verb_takes_the_id_that_the_client_chose(here: Surroundings, verb: str) -> None:
+    here.ask({**NUDGING, "id": "my-1"})
+    here.step()
+    assert say(here, verb, "my-1").accepted
+
+
+def test_a_tasks_own_id_is_not_hidden_by_a_clients(here: Surroundings) -> None:
+    first = here.ask(NUDGING).task
+    second = here.ask({**NUDGING, "id": first}).task
+    say(here, "reprioritise", second)
+    assert say(here, "cancel", first).accepted
+    found = here.executive.book.find(second)
+    assert found is not None
+    assert found.state is S.QUEUED
+
+
+def test_the_status_of_a_task_is_told_by_the_clients_id(here: Surroundings) -> None:
+    task = here.ask({**NUDGING, "id": "my-1"}).task
+    pending = here.bus.query(task_status("my-1").key, b"{}")
+    here.step()
+    assert TaskStatus.model_validate_json(pending.poll() or b"").task == task
