@@ -7,6 +7,6 @@ Sensors: camera, render, render_world, pixels, lens, laser, wrench, range_sensor
 robot_sensor, sensor_nodes, sensing.
 The room: scenario, demonstration, starts, wanderer, scene, world, room, things, tags, placing, plan, draw.
 People: people, crowd, walker, walker_body.
-Physics and truth: physics, truth, disturbances.
+Physics and truth: physics, diverging, truth, disturbances.
 Faults: faults, trouble, events, defects, faulty_link.
 """

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, Protocol
 
+from tandem.sim.diverging import require_sound
 from tandem.sim.parts import BasePart, Gate, GroupPart, HandPart, Part
 from tandem.sim.rest import Rest
 from tandem.skills.ports import keys
@@ -213,6 +214,7 @@ class Hardware:
         streams = self._rest.tells(self._tick, moving=not all(part.rests for part in self._parts))
         if streams:
             readings = self._body.read(self._joints)
+            require_sound(self._body, self._joints, readings)
             states = JointStates(
                 stamp=now,
                 names=self._joints,

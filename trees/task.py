@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Final, Generic, TypeVar
+from typing import Final, Generic, TypeVar, get_args
 
 from py_trees.behaviour import Behaviour
 from pydantic import JsonValue
@@ -68,12 +68,21 @@ class TaskType(Generic[Asked]):
         """Refuse a kind whose requests nobody could send.
 
         Raises:
-            TypeError: a field of its request has a name that the executive reads itself.
+            TypeError: a field of its request has a name that the executive reads itself, or its field
+                ``task`` takes another name, as in a copy of another task's file.
         """
         if taken := sorted(RESERVED & self.request.model_fields.keys()):
             raise TypeError(
                 f"task {self.name!r}: {self.request.__name__} has a field {taken[0]!r}, "
                 "by which the executive knows who asks; expected another name"
+            )
+        field = self.request.model_fields.get("task")
+        names = () if field is None else get_args(field.annotation)
+        if field is None or (names and self.name not in names):
+            found = "no field task" if field is None else f"task: {' or '.join(map(repr, names))}"
+            raise TypeError(
+                f"task {self.name!r}: {self.request.__name__} has {found}; "
+                f'expected task: Literal["{self.name}"] = "{self.name}"'
             )
 
     def against(self, request: Asked, robot: RobotDescription | None) -> tuple[Problem, ...]:

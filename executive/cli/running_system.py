@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import signal
+import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -17,6 +18,7 @@ from rich.console import Console
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.cli.lockstep_run import lockstep_of
 from tandem.executive.cli.sending import describe_problems
+from tandem.executive.cli.shapes import Ran, print_json
 from tandem.executive.cli.task_lines import TaskLines
 from tandem.executive.config.fault_file import check_faults
 from tandem.executive.config.run_options import DEFAULT_ROBOT, RunOptions
@@ -89,13 +91,14 @@ def run_once(options: RunOptions) -> ExitCode:
             ran = _carry_out(options, asked, options.request, view, console)
             if ran is None:
                 return ExitCode.BAD_INPUT
-            if options.picture is not None:
-                _show_end(options.picture, ran.caller, view, console)
+            taken = None if options.picture is None else _show_end(options.picture, ran.caller, view, console)
             _tell_end(ran, console)
             _write_report(options, ran.recorder, system, notes={}, start=ran.before, end=ran.after)
-            return ExitCode.OK if succeeded(ran.status) else ExitCode.TASK_FAILED
+        if options.as_json:  # once all has ended well
+            print_json(Ran(status=ran.status, picture="" if taken is None else str(taken)))
+        return ExitCode.OK if succeeded(ran.status) else ExitCode.TASK_FAILED
 
-    return _ended(work)
+    return _ended(work, aside=options.as_json)
 
 
 def run_up(options: RunOptions, births: Births | None = None) -> ExitCode:
@@ -158,6 +161,7 @@ def _taken_up(options: RunOptions, robots: Sequence[str]) -> tuple[str, ...]:
     """
     if options.data is None or (options.only and "executive" not in options.only):
         return ()
+    _require_writable(options.data)
     try:
         ledgers = [(data_of(options, robot), f"{options.bus.site}/{robot}") for robot in robots]
         return tuple(
@@ -172,9 +176,27 @@ def _taken_up(options: RunOptions, robots: Sequence[str]) -> tuple[str, ...]:
         raise LedgerFailure(str(error)) from error
 
 
-def _ended(work: Callable[[Console], ExitCode]) -> ExitCode:
-    """Do the work; say in words how it ended when it did not end by itself."""
-    console = Console(stderr=False, highlight=False, soft_wrap=True)
+def _require_writable(folder: Path) -> None:
+    """Raise LedgerFailure, before any process fails over it, when nothing can be kept in a folder."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        wanted = "the ledger needs a writable folder"
+        raise LedgerFailure(
+            f"{folder}: {wanted}: {error.strerror}; choose another one with --data"
+        ) from error
+
+
+def _ended(work: Callable[[Console], ExitCode], *, aside: bool = False) -> ExitCode:
+    """Do the work; say in words how it ended when it did not end by itself.
+
+    Args:
+        work: says what happens.
+        aside: whether that goes to standard error, as standard output is for a document.
+    """
+    console = Console(stderr=aside, highlight=False, soft_wrap=True)
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # a service manager's Ctrl-C
     try:
         return work(console)
@@ -248,7 +270,7 @@ def _system(
 
 
 @dataclass(frozen=True)
-class _Ran:
+class _CarriedOut:
     """A request that was carried out: how it ended, and where the items truly were before and after."""
 
     status: TaskStatus
@@ -261,7 +283,7 @@ class _Ran:
 
 def _carry_out(
     options: RunOptions, system: System, request: str, view: View | None, console: Console
-) -> _Ran | None:
+) -> _CarriedOut | None:
     """Send a request, and tell and film it to its end; None when it was rejected."""
     recorder = Recorder(system.bus, system.clocks)
     film = None if options.film is None else _film(system, view or USUAL_VIEW)
@@ -277,7 +299,7 @@ def _carry_out(
     after = caller.truth()
     if film is not None and options.film is not None:
         _save(film, options.film, console)
-    return _Ran(status, caller, recorder, _items(before), _items(after), after)
+    return _CarriedOut(status, caller, recorder, _items(before), _items(after), after)
 
 
 def _film(system: System, view: View) -> Film:
@@ -323,20 +345,22 @@ def _show(
     return ExitCode.OK if found.good and succeeded(ran.status) else ExitCode.TASK_FAILED
 
 
-def _tell_end(ran: _Ran, console: Console) -> None:
+def _tell_end(ran: _CarriedOut, console: Console) -> None:
     status = ran.status
     ended = status.state.value.lower() if status.failure is None else f"failed: {status.failure.message}"
     console.print("\n".join((f"task {status.task} {ended}", *result_lines(status))), markup=False)
 
 
-def _show_end(path: Path, caller: Caller, view: View | None, console: Console) -> None:
+def _show_end(path: Path, caller: Caller, view: View | None, console: Console) -> Path | None:
+    """Save a picture of the scene and say so; return its whole path, None when there is none."""
     picture = caller.photograph(view or USUAL_VIEW)
     if picture is None:
         console.print("no picture: the camera did not answer")
-        return
+        return None
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(picture)
     console.print(f"picture of the final scene: {path.resolve()}", markup=False)
+    return path.resolve()
 
 
 def _items(truth: Truth) -> dict[int, Pose]:

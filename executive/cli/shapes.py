@@ -41,6 +41,15 @@ class Requested(Message):
     """The task at its end, with ``--wait``."""
 
 
+class Ran(Message):
+    """A request that was carried out."""
+
+    status: TaskStatus
+    """The task at its end."""
+    picture: str = ""
+    """File with the picture of the final scene, with ``--picture``."""
+
+
 class Cancelled(Message):
     """Tasks that are being cancelled."""
 
@@ -241,6 +250,8 @@ def shapes() -> Mapping[str, type[Message]]:
     return {
         "request KIND": Requested,
         "request json": Requested,
+        "run KIND": Ran,
+        "run json": Ran,
         "retry": Requested,
         "tasks": Tasks,
         "cancel": Cancelled,

@@ -115,6 +115,8 @@ class RunOptions:
     """Plug-ins that can't be loaded, and are left out."""
     request: str = ""
     """What ``tandem run`` asks for, as a JSON document."""
+    as_json: bool = False
+    """Whether the end of the request is printed as JSON, and what is said meanwhile to standard error."""
     within: float = 900.0
     """Robot seconds that its task may take."""
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import pytest
 from py_trees.behaviours import Success
 from pydantic import create_model
@@ -21,3 +23,17 @@ def test_a_kind_whose_field_says_who_asks_is_refused(name: str) -> None:
 
 def test_both_fields_are_reserved() -> None:
     assert {BY_FIELD, ID_FIELD} == RESERVED
+
+
+def test_a_copy_whose_request_still_has_the_old_name_is_refused() -> None:
+    request = create_model("TourRequest", __base__=Message, task=(Literal["tour"], "tour"))
+    with pytest.raises(
+        TypeError, match=r"task 'count': TourRequest has task: 'tour'; expected task: Literal"
+    ):
+        TaskType("count", "Count.", request, lambda _, __: (), lambda _, __: Success("done"))
+
+
+def test_a_request_without_the_tasks_name_is_refused() -> None:
+    request = create_model("Nameless", __base__=Message)
+    with pytest.raises(TypeError, match=r"task 'count': Nameless has no field task; expected task: Literal"):
+        TaskType("count", "Count.", request, lambda _, __: (), lambda _, __: Success("done"))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 from typer.core import TyperCommand
 
-from tandem.executive.cli.arguments import give_parameters
+from tandem.executive.cli.arguments import Json, give_parameters
 from tandem.executive.cli.commands.request_command import read_document
 from tandem.executive.cli.kinds_group import KindsGroup, single
 from tandem.executive.cli.schema_options import fields_of, read_given
@@ -36,6 +36,7 @@ Within = Annotated[
     float, typer.Option("--within", min=1.0, max=86_400.0, help="Robot seconds that the task may take.")
 ]
 _WITHIN: Final = inspect.Parameter("within", inspect.Parameter.KEYWORD_ONLY, default=900.0, annotation=Within)
+_JSON: Final = inspect.Parameter("as_json", inspect.Parameter.KEYWORD_ONLY, default=False, annotation=Json)
 _SYSTEM: Final = inspect.Parameter("options", inspect.Parameter.KEYWORD_ONLY, annotation=RunOptions)
 
 
@@ -59,24 +60,27 @@ def add_to(app: typer.Typer) -> None:
     app.add_typer(group, name="run", subcommand_metavar="KIND|json [OPTIONS]...")
 
 
-def from_json(document: Document, *, within: Within = 900.0, options: RunOptions) -> None:
+def from_json(
+    document: Document, *, within: Within = 900.0, as_json: Json = False, options: RunOptions
+) -> None:
     """Start everything, carry out a JSON request, and stop everything."""
-    raise typer.Exit(_run(read_document(document).decode("utf-8", "replace"), within, options))
+    request = read_document(document).decode("utf-8", "replace")
+    raise typer.Exit(_run(replace(options, request=request, within=within, as_json=as_json)))
 
 
 def command_of(kind: TaskType[Message]) -> TyperCommand:
     """Return a command with an option for each field."""
-    fields = fields_of(kind.request.model_json_schema(), beside=(_WITHIN, *system_parameters()))
+    fields = fields_of(kind.request.model_json_schema(), beside=(_WITHIN, _JSON, *system_parameters()))
 
-    def command(*, within: float, options: RunOptions, **given: object) -> None:
-        document = {"task": kind.name, **read_given(fields, given)}
-        raise typer.Exit(_run(json.dumps(document), within, options))
+    def command(*, within: float, as_json: bool, options: RunOptions, **given: object) -> None:
+        request = json.dumps({"task": kind.name, **read_given(fields, given)})
+        raise typer.Exit(_run(replace(options, request=request, within=within, as_json=as_json)))
 
-    give_parameters(command, [*(field.as_parameter() for field in fields), _WITHIN, _SYSTEM])
+    give_parameters(command, [*(field.as_parameter() for field in fields), _WITHIN, _JSON, _SYSTEM])
     return single(kind.name, kind.summary, starts_system(command))
 
 
-def _run(request: str, within: float, options: RunOptions) -> int:
+def _run(options: RunOptions) -> int:
     from tandem.executive.cli.running_system import run_once  # noqa: PLC0415 - loads the whole system
 
-    return run_once(replace(options, request=request, within=within))
+    return run_once(options)

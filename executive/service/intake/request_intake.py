@@ -120,7 +120,7 @@ class Intake:
             return check()
         except Exception as error:  # noqa: BLE001 - as said
             _LOG.exception("checking a request raised")
-            text = f"a request that can be checked; the check raised {type(error).__name__}"
+            text = f"a request that can be checked; the check raised {_short(error)}"
             return Refused((Problem(path=WHOLE, expected=text),))
 
     def _consider(self, fields: dict[str, JsonValue]) -> TaskAnswer:
@@ -157,3 +157,9 @@ def _not_kept(client_id: str, error: LedgerError) -> TaskAnswer:
         code="NOT_KEPT",
     )
     return TaskAnswer(accepted=False, problems=(problem,), client_id=client_id)
+
+
+def _short(error: Exception) -> str:
+    """Return what was raised, as one line for a client; the log has all of it."""
+    said = " ".join(str(error).split())[:200]
+    return f"{type(error).__name__}{f': {said}' if said else ''}; see the executive's log for the traceback"
