@@ -208,6 +208,9 @@ class RobotDescription(Message):
     bumpers: tuple[Bumper, ...] = ()
     drive: Annotated[Drive, Field(discriminator="kind")] | None = None
     """None: the base is fixed."""
+    search_tilts: Annotated[tuple[float, ...], Field(min_length=1, max_length=8)] = (-0.45,)
+    """Radians of the head, down is negative, at which a search looks straight ahead, a picture each. A camera
+    1.2 m up spans with 36 degrees what lies 0.6 to 4 m ahead on a table; a lower one looks less far down."""
     postures: tuple[Posture, ...]
     period: Positive
     """Seconds between two messages of the clock and of the joints' state."""

@@ -8,6 +8,7 @@ from py_trees.common import Status
 from tandem.executive.trials.exploration.inspect_worlds import inspect_site
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.executive.trials.exploration.worlds import DOUBLE, ITEM, TAG
+from tandem.skills.ports.actions.perception import LookGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.site import load
 from tandem.skills.testing.mock_skill import Fault
@@ -102,3 +103,11 @@ def test_spots_are_checked_against_the_site(spots: tuple[str, ...] | None, wrong
 def test_a_site_without_spots_has_nothing_to_inspect() -> None:
     (problem,) = TASK.problems(InspectRequest(), load("bimanual").model_copy(update={"spots": ()}))
     assert problem.expected == "a site with search spots"
+
+
+def test_it_looks_as_far_down_as_the_robot_says() -> None:
+    run = bench()
+    run.robot.description = run.robot.description.model_copy(update={"search_tilts": (-0.2, -0.6)})
+    run.run("inspect", {})
+    looks = {goal.tilts for _, goal in run.robot.calls if isinstance(goal, LookGoal)}
+    assert looks == {(-0.2, -0.6)}

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Final
-
 from tandem.skills.ports.actions.perception import LOOK, LookFeedback, LookGoal, LookResult
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.trees.behaviours.act import Act
@@ -11,8 +9,11 @@ from tandem.trees.board import NEAR, FetchBoard, is_meant
 from tandem.trees.context import TreeContext
 from tandem.trees.item_failures import ambiguous
 
-TILTS: Final = (-0.45,)
-"""Radians of the head: with 36 degrees of height, one picture spans what lies 0.6 to 4 m ahead on a table."""
+
+def search_tilts(context: TreeContext) -> tuple[float, ...]:
+    """Return the tilts (rad) of a look straight ahead: the robot's, or the usual ones before it was heard."""
+    description = context.knowledge.description
+    return LookGoal().tilts if description is None else description.search_tilts
 
 
 def _elsewhere(board: FetchBoard) -> Failure:
@@ -45,7 +46,7 @@ def look(name: str, context: TreeContext, board: FetchBoard) -> Act[LookGoal, Lo
         name,
         context,
         LOOK,
-        lambda: LookGoal(item=board.item, tilts=TILTS),
+        lambda: LookGoal(item=board.item, tilts=search_tilts(context)),
         resources=("head",),
         judge=judge,
         believed=lambda result: context.believes(s for s in result.sightings if s.item == board.item),

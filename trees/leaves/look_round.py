@@ -9,7 +9,7 @@ from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.world import Sighting
 from tandem.trees.behaviours.act import Act
 from tandem.trees.context import TreeContext
-from tandem.trees.leaves.look import TILTS
+from tandem.trees.leaves.look import search_tilts
 
 
 def look_round(
@@ -25,7 +25,7 @@ def look_round(
         name,
         context,
         LOOK,
-        lambda: LookGoal(tilts=TILTS),
+        lambda: LookGoal(tilts=search_tilts(context)),
         resources=("head",),
         judge=judge,
         believed=lambda result: context.believes(result.sightings),

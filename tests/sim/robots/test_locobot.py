@@ -62,6 +62,17 @@ def test_the_camera_tilts_down_over_the_front_of_its_tower() -> None:
     assert body.read(("tilt",))[0].position == pytest.approx(low + 0.05, abs=0.02)
 
 
+@pytest.mark.parametrize("board", [0.15, 0.45])
+def test_a_search_sees_both_boards_from_near_and_far(board: float) -> None:
+    description = robot_model(ROBOT).description
+    camera = description.camera
+    half = math.atan(math.tan(camera.horizontal_fov / 2) * camera.height / camera.width)
+    (tilt,) = description.search_tilts
+    for distance in (0.7, 1.0, 2.0, 3.0):
+        down = math.atan2(board + 0.03 - 0.59, distance)
+        assert tilt - half < down < tilt + half
+
+
 def test_it_weighs_what_its_parts_do() -> None:
     root = ET.fromstring(robot_model(ROBOT).physics_urdf)  # noqa: S314
     assert sum(float(each.get("value", "0")) for each in root.iter("mass")) == pytest.approx(9.2, abs=0.3)
