@@ -40,8 +40,15 @@ def load_ahead(name: str) -> None:
         role.ahead()
 
 
-def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
+def play(
+    settings: WorkerSettings, stopped: Callable[[], bool], *, router_within: float = ROUTER_WITHIN
+) -> None:
     """Play a role until ``stopped`` says so.
+
+    Args:
+        settings: of the process.
+        stopped: whether it is to end.
+        router_within: host seconds for which it waits for its router.
 
     Raises:
         RefusalError: there is no such role, what it needs is not installed, another process plays it already,
@@ -60,7 +67,7 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
     from tandem.skills.wire.presence import Presence, RivalError  # noqa: PLC0415
 
     worker = _fork_worker(role)  # while there is no session, and no thread of its
-    bus = connect(settings, role, stopped)
+    bus = connect(settings, role, stopped, within=router_within)
     if bus is None:
         return
     try:
@@ -83,15 +90,17 @@ def play(settings: WorkerSettings, stopped: Callable[[], bool]) -> None:
         bus.close()
 
 
-def connect(settings: WorkerSettings, role: Role, stopped: Callable[[], bool]) -> ZenohBus | None:
+def connect(
+    settings: WorkerSettings, role: Role, stopped: Callable[[], bool], *, within: float = ROUTER_WITHIN
+) -> ZenohBus | None:
     """Return the process's end of the bus; None when it was stopped before the router was there.
 
     Raises:
-        BusError: the router is not there within ``ROUTER_WITHIN``.
+        BusError: the router is not there ``within`` so many host seconds.
     """
     from tandem.skills.wire.zenoh_bus import BusError, ZenohBus  # noqa: PLC0415
 
-    deadline, told = time.monotonic() + ROUTER_WITHIN, False
+    deadline, told = time.monotonic() + within, False
     while not stopped():
         try:
             return ZenohBus(
@@ -102,7 +111,7 @@ def connect(settings: WorkerSettings, role: Role, stopped: Callable[[], bool]) -
                 pictures=role.pictures or (bool(settings.record) and settings.record_pictures),
             )
         except BusError:
-            if time.monotonic() > deadline:
+            if time.monotonic() >= deadline:
                 raise
             if not told:
                 _LOG.warning("waits for its router", extra={"endpoint": settings.endpoint})

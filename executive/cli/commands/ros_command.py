@@ -94,7 +94,7 @@ def _play(logs: LogOptions, map_file: Path, router: str, bus: BusOptions) -> Non
     sys.setswitchinterval(SWITCH_INTERVAL)  # as any process of the system: a busy loop must hear
     typer.echo(f"{bus.prefix} at {bus.endpoint}: press Ctrl-C to stop")
     try:
-        play(settings, ending)
+        play(settings, ending, router_within=0.0)  # somebody waits for the answer: one try
     except BusError as error:
         raise CommandError(str(error), ExitCode.NOBODY_THERE) from error
     except RefusalError as error:

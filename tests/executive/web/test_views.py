@@ -355,6 +355,7 @@ def test_what_is_typed_stays_while_the_robot_goes_on(page: Page, robot: FakeRobo
     waiting = TaskStatus(task="go-1", kind="go", request={}, state=TaskState.QUEUED, accepted_at=0.0)
     robot.tasks = (waiting,)
     page.goto("/task/go-1")
+    expect(page.locator(".link")).to_contain_text("nothing heard")
     priority = page.get_by_label("priority")
     priority.fill("5")
     robot.tell((TASK_STATUS, waiting.model_copy(update={"waits_for": "its turn"})))
