@@ -19,6 +19,23 @@ LEVEL = 2.5e-3
 """Half of the sine of the tilt: 5 mrad, 2.5 mm where the hand is."""
 
 
+def standing() -> tuple[Physics, RobotBody, dict[str, float]]:
+    """Return a LoCoBot at rest on a floor, and where its joints are."""
+    physics = Physics()
+    physics.add_floor()
+    model = robot_model(ROBOT)
+    home = dict(home_positions(model.description))
+    return physics, RobotBody(physics, model, positions=home), home
+
+
+def drive(body: RobotBody, physics: Physics, wanted: dict[str, float], *, steps: int) -> None:
+    """Drive the joints towards positions (rad) for so many steps."""
+    for _ in range(steps):
+        speeds = [4.0 * (wanted[each] - body.read((each,))[0].position) for each in wanted]
+        body.drive_velocities(list(wanted), speeds, [20.0] * len(wanted))
+        physics.step(1)
+
+
 def test_the_hand_is_where_the_makers_file_has_it() -> None:
     """All joints at zero: the arm stretches 0.255 m up and then ahead."""
     description = robot_model(ROBOT).description
@@ -30,35 +47,24 @@ def test_the_hand_is_where_the_makers_file_has_it() -> None:
 
 
 def test_it_stands_level_whatever_the_arm_does() -> None:
-    physics = Physics()
-    physics.add_floor()
-    model = robot_model(ROBOT)
-    home = dict(home_positions(model.description))
-    body = RobotBody(physics, model, positions=home)
+    physics, body, home = standing()
     for wanted in (home, home | STRETCHED, home):
-        for _ in range(300):
-            speeds = [4.0 * (wanted[each] - body.read((each,))[0].position) for each in wanted]
-            body.drive_velocities(list(wanted), speeds, [20.0] * len(wanted))
-            physics.step(1)
+        drive(body, physics, wanted, steps=300)
         _, orientation = body.base_pose()
         assert orientation[:2] == pytest.approx((0.0, 0.0), abs=LEVEL)
 
 
 def test_the_camera_tilts_down_over_the_front_of_its_tower() -> None:
     """A plate that was drawn too long held it up at 20 degrees: what stood on a low board was never seen."""
-    physics = Physics()
-    physics.add_floor()
-    model = robot_model(ROBOT)
-    home = dict(home_positions(model.description))
-    body = RobotBody(physics, model, positions=home)
+    physics, body, home = standing()
     (low,) = (
-        limit.lower for group in model.description.groups for limit in group.limits if limit.joint == "tilt"
+        limit.lower
+        for group in robot_model(ROBOT).description.groups
+        for limit in group.limits
+        if limit.joint == "tilt"
     )
     wanted = home | {"tilt": low + 0.05}
-    for _ in range(600):
-        speeds = [4.0 * (wanted[each] - body.read((each,))[0].position) for each in wanted]
-        body.drive_velocities(list(wanted), speeds, [20.0] * len(wanted))
-        physics.step(1)
+    drive(body, physics, wanted, steps=600)
     assert body.read(("tilt",))[0].position == pytest.approx(low + 0.05, abs=0.02)
 
 
@@ -96,11 +102,8 @@ def test_three_bumpers_are_in_front(bearing: float, pressed: tuple[str, ...]) ->
 
 def test_its_wheels_roll_as_wide_as_they_are_said_to_be() -> None:
     """2 s at 0.5 m/s, its arm held still: within 1 %."""
-    physics = Physics()
-    physics.add_floor()
+    physics, body, home = standing()
     model = robot_model(ROBOT)
-    home = dict(home_positions(model.description))
-    body = RobotBody(physics, model, positions=home)
     assert model.wheels is not None
     body.drive_velocities(list(home), [0.0] * len(home), [20.0] * len(home))
     physics.step(150)
