@@ -42,11 +42,17 @@ from tandem.skills.ports.occupancy import (
     OccupancySetting,
     SavedMap,
 )
+from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.problems import in_words
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.world import OCCUPANCY, OCCUPANCY_EDIT, OCCUPANCY_NOW, WORLD, Box, WorldState
+from tandem.skills.ports.world import OCCUPANCY, OCCUPANCY_EDIT, OCCUPANCY_NOW, PEOPLE, WORLD, Box, WorldState
 
+ARMS: Final = 0.25
+"""Metres about a person's legs, as the laser has them, that the rest of the body and a step until the picture
+may take."""
+TALL: Final = 2.0
+"""Metres: no person is higher."""
 KEEPS_LISTENING: Final = 4.0
 """Pictures a second from which on the camera is listened to all the time: it gives five."""
 PLACED_WITHIN: Final = 1.0
@@ -100,7 +106,7 @@ class Mapper:
         self._furniture = tuple(box_in_map(box) for each in site.furniture for box in each.boxes)
         self._lattice = Lattice.of_site(site, setting)
         self._joints, self._robot = JointHistory(bus), RobotPoseHistory(bus)
-        self._world = Latest(bus, WORLD, depth=4)
+        self._world, self._people = Latest(bus, WORLD, depth=4), Latest(bus, PEOPLE, depth=4)
         self._inbox: Heard[RgbdHeader] | None = None
         self._picture: tuple[RobotTime, bytes] | None = None
         self._offers: deque[Shot] = deque(maxlen=OFFERED)
@@ -163,6 +169,7 @@ class Mapper:
         self._joints.close()
         self._robot.close()
         self._world.close()
+        self._people.close()
         self._endpoints.close()
 
     def _listen(self, now: RobotTime) -> None:
@@ -209,6 +216,7 @@ class Mapper:
     def _about(self, shot: Shot) -> MapJob:
         world, positions = self._world.refresh(), self._joints.positions(header_of(shot.payload).stamp) or {}
         items = () if world is None else (*self._standing(world), *self._held(world, shot, positions))
+        items = (*items, *self._walking())
         known = Known(
             self._furniture, items, self._arms.segments(positions) if positions else (), self._radius
         )
@@ -222,6 +230,17 @@ class Mapper:
             if stands is not None:
                 found.append(Box(size=fact.size, pose=stands))
         return tuple(found)
+
+    def _walking(self) -> tuple[Box, ...]:
+        """Return room for those who walk about: the base's planner has them, and they don't stay."""
+        people = self._people.refresh()
+        return tuple(
+            Box(
+                size=(2 * (each.radius + ARMS), 2 * (each.radius + ARMS), TALL),
+                pose=Pose(position=(each.x, each.y, TALL / 2), orientation=(0.0, 0.0, 0.0, 1.0)),
+            )
+            for each in (() if people is None else people.people)
+        )
 
     def _held(self, world: WorldState, shot: Shot, positions: Mapping[str, float]) -> tuple[Box, ...]:
         base, hands = to_pose(shot.base_in_map), self._arms.hands(positions)

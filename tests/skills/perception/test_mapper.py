@@ -20,7 +20,7 @@ from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.occupancy import EditMap, MapEdit, MapEdited, Occupancy, OccupancySetting
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.skill import Command
-from tandem.skills.ports.world import OCCUPANCY, OCCUPANCY_EDIT, Box
+from tandem.skills.ports.world import OCCUPANCY, OCCUPANCY_EDIT, PEOPLE, Box, People, TrackedPerson
 from tandem.skills.wire.memory import MemoryBus
 from tandem.skills.wire.workers import InlineCompute
 from tests.skills.perception.pictures import header
@@ -79,6 +79,15 @@ def test_what_stands_there_is_told_once_and_again_only_on_change() -> None:
     assert [len(each.numbers()) for each in heard.take()] == [0]
     go_on(stage, mapper, 2.0)
     assert heard.take() == []
+
+
+def test_who_walks_about_is_not_kept_in_the_map() -> None:
+    stage, mapper, heard = mapped(Room(STRANGE))
+    x, y, _ = STRANGE.pose.position
+    walker = TrackedPerson(id=1, x=x, y=y, vx=0.5, vy=0.0, position_sigma=0.05, radius=0.1, unseen=0.0)
+    PEOPLE.publish(stage.bus, People(stamp=stage.now, people=(walker,)))
+    go_on(stage, mapper, 1.0)
+    assert [len(each.numbers()) for each in heard.take()] == [0]
 
 
 @pytest.mark.parametrize(("rate", "pictures"), [(1.0, 3), (0.5, 2), (5.0, 30)])
