@@ -5,10 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from tandem.skills.grasping.item_frames import upright_in_map
+from tandem.skills.ports.actions.perception import LookResult
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.message import HandName
 from tandem.skills.ports.world import ItemFact, Sighting
 from tandem.trees.context import TreeContext
+
+
+def evidence_of(item: int, result: LookResult) -> dict[str, int | float]:
+    """Return what a look that has not shown an item has to say: also that the head was held up."""
+    short = {"head_short_rad": round(result.head_short, 3)} if result.head_short else {}
+    return {"item": item, **short}
 
 
 def ambiguous(context: TreeContext, item: int, sightings: Iterable[Sighting] = ()) -> Failure | None:

@@ -3,8 +3,7 @@
 """The arithmetic of ``quick`` and ``spheres``, compiled by numba: some 2 us a state.
 
 Imported only where numba is installed (extra ``fast``). The code is written out plainly because that is what
-the compiler makes fast. ``judge`` is one function for the same reason: as several, inlined or not, it gives
-the same answers more slowly.
+the compiler makes fast. ``judge`` is one function for the same reason.
 """
 
 from __future__ import annotations

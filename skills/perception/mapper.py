@@ -48,9 +48,12 @@ from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import OCCUPANCY, OCCUPANCY_EDIT, OCCUPANCY_NOW, PEOPLE, WORLD, Box, WorldState
 
-ARMS: Final = 0.25
+BODY: Final = 0.25
 """Metres about a person's legs, as the laser has them, that the rest of the body and a step until the picture
 may take."""
+TRACKED_WITHIN: Final = 1.0
+"""Robot seconds between the scan of a person and the picture: later the person is elsewhere, and a base that
+has gone silent leaves no hole in the map. A scan comes ten times a second."""
 TALL: Final = 2.0
 """Metres: no person is higher."""
 KEEPS_LISTENING: Final = 4.0
@@ -214,11 +217,14 @@ class Mapper:
         return angle_between(poses[0].orientation, poses[1].orientation) > SWINGS
 
     def _about(self, shot: Shot) -> MapJob:
-        world, positions = self._world.refresh(), self._joints.positions(header_of(shot.payload).stamp) or {}
+        stamp, world = header_of(shot.payload).stamp, self._world.refresh()
+        positions = self._joints.positions(stamp) or {}
         items = () if world is None else (*self._standing(world), *self._held(world, shot, positions))
-        items = (*items, *self._walking())
         known = Known(
-            self._furniture, items, self._arms.segments(positions) if positions else (), self._radius
+            self._furniture,
+            (*items, *self._tracked(stamp)),
+            self._arms.segments(positions) if positions else (),
+            self._radius,
         )
         size = (self._lens.width, self._lens.height)
         return MapJob(shot, self._lattice, self._occupied, known, size, self._setting.range)
@@ -231,15 +237,16 @@ class Mapper:
                 found.append(Box(size=fact.size, pose=stands))
         return tuple(found)
 
-    def _walking(self) -> tuple[Box, ...]:
-        """Return room for those who walk about: the base's planner has them, and they don't stay."""
-        people = self._people.refresh()
+    def _tracked(self, stamp: RobotTime) -> tuple[Box, ...]:
+        """Return the room of the people whom the base tracks, at a picture's time: they don't stay there."""
+        heard = self._people.refresh()
+        people = () if heard is None or not heard.stamp.is_fresh(stamp, TRACKED_WITHIN) else heard.people
         return tuple(
             Box(
-                size=(2 * (each.radius + ARMS), 2 * (each.radius + ARMS), TALL),
+                size=(2 * (each.radius + BODY), 2 * (each.radius + BODY), TALL),
                 pose=Pose(position=(each.x, each.y, TALL / 2), orientation=(0.0, 0.0, 0.0, 1.0)),
             )
-            for each in (() if people is None else people.people)
+            for each in people
         )
 
     def _held(self, world: WorldState, shot: Shot, positions: Mapping[str, float]) -> tuple[Box, ...]:

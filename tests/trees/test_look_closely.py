@@ -24,3 +24,4 @@ def test_only_what_was_in_view_is_gone(result: LookResult, kind: FailureKind, wo
     failure = not_seen(29, result)
     assert failure.kind is kind
     assert words in failure.message
+    assert failure.evidence.get("head_short_rad", 0.0) == result.head_short

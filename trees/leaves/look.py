@@ -7,7 +7,7 @@ from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import NEAR, FetchBoard, is_meant
 from tandem.trees.context import TreeContext
-from tandem.trees.item_failures import ambiguous
+from tandem.trees.item_failures import ambiguous, evidence_of
 
 
 def search_tilts(context: TreeContext) -> tuple[float, ...]:
@@ -39,7 +39,7 @@ def look(name: str, context: TreeContext, board: FetchBoard) -> Act[LookGoal, Lo
         return Failure(
             kind=FailureKind.ITEM_NOT_FOUND,
             message=f"item {board.item} is not in view; seen: {seen}",
-            evidence={"item": board.item},
+            evidence=dict(evidence_of(board.item, result)),
         )
 
     return Act(

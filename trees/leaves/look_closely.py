@@ -10,7 +10,7 @@ from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard
 from tandem.trees.context import TreeContext
-from tandem.trees.item_failures import ambiguous
+from tandem.trees.item_failures import ambiguous, evidence_of
 
 PICTURES: Final = 3
 """Pictures whose tag poses are averaged before a grasp."""
@@ -32,7 +32,7 @@ def not_seen(item: int, result: LookResult) -> Failure:
         return Failure(
             kind=FailureKind.ITEM_HIDDEN,
             message=f"item {item} can't be seen from here: the head stops {short:.0f} degrees short of it",
-            evidence={"item": item, "head_short_rad": round(result.head_short, 3)},
+            evidence=dict(evidence_of(item, result)),
         )
     return Failure(
         kind=FailureKind.ITEM_GONE,

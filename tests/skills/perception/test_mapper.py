@@ -81,13 +81,15 @@ def test_what_stands_there_is_told_once_and_again_only_on_change() -> None:
     assert heard.take() == []
 
 
-def test_who_walks_about_is_not_kept_in_the_map() -> None:
+@pytest.mark.parametrize(("age", "kept"), [(0.0, False), (3.0, True)])
+def test_who_is_tracked_is_not_kept_in_the_map(age: float, *, kept: bool) -> None:
+    """Of somebody whom the base told of long ago it is not known where they are."""
     stage, mapper, heard = mapped(Room(STRANGE))
     x, y, _ = STRANGE.pose.position
     walker = TrackedPerson(id=1, x=x, y=y, vx=0.5, vy=0.0, position_sigma=0.05, radius=0.1, unseen=0.0)
-    PEOPLE.publish(stage.bus, People(stamp=stage.now, people=(walker,)))
+    PEOPLE.publish(stage.bus, People(stamp=stage.now.plus(-age), people=(walker,)))
     go_on(stage, mapper, 1.0)
-    assert [len(each.numbers()) for each in heard.take()] == [0]
+    assert (len(heard.take()[-1].numbers()) > 0) == kept
 
 
 @pytest.mark.parametrize(("rate", "pictures"), [(1.0, 3), (0.5, 2), (5.0, 30)])

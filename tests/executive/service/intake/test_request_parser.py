@@ -129,7 +129,9 @@ def test_a_check_that_raises_costs_its_request_only() -> None:
     here = Surroundings()
     broken = WAIT.__class__(WAIT.name, WAIT.summary, WAIT.request, raises, WAIT.build)
     here.executive._kinds["wait"] = broken
-    assert not here.ask(json.loads(GOOD)).accepted
+    refused = here.ask(json.loads(GOOD))
+    assert not refused.accepted
+    assert "RuntimeError: a mistake" in refused.problems[0].expected
     here.executive._kinds["wait"] = WAIT
     assert here.ask(json.loads(GOOD)).accepted
 
