@@ -80,7 +80,7 @@ export function Field({ name, field, value, needed, offers, problem, change }: G
       {input}
       {offers.length > 0 && <datalist id={`${id}-offers`}>{offers.map((each) => <option key={each} value={each} />)}</datalist>}
       <p class="quiet" id={`${id}-about`}>{form.description}</p>
-      {problem && <p class="problem">expected {problem.expected}{problem.found && `; found ${problem.found}`}</p>}
+      {problem && <p class="problem">{problem.path !== name && `${problem.path}: `}expected {problem.expected}{problem.found && `; found ${problem.found}`}</p>}
     </div>
   );
 }

@@ -46,7 +46,7 @@ def test_it_lies_beside_the_site_file_or_with_the_robots_data() -> None:
 @pytest.mark.parametrize(
     ("document", "words"),
     [
-        ("{", "Invalid JSON"),
+        ("{", "expected JSON: EOF"),
         ("{}", "site: expected a value"),
         (saved(name="lab").model_dump_json(), "site: expected 'picking', found 'lab'"),
         (
