@@ -79,6 +79,7 @@ class ReflexType(Generic[W, P]):
         needs: says what a robot must have for it, and lacks; "" when it has all.
         make: makes it, from its surroundings and its parameters.
         armed: whether it is on where nobody declares it.
+        protects: whom or what from what; who switches it off is asked first. Empty: nobody.
     """
 
     name: str
@@ -89,6 +90,7 @@ class ReflexType(Generic[W, P]):
     needs: Callable[[RobotDescription], str]
     make: Callable[[W, P], Reflex]
     armed: bool = True
+    protects: str = ""
 
 
 @dataclass
@@ -103,6 +105,7 @@ class Fitted:
     on: bool = True
     by: str = ""
     declared: bool = True
+    protects: str = ""
     fired: int = 0
     act: Act | None = None
 
@@ -183,6 +186,7 @@ def fitted(choice: Sequence[Chosen[W]], at: W, pipelines: Mapping[str, Pipeline]
             each.type.make(at, each.parameters),
             on=each.on,
             declared=each.on,
+            protects=each.type.protects,
         )
         for each in choice
     ]
@@ -303,6 +307,7 @@ class Reflexes:
             holds=each.holds,
             fired=each.fired,
             about=each.about,
+            protects=each.protects,
         )
 
     def _tell(self) -> None:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.tasks import ForcedStatus, Side
 from tandem.trees.context import TreeContext
 
 
@@ -41,6 +42,8 @@ class Gates:
     context: TreeContext
     hit: str = ""
     """What the tree has come to: "before grasp"; empty while it goes."""
+    changes: int = 0
+    """How often a gate was set or taken away."""
     _gates: dict[Behaviour, _Gate] = field(default_factory=dict)
 
     def find(self, name: str) -> Behaviour | str:
@@ -55,6 +58,7 @@ class Gates:
     def hold(self, node: Behaviour, *, before: bool, on: bool = True) -> None:
         """Put a breakpoint before or behind a node, or take it away."""
         gate = self._gate(node)
+        self.changes += 1
         if before:
             gate.before = on
         else:
@@ -63,6 +67,7 @@ class Gates:
     def force(self, node: Behaviour, status: Status | None) -> None:
         """Have a node end with a status instead of working; None lets it work again."""
         self._gate(node).forced = status
+        self.changes += 1
 
     def held(self) -> tuple[tuple[str, bool], ...]:
         """Return the breakpoints: the node's path, and whether it is before the node."""
@@ -73,9 +78,20 @@ class Gates:
             if on
         )
 
-    def forced(self) -> Mapping[str, Status]:
-        """Return the nodes that are forced, by path."""
-        return {path: gate.forced for path, gate in self._by_path() if gate.forced is not None}
+    def breakpoints(self) -> dict[str, tuple[Side, ...]]:
+        """Return on which sides of which nodes, by path, there are breakpoints."""
+        sides: dict[str, tuple[Side, ...]] = {}
+        for path, before in self.held():
+            sides[path] = (*sides.get(path, ()), "before" if before else "after")
+        return sides
+
+    def forced(self) -> dict[str, ForcedStatus]:
+        """Return how the nodes end that are forced, by path."""
+        return {
+            path: "SUCCESS" if gate.forced is Status.SUCCESS else "FAILURE"
+            for path, gate in self._by_path()
+            if gate.forced is not None
+        }
 
     def _by_path(self) -> Iterator[tuple[str, _Gate]]:
         if self._gates:

@@ -12,7 +12,7 @@ from pydantic import Field, JsonValue
 
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.message import HandName, Message
-from tandem.skills.ports.tasks import Span
+from tandem.skills.ports.tasks import ForcedStatus, Span
 
 Winding = Literal["", "begun", "left"]
 """What is done after a cancel: not begun; begun; or left, because the task was cancelled once more."""
@@ -34,7 +34,7 @@ class TaskMemory(Message):
     hands: tuple[HandName, ...] = ()
     """The robot's hands, which its tree was made for; none before it was made."""
     breakpoints: tuple[Held, ...] = ()
-    forced: dict[str, Literal["SUCCESS", "FAILURE"]] = Field(default_factory=dict)
+    forced: dict[str, ForcedStatus] = Field(default_factory=dict)
     """The status that a node ends with instead of working, by its path."""
     answers: dict[str, str] = Field(default_factory=dict)
     """An operator's answers that the tree has not taken yet, by the node that asked."""

@@ -224,6 +224,7 @@ class Feed:
     def _tree(self, tree: TreeSnapshot, update: Update) -> None:
         """Tell the nodes that have changed; of a tree with other nodes the whole."""
         self._if_new("board", dict(tree.board), update)
+        self._if_new("gates", tree.model_dump(mode="json", include={"breakpoints", "forced"}), update)
         nodes = dict(_states(tree.root))
         shape = (tree.task, *nodes)
         if shape != self._shape or "tree" in update:

@@ -73,7 +73,7 @@ function Then({ task, at, begin }: { task: string; at: number; begin: number | n
 function Past({ tree }: { tree: TreeSnapshot }) {
   const nodes: Record<string, NodeState> = Object.fromEntries(states(tree.root));
   const ends = Object.entries(nodes).map(([path, [status, last]]): [string, NodeStatus] => [path, status === "INVALID" ? last : status]);
-  return <Tree tree={tree} nodes={nodes} kept={Object.fromEntries(ends.filter(([, status]) => status !== "INVALID"))} failed={false} />;
+  return <Tree tree={tree} nodes={nodes} kept={Object.fromEntries(ends.filter(([, status]) => status !== "INVALID"))} gates={tree} failed={false} />;
 }
 
 function NotRecorded({ at, begin, kept }: { at: number; begin: number | null; kept: Kept }) {

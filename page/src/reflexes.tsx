@@ -1,4 +1,5 @@
 // Who has which resource of the robot, what a reflex has taken from the tree, and reflexes to switch on and off.
+import { useEffect, useRef, useState } from "preact/hooks";
 import { act, may } from "./acting";
 import { ask } from "./api";
 import { useLive } from "./state";
@@ -15,7 +16,7 @@ export function Overridden() {
       {taken.map((each) => (
         <p key={each.resource}><strong>⚡ {each.resource}</strong> is taken by the reflex <strong>{each.reflex}</strong>{each.why && `: ${each.why.message}`}</p>
       ))}
-      {switched.map((each) => <p key={each.reflex}>The reflex <strong>{each.reflex}</strong> is {each.on ? "on" : "off"}{each.by && `, by ${each.by}`}.</p>)}
+      {switched.map((each) => <p key={each.reflex}>The reflex <strong>{each.reflex}</strong> is {each.on ? "on" : "off"}{each.by && `, by ${each.by}`}.{!each.on && each.protects && ` It protects ${each.protects}.`}</p>)}
     </section>
   );
 }
@@ -48,6 +49,14 @@ export function Resources() {
 function Reflex({ reflex }: { reflex: ReflexState }) {
   const next = !reflex.on;
   const words = `The reflex ${reflex.reflex} is ${next ? "on" : "off"}.`;
+  const [asks, ask_] = useState(false);
+  const press = useRef<HTMLButtonElement>(null);
+  const turn = () => act(() => ask("reflex", { reflex: reflex.reflex, on: next }), words);
+  const answered = (yes: boolean) => {
+    ask_(false);
+    press.current?.focus();
+    if (yes) void turn();
+  };
   return (
     <>
       <p>
@@ -55,12 +64,26 @@ function Reflex({ reflex }: { reflex: ReflexState }) {
         {reflex.by && <span class="quiet"> by {reflex.by}</span>}
         <span class="quiet"> · takes {reflex.resources.join(", ")} · fired {reflex.fired} {reflex.fired === 1 ? "time" : "times"}</span>
         <br /><span class="quiet">{reflex.about}</span>
+        {asks && reflex.on && <Sure reflex={reflex} answered={answered} />}
       </p>
       {may("reflex") && (
-        <button class="small" aria-label={`Switch ${reflex.reflex} ${next ? "on" : "off"}`} onClick={() => act(() => ask("reflex", { reflex: reflex.reflex, on: next }), words)}>
+        <button class="small" ref={press} aria-label={`Switch ${reflex.reflex} ${next ? "on" : "off"}`} onClick={() => (reflex.protects && !next ? ask_(true) : turn())}>
           Switch {next ? "on" : "off"}
         </button>
       )}
     </>
+  );
+}
+
+// A reflex that protects somebody is not switched off by one press: what it is for is said, and not to do it is at hand.
+function Sure({ reflex, answered }: { reflex: ReflexState; answered: (yes: boolean) => void }) {
+  const leave = useRef<HTMLButtonElement>(null);
+  useEffect(() => leave.current?.focus(), []);
+  return (
+    <span class="sure" role="alertdialog" aria-label={`Switch ${reflex.reflex} off?`} onKeyDown={(event) => event.key === "Escape" && answered(false)}>
+      <span>It protects {reflex.protects}. It stays off until somebody switches it on, or its process starts anew.</span>
+      <button class="small" ref={leave} onClick={() => answered(false)}>Leave it on</button>
+      <button class="small danger" onClick={() => answered(true)}>Switch off all the same</button>
+    </span>
   );
 }

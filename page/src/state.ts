@@ -12,6 +12,7 @@ export type Tags = { stamp: RobotTime; seen: { item: number; distance: number; t
 export type Replayed = { at: number; speed: number; begin: number; end: number; began: number; cause: { at: number; words: string } | null };
 export type Other = { at: [number, number, number] | null; task: string; kind: string; phase: string; silent: boolean };
 export type Occupied = Pick<Occupancy, "origin" | "shape" | "resolution" | "cells">;
+export type Gates = Pick<TreeSnapshot, "breakpoints" | "forced">;
 export type NodeState = [NodeStatus, NodeStatus, string];
 export type Live = {
   connected: boolean;
@@ -23,6 +24,7 @@ export type Live = {
   nodes: Record<string, NodeState>;
   kept: Record<string, NodeStatus>;
   board: Record<string, string>; // of the tree's task
+  gates: Gates; // of the tree's task
   joints: Record<string, number>;
   pose: Pose | null;
   path: [number, number][];
@@ -44,7 +46,7 @@ export type Live = {
 type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & { whole?: boolean };
 
 const EMPTY: Live = {
-  connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, board: {}, joints: {},
+  connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, board: {}, gates: { breakpoints: {}, forced: {} }, joints: {},
   pose: null, path: [], plan: [], hands: {}, tags: null, replay: null, robots: {}, lasers: {}, occupied: null, scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
   pipelines: {},
 };

@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 import { useMemo, useRef, useState } from "preact/hooks";
 import { ask } from "./api";
 import { count, rows, type Row } from "./outline";
-import { ended, useLive, type NodeState } from "./state";
+import { ended, useLive, type Gates, type NodeState } from "./state";
 import { act, may } from "./acting";
 import type { NodeStatus, TreeSnapshot } from "./types";
 import { KIND_SIGNS, KIND_WORDS, SIGNS, STATUS_WORDS } from "./words";
@@ -12,25 +12,33 @@ export function LiveTree({ failed }: { failed: boolean }) {
   const tree = useLive((live) => live.tree);
   const nodes = useLive((live) => live.nodes);
   const kept = useLive((live) => live.kept);
+  const gates = useLive((live) => live.gates);
   if (!tree) return <p class="quiet">No tree yet. It appears with the first task.</p>;
-  return <Tree tree={tree} nodes={nodes} kept={kept} failed={failed} at={(path) => <NodeVerbs task={tree.task} node={path} />} />;
+  return (
+    <>
+      <Breakpoints task={tree.task} gates={gates} />
+      <Tree tree={tree} nodes={nodes} kept={kept} gates={gates} failed={failed} at={(path) => <NodeVerbs task={tree.task} node={path} gates={gates} />} />
+    </>
+  );
 }
 
 type Given = {
   tree: TreeSnapshot;
   nodes: Record<string, NodeState>;
   kept: Record<string, NodeStatus>;
+  gates: Gates;
   failed: boolean;
   at?: (path: string) => ComponentChildren; // what is offered at the node that is chosen
 };
 
-export function Tree({ tree, nodes, kept, failed, at: offers }: Given) {
+export function Tree({ tree, nodes, kept, gates, failed, at: offers }: Given) {
   const [chosen, choose] = useState<Record<string, boolean>>({});
   const [search, find] = useState("");
   const [all, showAll] = useState(false);
   const [at, move] = useState("");
   const list = useRef<HTMLUListElement>(null);
   const shown = rows(tree.root, { nodes, kept, chosen, search, all, failed });
+  const set = gatesByRow(gates, shown.map((row) => row.node.path));
   const total = useMemo(() => count(tree.root), [tree]);
   const flip = (row: Row, open = !row.open) => row.more && choose({ ...chosen, [row.node.path]: open });
   const focus = (index: number) => {
@@ -83,6 +91,7 @@ export function Tree({ tree, nodes, kept, failed, at: offers }: Given) {
             <Sign status={row.status === "RUNNING" ? "RUNNING" : row.kept} />
             <span class="kind" aria-hidden="true">{KIND_SIGNS[row.inner.kind]}</span>
             <span class="name">{row.node.name}</span>
+            {(set[row.node.path] ?? []).map((each) => <span key={each.words} class="gate" title={each.words}>{each.sign}<span class="hidden">{each.words}</span></span>)}
             {row.message && <span class="said">{row.message}</span>}
             {at === row.node.path && offers?.(row.node.path)}
           </li>
@@ -92,25 +101,62 @@ export function Tree({ tree, nodes, kept, failed, at: offers }: Given) {
   );
 }
 
+const SIDES = ["before", "after"] as const;
+
+// What was set at nodes, as signs at the row that shows each: of one that is folded, at the nearest above it.
+function gatesByRow(gates: Gates, rows: string[]): Record<string, { sign: string; words: string }[]> {
+  const shown = new Set(rows);
+  const found: Record<string, { sign: string; words: string }[]> = {};
+  const put = (path: string, sign: string, words: string) => {
+    let row = path;
+    while (!shown.has(row) && row.includes("/")) row = row.slice(0, row.lastIndexOf("/"));
+    const folded = row === path ? "" : ` ${path.slice(row.length + 1)}`;
+    (found[row] ??= []).push({ sign: folded ? `${sign}…` : sign, words: `${words}${folded}` });
+  };
+  for (const [path, sides] of Object.entries(gates.breakpoints)) for (const side of sides) put(path, side === "before" ? "‖▸" : "▸‖", `pauses ${side}`);
+  for (const [path, status] of Object.entries(gates.forced)) put(path, status === "SUCCESS" ? "!✓" : "!✗", status === "SUCCESS" ? "is forced to succeed" : "is forced to fail");
+  return found;
+}
+
+// All breakpoints, also those of folded nodes and those that somebody else has set, to be taken away.
+function Breakpoints({ task, gates }: { task: string; gates: Gates }) {
+  const status = useLive((live) => live.tasks[task]);
+  const set = Object.entries(gates.breakpoints).flatMap(([node, sides]) => sides.map((when) => ({ node, when })));
+  if (!set.length || (status && ended(status))) return null;
+  return (
+    <ul class="plain breakpoints" aria-label="Breakpoints">
+      {set.map(({ node, when }) => (
+        <li key={`${node} ${when}`}>
+          <span>Pauses {when} <strong title={node}>{node.slice(node.lastIndexOf("/") + 1)}</strong></span>
+          {may("breakpoint") && <button class="small" aria-label={`Don't pause ${when} ${node}`} onClick={() => act(() => ask("breakpoint", { task, node, when, on: false }), `It does not pause ${when} this node any more.`)}>✕</button>}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
 // Breakpoints of a task that has not ended, and how its node is to end in a test run.
-function NodeVerbs({ task, node }: { task: string; node: string }) {
+function NodeVerbs({ task, node, gates }: { task: string; node: string; gates: Gates }) {
   const status = useLive((live) => live.tasks[task]);
   if (!status || ended(status)) return null;
-  const press = (words: string, verb: string, ...documents: Record<string, unknown>[]) => (event: Event) => {
+  const press = (words: string, verb: string, document: Record<string, unknown>) => (event: Event) => {
     event.stopPropagation();
-    void act(() => Promise.all(documents.map((each) => ask(verb, { task, node, ...each }))), words);
+    void act(() => ask(verb, { task, node, ...document }), words);
   };
+  const sides = gates.breakpoints[node] ?? [];
+  const forced = gates.forced[node];
   return (
     <span class="nodeverbs">
       {may("breakpoint") && <>
-        <button class="small" onClick={press("It pauses before this node.", "breakpoint", {})}>Pause here</button>
-        <button class="small" onClick={press("It pauses after this node.", "breakpoint", { when: "after" })}>after</button>
-        <button class="small" onClick={press("It does not pause here any more.", "breakpoint", { on: false }, { on: false, when: "after" })}>not here</button>
+        {SIDES.map((when) => {
+          const on = !sides.includes(when);
+          return <button key={when} class="small" aria-pressed={!on} onClick={press(on ? `It pauses ${when} this node.` : `It does not pause ${when} this node any more.`, "breakpoint", { when, on })}>Pause {when}</button>;
+        })}
       </>}
       {may("force") && status.request.test_run === true && <>
-        <button class="small" onClick={press("It will succeed without its work.", "force", { status: "SUCCESS" })}>Force ✓</button>
-        <button class="small" onClick={press("It will fail without its work.", "force", { status: "FAILURE" })}>Force ✗</button>
-        <button class="small" onClick={press("It does its work again.", "force", { status: null })}>Let it run</button>
+        <button class="small" aria-pressed={forced === "SUCCESS"} onClick={press("It will succeed without its work.", "force", { status: "SUCCESS" })}>Force ✓</button>
+        <button class="small" aria-pressed={forced === "FAILURE"} onClick={press("It will fail without its work.", "force", { status: "FAILURE" })}>Force ✗</button>
+        <button class="small" disabled={!forced} onClick={press("It does its work again.", "force", { status: null })}>Let it run</button>
       </>}
     </span>
   );

@@ -59,6 +59,8 @@ class ReflexState(Message):
     """Times that it has taken its resources since the process began."""
     about: str
     """One sentence: what it watches, and what it does."""
+    protects: str = ""
+    """Whom or what from what; empty: nobody, and it may be switched off without a question."""
 
 
 def pipeline_state(resource: str) -> Topic[PipelineState]:

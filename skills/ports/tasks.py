@@ -174,13 +174,19 @@ class AnswerQuestion(Message):
     answer: Annotated[str, Field(max_length=200)]
 
 
+Side = Literal["before", "after"]
+"""Of a node, where a breakpoint is."""
+ForcedStatus = Literal["SUCCESS", "FAILURE"]
+"""How a node ends that does not work."""
+
+
 class Breakpoint(Message):
     """Set or remove a breakpoint before or after a node of the tree."""
 
     task: str
     node: str
     """The node's name, or its path if two have the same name."""
-    when: Literal["before", "after"] = "before"
+    when: Side = "before"
     on: bool = True
 
 
@@ -189,7 +195,7 @@ class ForceNode(Message):
 
     task: str
     node: str
-    status: Literal["SUCCESS", "FAILURE"] | None
+    status: ForcedStatus | None
 
 
 class AskHistory(Message):
@@ -277,6 +283,10 @@ class TreeSnapshot(Message):
     root: TreeNode
     board: dict[str, str] = Field(default_factory=dict, max_length=MOST_ON_BOARD)
     """What the tree's leaves have decided so far, in words, by name; of kinds that tell it."""
+    breakpoints: dict[str, tuple[Side, ...]] = Field(default_factory=dict)
+    """Where the task pauses, by the node's path; whoever set it."""
+    forced: dict[str, ForcedStatus] = Field(default_factory=dict)
+    """The status that nodes of a test run end with instead of working, by path."""
 
 
 class Span(Message):

@@ -88,7 +88,7 @@ class Turn:
         }
         if not run.canceling:
             update["breakpoints"] = tuple(Held(node=node, before=before) for node, before in run.gates.held())
-            update["forced"] = {path: status.value for path, status in run.gates.forced().items()}
+            update["forced"] = run.gates.forced()
         self.book.remember(self.task, self.book.entry(self.task).memory.model_copy(update=update))
 
     def progress(self) -> TaskStatus | None:

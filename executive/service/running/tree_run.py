@@ -117,6 +117,7 @@ class Run:
         self._progress = context.progress  # a task that is taken up again does not fall back
         self._view = TreeView(root)
         self._shown: TreeNode | None = None
+        self._gates_shown = 0
         self._touched = False  # a tree changes only when it is ticked or stopped
         self.gates = Gates(root, context)
         """Breakpoints and forced nodes."""
@@ -248,18 +249,20 @@ class Run:
         return why
 
     def changed_tree(self) -> TreeSnapshot | None:
-        """Return the tree if a status or message in it is another than at the last call."""
-        if not self._touched:
+        """Return the tree if a status, a message or a gate in it is another than at the last call."""
+        gates, self._gates_shown = self._gates_shown != self.gates.changes, self.gates.changes
+        if not (self._touched or gates):
             return None
         self._touched = False
         now = self._view.look()
-        if now is self._shown:
+        if now is self._shown and not gates:
             return None
         self._shown = now
         return self.tree()
 
     def tree(self) -> TreeSnapshot:
-        """Return the tree as it is."""
+        """Return the tree as it is; with its gates for as long as it may come to them."""
+        gates = None if self.held_up_by() else self.gates
         return TreeSnapshot(
             task=self.context.task,
             kind=self._kind.name,
@@ -267,6 +270,8 @@ class Run:
             stamp=self._clocks.robot(),
             root=self._view.look(),
             board=told_board(self.context.board),
+            breakpoints={} if gates is None else gates.breakpoints(),
+            forced={} if gates is None else gates.forced(),
         )
 
     def _go_on_from_gate(self) -> None:

@@ -155,6 +155,7 @@ def _needs(robot: RobotDescription) -> str:
 REFLEX: Final = ReflexType(
     name=NAME,
     about="turns the base away from what range sensors see too near, and goes on a little",
+    protects="people and furniture from a base that comes too near",
     resources=(BASE,),
     rank=50,
     parameters=AvoidCollisionParameters,

@@ -41,6 +41,7 @@ class BaseGuardReflex:
 REFLEX: Final = ReflexType(
     name=NAME,
     about="brakes the base when the stop is set, a sensor is silent, an arm is stretched out, or it is lost",
+    protects="people and furniture from a base that drives blind, lost or with an arm stretched out",
     resources=(BASE,),
     rank=80,
     parameters=BaseGuardParameters,

@@ -57,6 +57,7 @@ class BumperReflex:
 REFLEX: Final = ReflexType(
     name=NAME,
     about="brakes the base when it touches something that it did not touch when its motion began",
+    protects="people and furniture from a base that goes on although it touches them",
     resources=(BASE,),
     rank=90,
     parameters=BumperParameters,

@@ -126,6 +126,7 @@ def _needs(robot: RobotDescription) -> str:
 REFLEX: Final = ReflexType(
     name=NAME,
     about="stops the base where the floor ends, and backs off a little",
+    protects="the robot, and who is below, from a fall down stairs or over an edge",
     resources=(BASE,),
     rank=95,
     parameters=CliffParameters,

@@ -27,6 +27,7 @@ from tandem.skills.ports.reflex import PipelineState, ReflexState, pipeline_stat
 from tandem.skills.ports.sensors import LaserScan
 from tandem.skills.ports.tasks import (
     TASK_STATUS,
+    TREE,
     Attempt,
     KindOfTask,
     TaskKinds,
@@ -199,6 +200,30 @@ def test_a_reflex_is_switched_where_it_is_shown_who_has_what(page: Page, robot: 
     picture(page, "page-resources")
     page.get_by_role("button", name="Switch avoid_collision off").click()
     expect(page.locator(".warn")).to_contain_text("avoid_collision is off, by anna")
+    page.get_by_role("button", name="Switch avoid_collision on").click()
+    expect(page.locator(".warn")).to_have_count(0)
+
+
+def test_a_reflex_that_protects_somebody_is_switched_off_only_after_a_question(
+    page: Page, robot: FakeRobot
+) -> None:
+    robot.reflexes[REFLEX.reflex] = REFLEX.model_copy(update={"protects": "people from a blind base"})
+    page.goto("/")
+    expect(page.locator(".link")).to_contain_text("nothing heard")
+    tell(robot)
+    page.locator(".resources summary").click()
+    off = page.get_by_role("button", name="Switch avoid_collision off")
+    off.click()
+    question = page.get_by_role("alertdialog")
+    expect(question).to_contain_text("It protects people from a blind base.")
+    picture(page, "page-reflex-question")
+    page.keyboard.press("Enter")  # on what is at hand
+    expect(question).to_have_count(0)
+    expect(off).to_be_focused()
+    assert robot.reflexes[REFLEX.reflex].on
+    off.click()
+    page.get_by_role("button", name="Switch off all the same").click()
+    expect(page.locator(".warn")).to_contain_text("avoid_collision is off, by anna. It protects people")
     page.get_by_role("button", name="Switch avoid_collision on").click()
     expect(page.locator(".warn")).to_have_count(0)
 
@@ -413,9 +438,41 @@ def test_a_breakpoint_is_set_with_the_keyboard_alone(page: Page, robot: FakeRobo
     page.goto("/")
     page.get_by_role("treeitem").first.focus()
     page.keyboard.press("Tab")
-    expect(page.get_by_role("button", name="Pause here")).to_be_focused()
+    expect(page.get_by_role("button", name="Pause before")).to_be_focused()
     with page.expect_request("**/api/verb/breakpoint"):
         page.keyboard.press("Enter")
+
+
+def test_breakpoints_are_shown_wherever_they_were_set_and_are_taken_away_there(
+    page: Page, robot: FakeRobot
+) -> None:
+    leaf = TreeNode(path="go/drive/roll", name="roll", kind="action", type="Act")
+    ready = TreeNode(path="go/drive/ready", name="ready", kind="condition", type="Check")
+    drive = TreeNode(path="go/drive", name="drive", kind="sequence", type="Seq", children=(ready, leaf))
+    root = TreeNode(path="go", name="go", kind="sequence", type="Seq", status="RUNNING", children=(drive,))
+    robot.tasks = (
+        TaskStatus(task="go-1", kind="go", request={"task": "go"}, state=TaskState.RUNNING, accepted_at=0.0),
+    )
+    robot.tree = TreeSnapshot(task="go-1", kind="go", tick=1, root=root)
+    page.goto("/")
+    expect(page.get_by_role("treeitem").last).to_contain_text("roll")
+    expect(page.locator(".breakpoints")).to_have_count(0)
+    set_ = {"go/drive/ready": ("after",), "go/drive/roll": ("before",)}
+    robot.tell((TREE, robot.tree.model_copy(update={"breakpoints": set_})))
+    rows = page.get_by_role("treeitem")
+    expect(rows.last.locator(".gate")).to_have_text("‖▸pauses before")
+    expect(rows.first.locator(".gate")).to_have_text("▸‖…pauses after drive/ready")  # it is not drawn
+    expect(page.locator(".breakpoints li")).to_have_text(["Pauses after ready✕", "Pauses before roll✕"])
+    rows.last.focus()
+    expect(page.get_by_role("button", name="Pause before", pressed=True)).to_be_visible()
+    picture(page, "page-breakpoints")
+    with page.expect_request("**/api/verb/breakpoint") as sent:
+        page.get_by_role("button", name="Don't pause after go/drive/ready").click()
+    assert sent.value.post_data_json == {
+        "task": "go-1", "node": "go/drive/ready", "when": "after", "on": False,
+    }  # fmt: skip
+    robot.tell((TREE, robot.tree))
+    expect(page.locator(".breakpoints, .gate")).to_have_count(0)
 
 
 def test_an_address_that_is_cut_in_a_character_is_answered(page: Page) -> None:

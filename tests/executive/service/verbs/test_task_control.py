@@ -187,6 +187,28 @@ def test_a_breakpoint_holds_the_task_before_a_node_until_it_is_resumed(here: Sur
     assert here.executive.book.find(task).state is S.SUCCEEDED
 
 
+def test_what_is_set_at_nodes_is_told_with_the_tree_until_the_task_ends(here: Surroundings) -> None:
+    skill = Skill(here)
+    asked = here.ask({**NUDGING, "test_run": True})
+    skill.step()
+    here.step()
+    node = "wait/wait for the world"
+    here.shown()
+
+    def told() -> list[tuple[object, object]]:
+        here.step()
+        return [(each.breakpoints, each.forced) for each in here.shown()]
+
+    for side in ("after", "before"):
+        here.say(TASK_BREAKPOINT, Breakpoint(task=asked.task, node=node, when=side))
+    assert told()[-1] == ({node: ("before", "after")}, {})
+    here.say(TASK_BREAKPOINT, Breakpoint(task=asked.task, node=node, on=False))
+    here.say(TASK_FORCE, ForceNode(task=asked.task, node=node, status="FAILURE"))
+    assert told()[-1] == ({node: ("after",)}, {node: "FAILURE"})
+    here.cancel(asked.task)
+    assert told()[-1] == ({}, {}), "it does not come to them any more"
+
+
 def test_one_tick_is_stepped(here: Surroundings) -> None:
     skill = Skill(here)
     task = bring_to(here, skill, S.PAUSED)
