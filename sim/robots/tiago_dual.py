@@ -19,6 +19,8 @@ from tandem.sim.robots.sensors import bumpers, camera_sensor, laser_sensor
 from tandem.skills.ports.hardware import ArmsCrossing, EndEffector, Posture, RobotDescription
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from tandem.sim.urdf import UrdfDocument
     from tandem.skills.ports.message import HandName
 
@@ -35,18 +37,21 @@ ARM_HOME: Final = (-1.1, 1.468, 2.714, 1.7095, -1.5707, 1.37, 0.0)
 
 Needs the torso at 0.05 m or more: below that the forearms come close to the base.
 """
-ARM_CARRY: Final = (0.34, 1.49, 1.70, 2.28, -0.72, -0.78, -1.97)
-"""The hand level in front of the torso, 0.72 m high with the torso at 0.15 m, fingers inwards.
+ARM_CARRY: Final[Mapping[HandName, tuple[float, ...]]] = {
+    "left": (0.34, 1.49, 1.70, 2.28, -0.72, -0.78, 1.17),
+    "right": (0.34, 1.49, 1.70, 2.28, -0.72, -0.78, -1.97),
+}
+"""The hand level and upright in front of the torso, 0.72 m high with the torso at 0.15 m, fingers inwards.
+
+The arms mirror each other, their tool frames do not: with equal wrists one of them would turn what it took
+upside down, and back before it puts it down.
 
 The arm reaches 0.395 m from the base's axis, an item in the hand up to 0.40 m. One arm at a time: both hands
 would meet. The camera sees the hand neither looking ahead nor at a table.
 """
 POSTURES: Final = (
-    *(
-        Posture(name=name, group=f"arm_{side}", positions=positions)
-        for name, positions in (("home", ARM_HOME), ("carry", ARM_CARRY))
-        for side in SIDES
-    ),
+    *(Posture(name="home", group=f"arm_{side}", positions=ARM_HOME) for side in SIDES),
+    *(Posture(name="carry", group=f"arm_{side}", positions=ARM_CARRY[side]) for side in SIDES),
     *tiago_upper.POSTURES,
 )
 

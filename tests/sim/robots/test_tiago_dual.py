@@ -57,6 +57,15 @@ def test_a_posture_collides_with_nothing_and_stays_on_its_circle(arm: str) -> No
     rig.close()
 
 
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_an_item_is_carried_as_upright_as_it_was_taken(side: str) -> None:
+    posture = MODEL.description.posture(f"arm_{side}", "carry")
+    rig = Rig(friction=None, start={f"arm_{side}": posture.positions})
+    up = rig.body.frame_matrix(f"gripper_{side}_grasping_frame")[2, 2]
+    rig.close()
+    assert up > 0.95  # a grasp's z points upwards: skills/grasping/tag_grasps.py
+
+
 def test_an_unknown_frame_is_named() -> None:
     rig = Rig(friction=None)
     with pytest.raises(KeyError, match="no frame 'tail'"):
