@@ -1,4 +1,8 @@
-"""The camera's pictures: it renders only while somebody listens, so listen only while one is wanted."""
+"""The camera's pictures: it renders only while somebody listens, so listen only while one is wanted.
+
+A camera that begins when it is listened to takes its first picture at once, and the next a period later:
+whoever listens too soon waits a whole period for one that counts.
+"""
 
 from __future__ import annotations
 
@@ -40,13 +44,15 @@ class Camera:
     ) -> Generator[LookFeedback | Slice, Command, tuple[RgbdHeader, bytes]]:
         """Return the next picture not taken before ``after``, as header and payload.
 
-        While the run is paused, nobody listens.
+        While the run is paused, nobody listens, nor before ``after``.
 
         Raises:
             LookError: CAMERA_SILENT when none comes.
         """
         self._fresh.clear()
         session.on_pause = self.close
+        if self._inbox is None:
+            yield from session.until(lambda: after.is_after(session.stamp) is not True, SILENT_AFTER)
         if not (yield from session.until(lambda: self._arrived(after), SILENT_AFTER)):
             raise LookError(
                 FailureKind.CAMERA_SILENT, f"no picture within {SILENT_AFTER} s", waited_s=SILENT_AFTER

@@ -9,11 +9,13 @@ import pytest
 from tandem.skills import site
 from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.geometry.poses import angle_between, compose, distance, invert
+from tandem.skills.perception.camera import Camera
 from tandem.skills.perception.look import Look
+from tandem.skills.perception.session import Session
 from tandem.skills.ports.actions.perception import LookGoal, LookResult
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.image import RgbdImage
-from tandem.skills.ports.keys import Latest, rgbd
+from tandem.skills.ports.keys import STOP_STATE, Latest, rgbd
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.skill import Command, Outcome
@@ -89,6 +91,18 @@ def test_pictures_are_taken_only_with_the_head_at_rest() -> None:
         assert begun < len(stage.painted)
     assert stage.speed == pytest.approx((0.0, 0.0))
     assert len(stage.painted) >= 4
+
+
+def test_nobody_listens_to_the_camera_before_a_picture_would_count() -> None:
+    stage = Stage(paint(TAG), ROBOT)
+    session = Session(stage.clocks, Latest(stage.bus, STOP_STATE))
+    run = Camera(stage.bus, "head").picture(session, stage.now.plus(0.05))
+    next(run)
+    assert not stage.bus.listened(rgbd("head"))
+    for _ in range(6):
+        stage.step()
+        run.send(Command.GO_ON)
+    assert stage.bus.listened(rgbd("head"))
 
 
 def test_it_ends_early_once_the_item_is_seen() -> None:
