@@ -13,6 +13,7 @@ from typing import Final
 import numpy as np
 
 from tandem.skills.base.ending import LATENCY, swerve
+from tandem.skills.base.floor import FloatArray
 from tandem.skills.base.path import Path
 from tandem.skills.base.planner import Clearances
 from tandem.skills.base.wheels import stopping_speed
@@ -192,13 +193,23 @@ class Follower:
         for at, angle in self.path.corners:
             if at <= self.way or angle < 0.1:  # noqa: PLR2004 - as good as straight
                 continue
-            there = 0.0 if angle > SHARP else CORNER_TURN / angle
+            there = corner_speed(angle)
             slow = stopping_speed(max(at - self.way, 0.0) + there * there / (2 * brake), brake, LATENCY)
             allowed = min(allowed, max(slow, 0.05))
         return min(allowed, self.tight(pose))
 
     def tight(self, pose: FloorPose) -> float:
         """Return the speed (m/s) for how near things are."""
-        spare = float(self.clearances.field.at(np.array([[pose.x, pose.y]]))[0]) - self.clearances.needed
-        share = min(max(spare / TIGHT[0], 0.0), 1.0)
-        return TIGHT[1] + share * (self.drive.forward - TIGHT[1]) if share < 1.0 else self.drive.forward
+        spare = self.clearances.field.at(np.array([[pose.x, pose.y]])) - self.clearances.needed
+        return float(tight_speeds(spare, self.drive)[0])
+
+
+def corner_speed(angle: float) -> float:
+    """Return the speed (m/s) at a corner of so many radians, more than none; 0 where the base stops."""
+    return 0.0 if angle > SHARP else CORNER_TURN / angle
+
+
+def tight_speeds(spare: FloatArray, drive: Drive) -> FloatArray:
+    """Return the speeds (m/s) for spare clearances (m), each of shape (n,)."""
+    share = np.clip(spare / TIGHT[0], 0.0, 1.0)
+    return np.asarray(np.where(share < 1.0, TIGHT[1] + share * (drive.forward - TIGHT[1]), drive.forward))

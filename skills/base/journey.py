@@ -11,6 +11,7 @@ from tandem.skills.base.follow import Follower
 from tandem.skills.base.leg import Leg
 from tandem.skills.base.path import Path
 from tandem.skills.base.planner import Clearances, Planner
+from tandem.skills.base.quicker import without_slow_corners
 from tandem.skills.base.ride import Motion, Ride
 from tandem.skills.base.watch import Block
 from tandem.skills.geometry.poses import floor_distance, wrap
@@ -145,10 +146,15 @@ class Journey:
         if planner.path is None:
             self._problems.append(self._no_path(pose, planner, planner.clearances))
             return False
-        self._plan = (planner.path, planner.clearances)
-        self._progress.remaining = planner.path.length
-        self._progress.way = tuple((round(float(x), 3), round(float(y), 3)) for x, y in planner.path.points)
-        self._progress.total = max(self._progress.total, planner.path.length)
+        path = planner.path
+        for quicker in without_slow_corners(path, pose, self._course.drive, planner.clearances):
+            path = quicker
+            if not (yield from self._ride.heed((yield Slice(SLICE_COST)))):
+                return False
+        self._plan = (path, planner.clearances)
+        self._progress.remaining = path.length
+        self._progress.way = tuple((round(float(x), 3), round(float(y), 3)) for x, y in path.points)
+        self._progress.total = max(self._progress.total, path.length)
         return True
 
     def _no_path(self, pose: FloorPose, planner: Planner, clearances: Clearances) -> Failure:
