@@ -341,6 +341,7 @@ class Move:
                 error=error,
                 planning_steps=steps,
                 duration=duration,
+                turned=plan.turned,
             )
         )
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Generator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import chain
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from tandem.skills.arm.retreat import deepest, longest_first, ways_back
 from tandem.skills.arm.scene import to_base
 from tandem.skills.arm.timing import time_curve, time_path
 from tandem.skills.arm.trajectory import Trajectory
+from tandem.skills.arm.turned import offers, straight_to
 from tandem.skills.kinematics.collision import CollisionChecker
 from tandem.skills.kinematics.ik import IkAnswer
 from tandem.skills.kinematics.transforms import Array, to_se3
@@ -97,10 +99,9 @@ class MovePlanner:
         checker = self._arm.checker(moment, goal)
         yield CHECKS_AT_ONCE
         start, motions, hand = self._arm.start(moment), self._motions(checker), self._hand(checker)
-        poses = [to_base(each.pose, goal.frame, moment.base_in_map) for each in goal.candidates]
-        answers = yield from hand.solver.solve(hand.chain, [to_se3(each) for each in poses], start, LOOKS[0])
-        for candidate, answer in zip(goal.candidates, answers, strict=True):
-            ends = yield from self._ends(goal, moment, motions, candidate, answer)
+        offered = yield from offers(hand, goal, moment, goal.candidates, start, LOOKS[0])
+        for offer in chain.from_iterable(offered):
+            ends = yield from self._ends(goal, moment, motions, offer.candidate, offer.answer)
             if not isinstance(ends, _Refusal):
                 return True
         return False
@@ -176,26 +177,23 @@ class MovePlanner:
         self, goal: MoveGoal, moment: Moment, motions: Motions, start: Array, rng: np.random.Generator
     ) -> Steps:
         hand = self._hand(motions.checker)
-        poses = [to_base(each.pose, goal.frame, moment.base_in_map) for each in goal.candidates]
         refused: list[_Refusal | Failure] = []
         for starts in LOOKS:
             refused = []
             # The first is often the one: the others are solved together, and only if it was not.
-            for numbers in (range(1), range(1, len(poses))):
-                targets = [to_se3(poses[number]) for number in numbers]
-                if not targets:
+            for first, some in ((0, goal.candidates[:1]), (1, goal.candidates[1:])):
+                if not some:
                     continue
-                answers = yield from hand.solver.solve(hand.chain, targets, start, starts)
-                for number, answer in zip(numbers, answers, strict=True):
-                    ends = yield from self._ends(goal, moment, motions, goal.candidates[number], answer)
+                offered = yield from offers(hand, goal, moment, some, start, starts)
+                for number, offer in ((first + k, each) for k, those in enumerate(offered) for each in those):
+                    ends = yield from self._ends(goal, moment, motions, offer.candidate, offer.answer)
                     if isinstance(ends, _Refusal):
                         refused.append(ends)
                         continue
-                    plan = yield from self._way(
-                        goal, moment, motions, start, ends, rng, number, poses[number]
-                    )
+                    target = to_base(offer.candidate.pose, goal.frame, moment.base_in_map)
+                    plan = yield from self._way(goal, moment, motions, start, ends, rng, number, target)
                     if isinstance(plan, Plan):
-                        return plan
+                        return replace(plan, turned=offer.turn)
                     refused.append(plan)
         failures: list[Failure] = []
         for each in refused:
@@ -270,7 +268,7 @@ class MovePlanner:
     def _straight(self, goal: MoveGoal, moment: Moment, motions: Motions, start: Array) -> Steps:
         failures: list[Failure] = []
         for number, candidate in enumerate(goal.candidates):
-            target = to_base(candidate.pose, goal.frame, moment.base_in_map)
+            target, turn = yield from straight_to(self._hand(motions.checker), goal, moment, candidate, start)
             if goal.touch_support:
                 yield from self._permit_support(motions.checker, start, target)
             line = yield from follow(self._hand(motions.checker), motions.checker, start, target)
@@ -280,7 +278,7 @@ class MovePlanner:
             trajectory = time_curve(through(line.path), self._arm.motion_limits.scaled(goal.speed))
             wrong = yield from self._check(motions, trajectory)
             if wrong is None:
-                return Plan(trajectory, number, target)
+                return Plan(trajectory, number, target, turn)
             failures.append(self._grazed(wrong, motions.checker))
         return failures[0].model_copy(update={"causes": tuple(failures[1:])})
 

@@ -51,12 +51,14 @@ class Moment:
 class Plan:
     """A checked motion.
 
-    ``target_in_base``: where the tool frame shall end, for goals that are poses.
+    ``target_in_base``: where the tool frame shall end, for goals that are poses. ``turned``: the radians by
+    which the goal's pose was turned for an arm of few joints.
     """
 
     trajectory: Trajectory
     candidate: int
     target_in_base: Pose | None
+    turned: float = 0.0
 
 
 class Arm:

@@ -72,6 +72,7 @@ class Survey:
             touch_item=goal.touch_item,
             touch_support=goal.touch_support,
             hand_width=goal.hand_width,
+            turn=goal.turn,
         )
         until = robot_seconds(self._clocks) + HEARD_WITHIN
         while (heard := self._hear()) is None:

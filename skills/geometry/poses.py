@@ -121,6 +121,15 @@ def from_axes(x: Vector3, y: Vector3, z: Vector3) -> Quaternion:
     return q
 
 
+def turned(pose: Pose, point: Vector3, angle: float) -> Pose:
+    """Return the pose turned by ``angle`` (rad) about the vertical through a point of the same frame."""
+    turn = about((0.0, 0.0, 1.0), angle)
+    return Pose(
+        position=add(point, rotate(turn, subtract(pose.position, point))),
+        orientation=multiply(turn, pose.orientation),
+    )
+
+
 def yaw_of(q: Quaternion) -> float:
     """Return the heading in radians: the direction of the turned x axis in the xy plane."""
     forward = rotate(q, (1.0, 0.0, 0.0))

@@ -25,6 +25,7 @@ from tandem.skills.geometry.poses import (
     invert,
     rotate,
     scale,
+    turned,
 )
 from tandem.skills.grasping.item_frames import item_in_map, outward, turned_about
 from tandem.skills.ports.message import Message, Quaternion, Vector3
@@ -66,6 +67,22 @@ class Grasp(Message):
     retraction: Pose
     item_in_tool: Pose
 
+    def turned(self, angle: float) -> Grasp:
+        """Return the grasp turned by ``angle`` (rad) about the item's vertical.
+
+        The item in the tool stays: fingers that close turn a box along, and a cylinder looks as before.
+        """
+        if angle == 0.0:
+            return self
+        at = compose(self.grasp, self.item_in_tool).position
+        return Grasp(
+            pitch=self.pitch,
+            pre_grasp=turned(self.pre_grasp, at, angle),
+            grasp=turned(self.grasp, at, angle),
+            retraction=turned(self.retraction, at, angle),
+            item_in_tool=self.item_in_tool,
+        )
+
 
 class Place(Message):
     """The poses of the tool frame in the map for one placing: above, down, and back."""
@@ -74,6 +91,18 @@ class Place(Message):
     place: Pose
     retraction: Pose
     item_in_map: Pose
+
+    def turned(self, angle: float) -> Place:
+        """Return the place turned by ``angle`` (rad) about the item's vertical."""
+        if angle == 0.0:
+            return self
+        at = self.item_in_map.position
+        return Place(
+            above=turned(self.above, at, angle),
+            place=turned(self.place, at, angle),
+            retraction=turned(self.retraction, at, angle),
+            item_in_map=turned(self.item_in_map, at, angle),
+        )
 
 
 def tool_orientation(out: Vector3, pitch: float) -> Quaternion:
@@ -113,9 +142,9 @@ def grasp(tag_in_map: Pose, depth: float, pitch: float, *, back: float = 0.0) ->
     """
     out = outward(tag_in_map)
     item = item_in_map(tag_in_map, depth)
-    turned = tool_orientation(out, pitch)
-    short = scale(rotate(turned, (1.0, 0.0, 0.0)), -back)
-    at_item = Pose(position=add(item.position, short), orientation=turned)
+    orientation = tool_orientation(out, pitch)
+    short = scale(rotate(orientation, (1.0, 0.0, 0.0)), -back)
+    at_item = Pose(position=add(item.position, short), orientation=orientation)
     approach = scale(out, APPROACH + depth / 2.0)
     away = add(scale(out, AWAY), scale(_Z, UP))
     return Grasp(

@@ -91,23 +91,30 @@ class BatchChain:
     def descend(
         self, q: Array, targets: Array, limits: Limits, *, damping: float, largest: float
     ) -> tuple[Array, Array]:
-        """Return one step's q (m, n) and the twists (m, 6) that were left before it.
-
-        Damped least squares, J^T (J J^T + w I)^-1 e, with w = damping * |e|^2 (Sugihara 2011, eq. 20);
-        a joint at a limit that the step would push further out is taken out of the problem.
-        """
+        """Return one step's q (m, n) and the twists (m, 6) that were left before it."""
         twist, jacobian = self.error(q, targets)
-        gradient = np.matmul(twist[:, None, :], jacobian)[:, 0]
-        stuck = ((q <= limits.lower) & (gradient < 0.0)) | ((q >= limits.upper) & (gradient > 0.0))
-        jacobian = np.where(stuck[:, None, :], 0.0, jacobian)
-        weight = damping * np.minimum(np.einsum("ij,ij->i", twist, twist), 1.0) + 1e-6
-        normal = np.matmul(jacobian, jacobian.transpose(0, 2, 1))
-        normal[:, range(6), range(6)] += weight[:, None]
-        solved = np.linalg.solve(normal, twist[:, :, None])
-        step = np.matmul(jacobian.transpose(0, 2, 1), solved)[..., 0]
-        biggest = np.max(np.abs(step), axis=1)
-        step *= np.minimum(1.0, largest / np.maximum(biggest, 1e-12))[:, None]
-        return np.minimum(np.maximum(q + step, limits.lower), limits.upper), twist
+        return stepped(q, twist, jacobian, limits, damping=damping, largest=largest), twist
+
+
+def stepped(
+    q: Array, twist: Array, jacobian: Array, limits: Limits, *, damping: float, largest: float
+) -> Array:
+    """Return q (m, n) one step further.
+
+    Damped least squares, J^T (J J^T + w I)^-1 e, with w = damping * |e|^2 (Sugihara 2011, eq. 20);
+    a joint at a limit that the step would push further out is taken out of the problem.
+    """
+    gradient = np.matmul(twist[:, None, :], jacobian)[:, 0]
+    stuck = ((q <= limits.lower) & (gradient < 0.0)) | ((q >= limits.upper) & (gradient > 0.0))
+    jacobian = np.where(stuck[:, None, :], 0.0, jacobian)
+    weight = damping * np.minimum(np.einsum("ij,ij->i", twist, twist), 1.0) + 1e-6
+    normal = np.matmul(jacobian, jacobian.transpose(0, 2, 1))
+    normal[:, range(6), range(6)] += weight[:, None]
+    solved = np.linalg.solve(normal, twist[:, :, None])
+    step = np.matmul(jacobian.transpose(0, 2, 1), solved)[..., 0]
+    biggest = np.max(np.abs(step), axis=1)
+    step *= np.minimum(1.0, largest / np.maximum(biggest, 1e-12))[:, None]
+    return np.asarray(np.minimum(np.maximum(q + step, limits.lower), limits.upper))
 
 
 def left(twist: Array) -> tuple[Array, Array]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +19,7 @@ import pinocchio as pin
 from tandem.skills.kinematics.batch import BatchChain, left
 from tandem.skills.kinematics.model import Chain, Limits
 from tandem.skills.kinematics.transforms import Array
+from tandem.skills.kinematics.turning import SIX, TurningChain, Vertical, widened
 
 TURN_WEIGHT = 0.25
 """Metres that a radian counts when the table's nearest hands are looked for."""
@@ -62,6 +64,28 @@ class IkAnswer:
     distance: float
 
 
+class Descends(Protocol):
+    """A chain that goes down towards targets: ``BatchChain``, or one whose targets turn."""
+
+    def root(self, chain: Chain) -> pin.SE3:
+        """Return the first joint's frame in the base."""
+
+    def error(self, q: Array, targets: Array) -> tuple[Array, Array]:
+        """Return the twists (m, 6) from the tip to the targets (m, 4, 4), and their Jacobians (m, 6, n)."""
+
+    def descend(
+        self, q: Array, targets: Array, limits: Limits, *, damping: float, largest: float
+    ) -> tuple[Array, Array]:
+        """Return one step's q (m, n), and the twists (m, 6) that were left before it."""
+
+
+class Seeds(Protocol):
+    """Where to start."""
+
+    def nearest(self, targets: Array, count: int) -> Array:
+        """Return configurations (t, count, n) for targets (t, 4, 4)."""
+
+
 class SeedTable:
     """Configurations spread over the limits, with their hands' poses.
 
@@ -94,6 +118,17 @@ class SeedTable:
         return np.asarray(self.q[rows.T])
 
 
+class _Unturned:
+    """A table's configurations, each with a turn of 0 behind its joints."""
+
+    def __init__(self, table: Seeds) -> None:
+        self._table = table
+
+    def nearest(self, targets: Array, count: int) -> Array:
+        """Return configurations (t, count, n + 1)."""
+        return np.pad(self._table.nearest(targets, count), ((0, 0), (0, 0), (0, 1)))
+
+
 class Solver:
     """Solves for one frame of a chain.
 
@@ -105,10 +140,20 @@ class Solver:
     """
 
     def __init__(
-        self, batch: BatchChain, limits: Limits, table: SeedTable, settings: IkSettings | None = None
+        self, batch: Descends, limits: Limits, table: Seeds, settings: IkSettings | None = None
     ) -> None:
         self.batch, self.limits = batch, limits
         self._table, self.settings = table, settings or IkSettings()
+
+    @property
+    def exact(self) -> bool:
+        """Whether there are joints enough for any pose within reach."""
+        return len(self.limits.lower) >= SIX
+
+    def turning(self, chain: Chain, vertical: Vertical) -> Solver:
+        """Return a solver whose targets may turn about a vertical: by how much is its last column."""
+        batch = TurningChain(self.batch, chain, vertical)
+        return Solver(batch, widened(self.limits, vertical.most), _Unturned(self._table), self.settings)
 
     def solve(
         self, chain: Chain, targets_in_base: Sequence[pin.SE3], reference: Array, starts: int

@@ -6,6 +6,7 @@ import math
 from typing import Final
 
 from tandem.skills.grasping.tag_grasps import Place, place
+from tandem.skills.grasping.turns import to_place
 from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.message import HandName
@@ -41,10 +42,15 @@ def place_above(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFe
         if isinstance(ways, Failure):
             return ways
         board.places = ways
-        return MoveGoal(candidates=place_candidates(ways), touch_item=board.item, touch_support=True)
+        return MoveGoal(
+            candidates=place_candidates(ways),
+            touch_item=board.item,
+            touch_support=True,
+            turn=to_place(board.chosen_slot(context).position),
+        )
 
     def judge(result: MoveResult) -> Failure | None:
-        board.place = board.places[result.candidate]
+        board.place = board.places[result.candidate].turned(result.turned)
         return None
 
     return move_hand("place above", context, board, goal, judge)

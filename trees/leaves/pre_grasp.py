@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from tandem.skills.grasping.item_frames import item_in_map
 from tandem.skills.grasping.tag_grasps import PITCHES, Grasp, grasps_on
-from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
+from tandem.skills.grasping.turns import to_grasp
+from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult, TurnAbout
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.shapes import Solid, solid
+from tandem.skills.ports.shapes import Solid, extents, solid
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard
 from tandem.trees.context import TreeContext
@@ -26,6 +29,15 @@ def grasp_candidates(
         palm: of the gripper (``Gripper.palm``).
     """
     return tuple(_candidate(each) for each in _grasps(board, tag_in_map, shape, palm))
+
+
+def grasp_turn(context: TreeContext, side: HandName, tag_in_map: Pose, shape: Solid) -> TurnAbout | None:
+    """Return by how much all of them may be turned; None while the robot is not known."""
+    robot = context.knowledge.description
+    if robot is None:
+        return None
+    widest = robot.end_effector(side).gripper.max_width
+    return to_grasp(item_in_map(tag_in_map, extents(shape)[0]).position, shape, widest)
 
 
 def _grasps(board: FetchBoard, tag_in_map: Pose, shape: Solid, palm: float | None) -> tuple[Grasp, ...]:
@@ -48,15 +60,17 @@ def pre_grasp(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeed
         if lies is not None:
             return lies
         palm = board.palm(context)
-        board.grasps = _grasps(board, board.face_in_map(fact), solid(fact), palm)
+        tag = board.face_in_map(fact)
+        board.grasps = _grasps(board, tag, solid(fact), palm)
         return MoveGoal(
             candidates=tuple(_candidate(each) for each in board.grasps),
             touch_item=board.item,
             hand_width=board.open_width(context),
+            turn=grasp_turn(context, board.chosen_side(), tag, solid(fact)),
         )
 
     def judge(result: MoveResult) -> Failure | None:
-        board.grasp = board.grasps[result.candidate]
+        board.grasp = board.grasps[result.candidate].turned(result.turned)
         return None
 
     return move_hand("pre-grasp", context, board, goal, judge)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tandem.skills.grasping.turns import to_go_on
 from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard
@@ -15,7 +16,11 @@ def retract(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeedba
     def goal() -> MoveGoal:
         pose = board.chosen_grasp().retraction
         return MoveGoal(
-            candidates=(Candidate(pose=pose),), straight=True, touch_item=board.item, touch_support=True
+            candidates=(Candidate(pose=pose),),
+            straight=True,
+            touch_item=board.item,
+            touch_support=True,
+            turn=to_go_on(pose),
         )
 
     return move_hand("retract", context, board, goal)

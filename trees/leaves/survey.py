@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Final
 
 from tandem.skills.geometry.floor_plan import FloorPlan
 from tandem.skills.geometry.poses import floor_distance, wrap
-from tandem.skills.ports.actions.arm import Candidate, SurveyFeedback, SurveyGoal, SurveyResult, survey
+from tandem.skills.ports.actions.arm import (
+    Candidate,
+    SurveyFeedback,
+    SurveyGoal,
+    SurveyResult,
+    TurnAbout,
+    survey,
+)
 from tandem.skills.ports.actions.base import ARM_MARGIN
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.message import HandName
@@ -24,13 +31,15 @@ class Reach:
     """Base poses to look at, and what the hand shall do from one of them.
 
     ``facing`` (rad) is the heading out of the item's face that the hand goes for, ``hand_width`` (m) how wide
-    it is open then; None where the hand holds the item.
+    it is open then; None where the hand holds the item. ``turn`` is how far all may be turned, for an arm
+    of few joints.
     """
 
     bases: tuple[FloorPose, ...]
     candidates: tuple[Candidate, ...]
     facing: float | None = None
     hand_width: float | None = None
+    turn: TurnAbout | None = None
 
 
 ENOUGH: Final = 4
@@ -68,7 +77,8 @@ def survey_stands(
         facing[0] = found.facing
         here = _here(context) if here_first or not _drives(context) else ()
         elsewhere = _where_there_is_room(context, found.bases) if _drives(context) else ()
-        asked[:] = _untried(board, [*here, *elsewhere])
+        # Here stands for what the base would not be driven to from here: that may do where this does not.
+        asked[:] = _untried(board, [*here, *(each for each in elsewhere if not _any_same(each, here))])
         if not asked:
             return Failure(kind=unreachable, message="nowhere near is untried room for the base")
         return SurveyGoal(
@@ -78,6 +88,7 @@ def survey_stands(
             touch_item=board.item,
             touch_support=touch_support,
             enough=1 if here else ENOUGH,
+            turn=found.turn,
         )
 
     def judge(result: SurveyResult) -> Failure | None:
@@ -100,7 +111,11 @@ def _drives(context: TreeContext) -> bool:
 
 
 def _untried(board: FetchBoard, bases: list[FloorPose]) -> list[FloorPose]:
-    return [base for base in bases if not any(_same(base, tried) for tried in board.avoid)]
+    return [base for base in bases if not _any_same(base, board.avoid)]
+
+
+def _any_same(one: FloorPose, others: Iterable[FloorPose]) -> bool:
+    return any(_same(one, each) for each in others)
 
 
 def _same(one: FloorPose, other: FloorPose) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tandem.skills.grasping.turns import to_go_on
 from tandem.skills.ports.actions.arm import Candidate, MoveFeedback, MoveGoal, MoveResult
 from tandem.trees.behaviours.act import Act
 from tandem.trees.board import FetchBoard
@@ -14,6 +15,8 @@ def withdraw(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeedb
 
     def goal() -> MoveGoal:
         pose = board.chosen_place().retraction
-        return MoveGoal(candidates=(Candidate(pose=pose),), straight=True, touch_item=board.item)
+        return MoveGoal(
+            candidates=(Candidate(pose=pose),), straight=True, touch_item=board.item, turn=to_go_on(pose)
+        )
 
     return move_hand("withdraw", context, board, goal)

@@ -22,7 +22,7 @@ from tandem.trees.item_failures import fallen_over
 from tandem.trees.leaves.edit_scene import add_to_scene, attach
 from tandem.trees.leaves.grip import grip_with
 from tandem.trees.leaves.look_closely import look_closely
-from tandem.trees.leaves.pre_grasp import grasp_candidates, pre_grasp
+from tandem.trees.leaves.pre_grasp import grasp_candidates, grasp_turn, pre_grasp
 from tandem.trees.leaves.reach import reach
 from tandem.trees.leaves.retract import retract
 from tandem.trees.leaves.survey import Reach
@@ -86,6 +86,7 @@ def approach_item(context: TreeContext, board: FetchBoard) -> Behaviour:
             candidates=grasp_candidates(board, tag, solid(fact), hand.gripper.palm),
             facing=facing,
             hand_width=board.open_width(context),
+            turn=grasp_turn(context, side, tag, solid(fact)),
         )
 
     def sight() -> Vector3 | Failure:

@@ -13,6 +13,7 @@ from py_trees.composites import Selector, Sequence
 from py_trees.decorators import FailureIsSuccess
 
 from tandem.skills.grasping.tag_grasps import proximity_poses
+from tandem.skills.grasping.turns import to_place
 from tandem.skills.ports.actions.gripper import Grip, GripGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.message import HandName
@@ -95,7 +96,7 @@ def approach_slot(context: TreeContext, board: FetchBoard) -> Behaviour:
             return ways if isinstance(ways, Failure) else unknown(board.item)
         slot, hand = board.chosen_slot(context), description.end_effector(side)
         bases = proximity_poses(slot.position, slot.facing, hand.work_point, hand.work_heading)
-        return Reach(bases=bases, candidates=place_candidates(ways))
+        return Reach(bases=bases, candidates=place_candidates(ways), turn=to_place(slot.position))
 
     def look(name: str) -> Behaviour:
         return Sequence(

@@ -19,8 +19,9 @@ from tandem.skills.arm.plan_move import MovePlanner
 from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm, Moment
 from tandem.skills.geometry.floor_plan import FloorPlan
-from tandem.skills.grasping.item_frames import face, outward, tag_of_item
+from tandem.skills.grasping.item_frames import face, item_in_map, outward, tag_of_item
 from tandem.skills.grasping.tag_grasps import FINGER_ROOM, PITCHES, grasps_on, proximity_poses
+from tandem.skills.grasping.turns import to_grasp
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.actions.base import ARM_MARGIN
@@ -91,6 +92,7 @@ class Reachable:
             ),
             touch_item=tag,
             hand_width=extents(shape)[1] + 2 * FINGER_ROOM,
+            turn=to_grasp(item_in_map(tag_in_map, extents(shape)[0]).position, shape, hand.gripper.max_width),
         )
         stands = proximity_poses(
             tag_in_map.position, math.atan2(out[1], out[0]), hand.work_point, hand.work_heading

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from enum import StrEnum
 from typing import Annotated, Final, Literal
 
@@ -43,6 +44,19 @@ class Candidate(Message):
     """Poses to reach one after the other in straight lines (pre-grasp: grasp, retraction)."""
 
 
+class TurnAbout(Message):
+    """How far poses may be turned, all alike, about the vertical through a point.
+
+    An arm of fewer than six joints can't choose its hand's heading: it follows from where the hand is. Such
+    an arm takes the turn that it needs, one of six joints or more none.
+    """
+
+    point: Vector3
+    """In the goal's frame (m): what the hand is for. z does not matter."""
+    most: Annotated[float, Field(ge=0.0, le=math.pi)]
+    """Radians, to both sides."""
+
+
 class MoveGoal(Message):
     """Move a group; exactly one of ``joints``, ``posture``, ``candidates``, ``by``, ``up``.
 
@@ -77,6 +91,8 @@ class MoveGoal(Message):
     """The item that the goal was made for: when it turns out to be elsewhere, the move stops and fails."""
     follow_tolerance: Annotated[float, Field(gt=0.0)] = 0.03
     """Metres by which that item may be found to have moved since the plan was made."""
+    turn: TurnAbout | None = None
+    """Of the candidates, with all that follows them."""
 
     @model_validator(mode="after")
     def _one_target(self) -> MoveGoal:
@@ -121,12 +137,14 @@ class MoveResult(Message):
     """Slices that planning took."""
     duration: float
     """Robot seconds of the motion."""
+    turned: float = 0.0
+    """Radians by which the candidate was turned (``MoveGoal.turn``)."""
 
 
 class SurveyGoal(Message):
     """Find the ``bases`` from which the hand can reach one of ``candidates`` (in the map). Moves nothing.
 
-    Ends when ``enough`` have been found. Contacts and the hand's width are as in ``MoveGoal``.
+    Ends when ``enough`` have been found. Contacts, the hand's width and the turn are as in ``MoveGoal``.
     """
 
     bases: Annotated[tuple[FloorPose, ...], Field(min_length=1, max_length=100)]
@@ -135,6 +153,7 @@ class SurveyGoal(Message):
     touch_support: bool = False
     hand_width: Annotated[float, Field(ge=0.0)] | None = None
     enough: Annotated[int, Field(ge=1, le=MOST)] = 4
+    turn: TurnAbout | None = None
 
 
 class SurveyFeedback(Message):
