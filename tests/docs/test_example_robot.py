@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import ast
-import importlib.util
 import math
-import sys
-from pathlib import Path
 from types import ModuleType
 
 import pytest
@@ -14,19 +11,12 @@ import pytest
 from tandem.sim.body import RobotBody
 from tandem.sim.physics import Physics
 from tandem.sim.robots.robot import Robot
-
-CART = Path(__file__).parents[2] / "examples" / "cart.py"
+from tests.fakes.example_cart import CART, example_cart
 
 
 @pytest.fixture(scope="module")
 def cart() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("example_cart", CART)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # annotations are looked up there
-    spec.loader.exec_module(module)
-    return module
+    return example_cart()
 
 
 def test_it_imports_nothing_of_tandem_but_the_api() -> None:
