@@ -50,6 +50,8 @@ class GoalJournal:
             self._compact()
         self._file.append(goal_id)
         self._ids[goal_id] = None
+        if len(self._ids) > KEPT:
+            del self._ids[next(iter(self._ids))]
         self._lines += 1
 
     def close(self) -> None:
@@ -57,7 +59,7 @@ class GoalJournal:
         self._file.close()
 
     def _compact(self) -> None:
-        kept = list(self._ids)[-KEPT:]
+        kept = list(self._ids)[-KEPT:]  # more of them only after a start
         self._file.rewrite(kept)
         self._ids = dict.fromkeys(kept)
         self._lines = len(kept)

@@ -113,8 +113,11 @@ class ActionServer(Generic[G, F, R]):
         self._topic = status_topic(name)
         self._fence = Listening(bus, COMMANDER)
         self._current: _Current[F, R] | None = None
-        self._known: OrderedDict[str, GoalStatus] = OrderedDict()
-        self._rejected: OrderedDict[str, GoalStatus] = OrderedDict()
+        self._now: GoalStatus | None = None  # of the goal under way
+        # As JSON, 0.2 to 0.4 kB each: ended goals are seldom asked for, and as objects they take seven times
+        # that. Those of a rare action fill up over weeks.
+        self._over: OrderedDict[str, str] = OrderedDict()
+        self._rejected: OrderedDict[str, str] = OrderedDict()
         self._called_off: OrderedDict[str, None] = OrderedDict()  # cancelled before they were there
         self._sequence = 0
         self._published_at = float("-inf")
@@ -171,11 +174,19 @@ class ActionServer(Generic[G, F, R]):
             status = self._status(sent.goal_id, GoalState.REJECTED, failure=crashed)
         if status.state.terminal:
             # The same message may come twice, and late: for a client that has given up by then.
-            _keep(self._rejected, sent.goal_id, status)
+            _keep(self._rejected, sent.goal_id, status.model_dump_json())
         return status
 
+    @property
+    def _state(self) -> GoalState:
+        """Of the goal under way."""
+        return GoalState.UNKNOWN if self._now is None else self._now.state
+
     def _find(self, goal_id: str) -> GoalStatus | None:
-        return self._known.get(goal_id) or self._rejected.get(goal_id)
+        if self._now is not None and self._now.goal_id == goal_id:
+            return self._now
+        packed = self._over.get(goal_id) or self._rejected.get(goal_id)
+        return None if packed is None else GoalStatus.model_validate_json(packed)
 
     def _reject(self, problems: tuple[Problem, ...]) -> GoalStatus:
         failure = self._failure(FailureKind.INVALID_GOAL, in_words(problems))
@@ -243,7 +254,7 @@ class ActionServer(Generic[G, F, R]):
         return self._status(goal_id, GoalState.REJECTED, failure=self._failure(kind, refusal.reason))
 
     def _command(self, current: _Current[F, R], command: Command) -> None:
-        state = self._known[current.goal_id].state
+        state = self._state
         if state is GoalState.CANCELING or command is Command.GO_ON:
             return
         if command is Command.RESUME and state is not GoalState.PAUSED:
@@ -303,14 +314,14 @@ class ActionServer(Generic[G, F, R]):
                 current.run.close()
         if current.overridden is None or any(each.override is not None for each in self._pipelines):
             return
-        if self._known[current.goal_id].state is GoalState.CANCELING:
+        if self._state is GoalState.CANCELING:
             self._end(GoalState.CANCELED)
         else:
             self._end(GoalState.FAILED, failure=current.overridden)
 
     def _stand_by(self, current: _Current[F, R], *, awake: bool) -> None:
         """Come to rest while the client does not go on, and go on when it does."""
-        state = self._known[current.goal_id].state
+        state = self._state
         if not awake and not current.stands_by and state is GoalState.RUNNING:
             log.warning(
                 "%s: client %s is silent, goal %s stands by", self.name, current.client, current.goal_id
@@ -373,11 +384,12 @@ class ActionServer(Generic[G, F, R]):
 
     def _feed_back(self, goal_id: str, feedback: F) -> None:
         now = robot_seconds(self._clocks)
-        known = self._known[goal_id]
         document = feedback.model_dump(mode="json")
-        if document == known.feedback or now - self._published_at < FEEDBACK_PERIOD:
+        if now - self._published_at < FEEDBACK_PERIOD:
             return
-        self._change(goal_id, known.state, feedback=feedback)
+        if self._now is not None and document == self._now.feedback:
+            return
+        self._change(goal_id, self._state, feedback=feedback)
 
     def _change(
         self,
@@ -389,7 +401,9 @@ class ActionServer(Generic[G, F, R]):
         failure: Failure | None = None,
     ) -> GoalStatus:
         status = self._status(goal_id, state, feedback=feedback, result=result, failure=failure)
-        _keep(self._known, goal_id, status)
+        self._now = None if state.terminal else status
+        if state.terminal:
+            _keep(self._over, goal_id, status.model_dump_json())
         self._published_at = robot_seconds(self._clocks)
         self._topic.publish(self._bus, status)
         return status

@@ -37,7 +37,11 @@ An id with an override such as U+202E is shown as another one (Unicode Technical
 class Message(BaseModel):
     """Base of all that crosses the bus or stands in a file."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+    # Strings are not cached: pydantic would keep up to 16,384 of those below 64 bytes that it ever read, and
+    # each task brings some forty ids of goals, which never come again. That is 1.7 MB in each process that
+    # hears of goals, filled over the first thousand tasks (``python -m benchmarks.read_strings``), and it
+    # makes no reading quicker.
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, cache_strings="none")
 
 
 def repeated(names: Iterable[str]) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from pathlib import Path
 
 from tandem.skills.goal_journal import KEPT, GoalJournal
@@ -209,3 +210,15 @@ def test_a_goal_journal_that_grows_is_rewritten_with_the_newest_ids(tmp_path: Pa
     assert len(found) == KEPT + 10
     assert len(path.read_text().splitlines()) == KEPT
     assert f"t/a/{KEPT + 9}" in path.read_text()
+
+
+def test_of_ended_goals_the_answers_are_kept_packed() -> None:
+    """As objects, 256 of one skill take 0.5 to 0.7 MB, and those of a rare skill fill up over weeks."""
+    desk = Desk()
+    for number in range(3):
+        desk.send(f"t/packed/{number}")
+        desk.cancel(f"t/packed/{number}")
+    gc.collect()
+    kept = [each for each in gc.get_objects() if isinstance(each, GoalStatus) and "packed" in each.goal_id]
+    assert kept == []
+    assert desk.ask("t/packed/0").state is GoalState.FAILED

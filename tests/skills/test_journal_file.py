@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import gc
+import weakref
 from pathlib import Path
 
 import pytest
 
-from tandem.skills.goal_journal import COMPACT_AFTER, GoalJournal
+from tandem.skills.goal_journal import COMPACT_AFTER, KEPT, GoalJournal
 from tandem.skills.journal_file import JournalFile
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import HeldItem
@@ -69,3 +71,21 @@ def test_a_start_on_a_full_disk_remembers_what_was_written_before(tmp_path: Path
     with full_at(0):
         assert Journal(tmp_path / "held.jsonl").remembered.held == HELD.held
         assert GoalJournal(tmp_path / "base.goals").before == {"t/a/1"}
+
+
+class Id(str):
+    """A goal's id of which one can tell whether anybody still has it."""
+
+    __slots__ = ("__weakref__",)
+
+
+def test_ids_that_the_next_rewrite_leaves_out_are_not_kept_in_memory_until_then(tmp_path: Path) -> None:
+    journal = GoalJournal(tmp_path / "base.goals")
+    first = Id("t/a/1")
+    kept = weakref.ref(first)
+    journal.accept(first)
+    del first
+    for number in range(KEPT):
+        journal.accept(f"t/{number}/1")
+    gc.collect()
+    assert kept() is None

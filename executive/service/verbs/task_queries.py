@@ -119,14 +119,17 @@ class Questions:
 
     def _page(self, tasks: Iterable[TaskStatus], more: int) -> bytes:
         """Return a TaskList or History as JSON; a status that has not changed is not written anew."""
-        if len(self._written) > 2 * (self._book.count + PAGE):
-            self._written.clear()
-        return b'{"tasks":[%s],"more":%d}' % (b",".join(self._write(each) for each in tasks), more)
+        written = b'{"tasks":[%s],"more":%d}' % (b",".join(self._write(each) for each in tasks), more)
+        if len(self._written) > self._book.count:  # of tasks that are in memory no longer
+            now = self._book.get
+            self._written = {task: known for task, known in self._written.items() if now(task) is known[0]}
+        return written
 
     def _write(self, status: TaskStatus) -> bytes:
         known, waits = self._written.get(status.task), self._book.waits(status)
         if known is not None and known[0] is status and known[1] == waits:
             return known[2]
         written = self._book.explained(status).model_dump_json().encode()
-        self._written[status.task] = (status, waits, written)
+        if self._book.get(status.task) is status:  # what was read out of the ledger is another one next time
+            self._written[status.task] = (status, waits, written)
         return written

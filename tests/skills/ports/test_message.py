@@ -1,0 +1,28 @@
+"""What every message is, whatever it says."""
+
+from __future__ import annotations
+
+import pytest
+
+from tandem.executive.service.running.orphaned_goals import Whatever
+from tandem.skills.ports.action import GoalStatus
+from tandem.skills.ports.message import Message, read_leniently
+
+RUNNING = (
+    b'{"goal_id": "fetch-1/reach/1", "state": "RUNNING", "sequence": 1, "feedback": {"a word": "of it"}}'
+)
+
+
+def test_strings_that_were_read_are_kept_by_nobody_else() -> None:
+    """Pydantic's cache would hand out the same object twice, and hold it for as long as the process lives."""
+    first, second = GoalStatus.model_validate_json(RUNNING), read_leniently(GoalStatus, RUNNING)
+    assert first.goal_id is not second.goal_id
+    assert first.feedback is not None
+    assert second.feedback is not None
+    assert first.feedback["a word"] is not second.feedback["a word"]
+    assert next(iter(first.feedback)) is not next(iter(second.feedback))
+
+
+@pytest.mark.parametrize("kind", [Message, GoalStatus, Whatever])
+def test_kinds_of_messages_with_settings_of_their_own_keep_no_strings_either(kind: type[Message]) -> None:
+    assert kind.model_config.get("cache_strings") == "none"
