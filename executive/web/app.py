@@ -58,6 +58,9 @@ STATUS: Final[Mapping[type[ClientError], int]] = MappingProxyType(
 )
 """What each error is in HTTP; any other is of another version (502)."""
 _LOG = logging.getLogger(__name__)
+Pages = Mapping[str, str]
+"""Addresses of the pages of other robots of the site, by robot."""
+NO_PAGES: Final[Pages] = MappingProxyType({})
 BUNDLE: Final = {"app.js": "text/javascript", "app.css": "text/css", "LICENSES.txt": "text/plain"}
 
 
@@ -82,6 +85,7 @@ class Site:
     """Who has logged in; None: on this host nobody logs in."""
     named: frozenset[str] = frozenset()
     """Files of the robot's URDF."""
+    pages: Pages = field(default_factory=lambda: NO_PAGES)
 
     async def session(self, request: Request) -> Response:
         """Tell where the robot is, who asks, and which verbs are allowed."""
@@ -97,6 +101,7 @@ class Site:
                 "keys": who.rights is not None,
                 "login": self.sessions is not None,
                 "may": may,
+                "pages": dict(self.pages),
             }
         )
 
@@ -290,10 +295,13 @@ class Site:
 
 
 def application(
-    robot: Robot, audience: Audience | None = None, sessions: Sessions | None = None
+    robot: Robot,
+    audience: Audience | None = None,
+    sessions: Sessions | None = None,
+    pages: Pages = NO_PAGES,
 ) -> Starlette:
-    """Return the server for a robot; with ``sessions`` every viewer logs in."""
-    site = Site(robot, Audience(robot) if audience is None else audience, sessions=sessions)
+    """Return the server for a robot; with ``sessions`` every viewer logs in; ``pages`` are other robots'."""
+    site = Site(robot, Audience(robot) if audience is None else audience, sessions=sessions, pages=pages)
 
     @asynccontextmanager
     async def living(_: Starlette) -> AsyncIterator[None]:

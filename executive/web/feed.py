@@ -28,7 +28,7 @@ from tandem.skills.ports.tasks import (
     TreeNode,
     TreeSnapshot,
 )
-from tandem.skills.ports.world import ROBOT_POSE, SCENE, SIGHTINGS, WORLD, Sightings
+from tandem.skills.ports.world import PEOPLE, ROBOT_POSE, SCENE, SIGHTINGS, WORLD, People, Sightings
 
 M = TypeVar("M", bound=Message)
 EXECUTIVE: Final = "executive"
@@ -37,7 +37,7 @@ TICK: Final = 0.05
 STILL: Final = 0.0005
 """Radians or metres by which a joint must have moved to be told."""
 LASER_EVERY: Final = 5
-"""Polls between two scans."""
+"""Polls between two scans, and between two words on the people that they show."""
 SECOND: Final = 20
 """Polls in a second."""
 UNTOLD: Final = frozenset({"nodes", "tree", "joints", "lasers"})
@@ -66,6 +66,7 @@ class Feed:
         self._joints = Latest(bus, JOINT_STATES, depth=1)
         self._pose = Latest(bus, ROBOT_POSE, depth=1)
         self._stop = Latest(bus, STOP_STATE, depth=4)
+        self._people = Latest(bus, PEOPLE, depth=1)
         self._scene = Latest(bus, SCENE, depth=1)
         self._world = Latest(bus, WORLD, depth=1)
         self._pulse = Latest(bus, TASK_PULSE, depth=1)
@@ -140,8 +141,9 @@ class Feed:
     def close(self) -> None:
         """Stop hearing."""
         for heard in (
-            self._clock, self._joints, self._pose, self._stop, self._scene, self._world, self._pulse,
-            self._statuses, self._trees, self._reflexes, self._pipelines, self._sightings, self._drive,
+            self._clock, self._joints, self._pose, self._stop, self._people, self._scene, self._world,
+            self._pulse, self._statuses, self._trees, self._reflexes, self._pipelines, self._sightings,
+            self._drive,
         ):  # fmt: skip
             heard.close()
         for scans in self._lasers.values():
@@ -183,6 +185,9 @@ class Feed:
                 scan = self._fresh(heard)
                 if scan is not None:
                     merge(update, {"lasers": {name: [round(each, 2) for each in scan.ranges]}})
+            people = self._fresh(self._people)
+            if people is not None:
+                self._if_new("people", _persons(people), update)
 
     def _beliefs(self, update: Update) -> None:
         scene = self._fresh(self._scene)
@@ -275,6 +280,14 @@ def _way(status: GoalStatus) -> JsonValue:
     """Return the way that an action's feedback has; none when it has ended."""
     moves = status.state in {GoalState.RUNNING, GoalState.PAUSED}
     return (status.feedback or {}).get("way", []) if moves else []
+
+
+def _persons(people: People) -> dict[str, JsonValue]:
+    """Return where each person is and goes, by number: x, y, vx, vy, radius."""
+    return {
+        str(each.id): [round(value, 2) for value in (each.x, each.y, each.vx, each.vy, each.radius)]
+        for each in people.people
+    }
 
 
 def _tags(seen: Sightings) -> dict[str, JsonValue]:

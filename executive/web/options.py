@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import ipaddress
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
+from urllib.parse import urlsplit
 
 from tandem.executive.config.addresses import host_and_port
 from tandem.executive.config.run_options import BusOptions
@@ -57,6 +59,32 @@ def checked_address(text: str, *, secure: bool = False) -> tuple[str, int]:
             f"ssh -L {port}:127.0.0.1:{port} {host if host not in {'0.0.0.0', '::'} else 'ROBOT'}"  # noqa: S104
         )
     return host, port
+
+
+def checked_pages(words: Iterable[str]) -> dict[str, str]:
+    """Return the addresses of other robots' pages by robot, out of words such as ``r2=https://r2.example:8447``.
+
+    Raises:
+        AddressError: for what is none; a browser is sent there, so that nothing but HTTP is taken.
+    """
+    found = {}
+    for each in words:
+        name, _, address = each.partition("=")
+        if not name or not _is_page(address):
+            raise AddressError(f"expected ROBOT=ADDRESS, as in r2=https://r2.example:8447; found {each!r}")
+        found[name] = address
+    return found
+
+
+def _is_page(address: str) -> bool:
+    try:
+        parts = urlsplit(address)
+        port = parts.port
+    except ValueError:
+        return False
+    return (
+        parts.scheme in {"http", "https"} and bool(parts.hostname) and port != 0 and "@" not in parts.netloc
+    )
 
 
 def is_loopback(host: str) -> bool:

@@ -11,7 +11,7 @@ from typing import Final
 import uvicorn
 from starlette.types import ASGIApp
 
-from tandem.executive.web.app import application
+from tandem.executive.web.app import NO_PAGES, Pages, application
 from tandem.executive.web.options import AddressError, Secure, WebOptions
 from tandem.executive.web.robot import Robot
 from tandem.executive.web.sessions import Sessions
@@ -53,14 +53,21 @@ def listen(options: WebOptions) -> Listening:
     return Listening(made, f"http://{shown}:{made.getsockname()[1]}/")
 
 
-def serve(robot: Robot, listening: Listening, secure: Secure | None = None) -> None:
-    """Serve the page until Ctrl-C or SIGTERM; ``secure``: over TLS, to who has logged in."""
-    _made(robot, secure).run(sockets=[listening.socket])
+def serve(robot: Robot, listening: Listening, secure: Secure | None = None, pages: Pages = NO_PAGES) -> None:
+    """Serve the page until Ctrl-C or SIGTERM.
+
+    Args:
+        robot: whose page it is.
+        listening: where.
+        secure: over TLS, to who has logged in; None: on this host, to everybody.
+        pages: addresses of other robots' pages, by robot.
+    """
+    _made(robot, secure, pages).run(sockets=[listening.socket])
 
 
-def _made(robot: Robot, secure: Secure | None) -> uvicorn.Server:
+def _made(robot: Robot, secure: Secure | None, pages: Pages = NO_PAGES) -> uvicorn.Server:
     sessions = None if secure is None else Sessions(secure.keys, secure.origin)
-    return _server(application(robot, sessions=sessions), secure)
+    return _server(application(robot, sessions=sessions, pages=pages), secure)
 
 
 def serve_until(

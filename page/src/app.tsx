@@ -1,6 +1,6 @@
 // The frame: where one is, how old the data is, the stop, and the view that the address names.
 import { useEffect, useState } from "preact/hooks";
-import { logOut, useActing } from "./acting";
+import { logOut, useActing, who } from "./acting";
 import { History } from "./history";
 import { Login } from "./login";
 import { Map } from "./map";
@@ -24,7 +24,7 @@ export function App() {
       <header>
         <strong class="robot">{session ? `${session.site}/${session.robot}` : "Tandem"}</strong>
         <nav aria-label="Views">
-          {VIEWS.map(([path, name]) => (
+          {VIEWS.filter(([path]) => path !== "/request" || session?.role !== "replay").map(([path, name]) => (
             <a key={path} href={path} aria-current={path === `/${first}` ? "page" : undefined}>{name}</a>
           ))}
         </nav>
@@ -44,7 +44,7 @@ export function App() {
 function View({ first, url }: { first: string; url: URL }) {
   if (first === "") return <NowView />;
   if (first === "map") return <Map url={url} />;
-  if (first === "request") return <Request url={url} />;
+  if (first === "request") return who()?.role === "replay" ? <p class="quiet">A record takes no requests. <a href="/">Now</a></p> : <Request url={url} />;
   if (first === "login") return <NowView />;
   if (first === "history") return <History url={url} />;
   if (first === "task") return <TaskPage task={plain(url.pathname.split("/")[2] ?? "")} />;

@@ -38,7 +38,7 @@ export function TaskCard({ status, linked = true }: { status: TaskStatus; linked
 function Question({ status }: { status: TaskStatus }) {
   const question = status.question!;
   return (
-    <div class="question">
+    <div class="question" role="alert">
       <p><strong>{question.text}</strong></p>
       {may("answer")
         ? question.choices.map((choice) => (

@@ -1,6 +1,6 @@
 // The room from above. What one chooses there, an item or a place, becomes a request.
 import { useMemo } from "preact/hooks";
-import { may } from "./acting";
+import { may, who } from "./acting";
 import { useKinds, useRobot, useSite, type Kinds } from "./loading";
 import { go } from "./route";
 import { useLive } from "./state";
@@ -34,6 +34,7 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
   const pose = useLive((live) => live.pose);
   const path = useLive((live) => live.path);
   const robots = useLive((live) => live.robots);
+  const people = useLive((live) => live.people);
   const scene = useLive((live) => live.scene);
   const [x0, y0, x1, y1] = site.bounds;
   const things = (scene?.objects ?? []).filter((each) => each.kind !== "furniture" && !each.attached_to);
@@ -82,6 +83,11 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
           <text transform={`rotate(${(told.at[2] * 180) / Math.PI})`} y={-radius - 0.06}>{name}</text>
         </g>
       ))}
+      {Object.entries(people).map(([id, [x, y, vx, vy, size]]) => (
+        <g key={id} class="person" transform={`translate(${x} ${-y})`} aria-label={`person ${id}`}>
+          <circle r={size} /><path d={`M0 0 L${vx} ${-vy}`} /><title>a person{Math.hypot(vx, vy) > 0.1 ? `, ${Math.hypot(vx, vy).toFixed(1)} m/s` : ""}</title>
+        </g>
+      ))}
       {pose && (
         <g class={`me ${pose.localised ? "" : "lost"}`} transform={turned(pose.x, pose.y, pose.yaw)}>
           <circle r={radius} /><path d={`M${radius * 0.45} ${-radius * 0.4} L${radius * 0.92} 0 L${radius * 0.45} ${radius * 0.4} Z`} />
@@ -116,7 +122,7 @@ function Offers({ site, kinds, chosen }: { site: Site; kinds: Kinds | null; chos
     <section class="card">
       <h2>{what || "Choose an item or a place"}</h2>
       {!what && <p class="quiet">Items and depots can be chosen with Tab and Enter, too. Known are {site.items.length} items.</p>}
-      {what && !may("request") && <p class="quiet">This key does not allow requests.</p>}
+      {what && !may("request") && <p class="quiet">{who()?.role === "replay" ? "A record takes no requests." : "This key does not allow requests."}</p>}
       {what && may("request") && (
         <p class="verbs">{offers.map(([name, query]) => <a key={name} class="button" href={`/request?${query}`}>{name}</a>)}</p>
       )}

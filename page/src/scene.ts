@@ -13,6 +13,8 @@ const KINDS = { furniture: 0xb9b2a6, clutter: 0xc98a5a, item: 0x3f7fbf };
 // Seen through the arm that moves along it.
 const REACHING = new THREE.LineDashedMaterial({ color: 0xb8267a, dashSize: 0.03, gapSize: 0.015, depthTest: false, transparent: true });
 const REACHED = new THREE.MeshBasicMaterial({ color: 0xb8267a, depthTest: false, transparent: true, opacity: 0.8 });
+const PERSON = 0x0f8a8a;
+const TALL = 1.7; // m, a grown-up: the laser does not see how tall
 type Picked = (what: { item?: number; x: number; y: number }) => void;
 
 export class RobotScene {
@@ -26,6 +28,7 @@ export class RobotScene {
   private room = new THREE.Group();
   private things = new THREE.Group();
   private others = new THREE.Group();
+  private people = new THREE.Group();
   private held: THREE.Object3D[] = [];
   private gone: Element[] = []; // names of what is drawn no more, until the next picture has the others
   private path = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x2f8f6f }));
@@ -50,7 +53,7 @@ export class RobotScene {
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.maxPolarAngle = Math.PI / 2;
     this.controls.addEventListener("change", () => this.touch());
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a80, 2.2), this.base, this.room, this.things, this.others, this.occupied, this.path, this.plan, this.scan);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a80, 2.2), this.base, this.room, this.things, this.others, this.people, this.occupied, this.path, this.plan, this.scan);
     const sun = new THREE.DirectionalLight(0xffffff, 1.6);
     sun.position.set(2, -3, 6);
     this.scene.add(sun);
@@ -199,6 +202,7 @@ export class RobotScene {
     }
     if (live.hands !== this.shown.hands) this.reach(live.hands);
     if (live.robots !== this.shown.robots) this.placeOthers(live.robots);
+    if (live.people !== this.shown.people) this.placePeople(live.people);
     if (live.occupied !== this.shown.occupied) this.fill(live.occupied);
     if (live.lasers !== this.shown.lasers) this.beams(live.lasers);
     this.shown = live;
@@ -240,6 +244,24 @@ export class RobotScene {
       robot.rotation.z = at[2];
       this.others.add(robot);
     }
+    this.touch();
+  }
+
+  // A column for each person, as wide as the base takes them to be, and where they will be in a second.
+  private placePeople(people: Live["people"]) {
+    discard(this.people, this.gone);
+    this.people.clear();
+    for (const [x, y, vx, vy, radius] of Object.values(people)) {
+      const column = new THREE.Mesh(new THREE.CylinderGeometry(radius, radius, TALL, 32), new THREE.MeshLambertMaterial({ color: PERSON, transparent: true, opacity: 0.4 }));
+      column.rotation.x = Math.PI / 2;
+      column.position.z = TALL / 2;
+      const ahead = new THREE.BufferGeometry().setFromPoints([new THREE.Vector3(0, 0, 0.03), new THREE.Vector3(vx, vy, 0.03)]);
+      const person = new THREE.Group();
+      person.add(column, new THREE.Line(ahead, new THREE.LineBasicMaterial({ color: PERSON })));
+      person.position.set(x, y, 0);
+      this.people.add(person);
+    }
+    this.box.dataset.people = String(this.people.children.length);
     this.touch();
   }
 

@@ -7,10 +7,11 @@ import type {
 
 export type Pose = { x: number; y: number; yaw: number; localised: boolean; moving: boolean; reason: string; position_sigma: number };
 export type Now = { boot: string; seconds: number | null; silent: number | null };
-export type Session = { site: string; robot: string; endpoint: string; who: string; role: string; keys: boolean; login: boolean; may: string[] };
+export type Session = { site: string; robot: string; endpoint: string; who: string; role: string; keys: boolean; login: boolean; may: string[]; pages: Record<string, string> };
 export type Tags = { stamp: RobotTime; seen: { item: number; distance: number; tag: { position: [number, number, number]; orientation: [number, number, number, number] } }[] };
 export type Replayed = { at: number; speed: number; begin: number; end: number; began: number; cause: { at: number; words: string } | null };
 export type Other = { at: [number, number, number] | null; task: string; kind: string; phase: string; silent: boolean };
+export type Person = [x: number, y: number, vx: number, vy: number, radius: number]; // m and m/s in the map
 export type Occupied = Pick<Occupancy, "origin" | "shape" | "resolution" | "cells">;
 export type Gates = Pick<TreeSnapshot, "breakpoints" | "forced">;
 export type NodeState = [NodeStatus, NodeStatus, string];
@@ -33,6 +34,7 @@ export type Live = {
   tags: Tags | null;
   replay: Replayed | null;
   robots: Record<string, Other>; // the others of the site
+  people: Record<string, Person>; // by number
   lasers: Record<string, number[]>; // what each measured last
   occupied: Occupied | null;
   scene: Omit<PlanningScene, "stamp" | "version" | "occupied"> | null;
@@ -47,7 +49,7 @@ type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & {
 
 const EMPTY: Live = {
   connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, board: {}, gates: { breakpoints: {}, forced: {} }, joints: {},
-  pose: null, path: [], plan: [], hands: {}, tags: null, replay: null, robots: {}, lasers: {}, occupied: null, scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
+  pose: null, path: [], plan: [], hands: {}, tags: null, replay: null, robots: {}, people: {}, lasers: {}, occupied: null, scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
   pipelines: {},
 };
 const PATH = 2000;

@@ -52,6 +52,15 @@ PrivateKey = Annotated[
     Path | None, typer.Option("--private-key", metavar="FILE", help="Key of --certificate (PEM).")
 ]
 
+Pages = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--page",
+        metavar="ROBOT=ADDRESS",
+        help="Address of another robot's page, for a link to it; repeat it for several.",
+    ),
+]
+
 
 def web(
     *,
@@ -60,6 +69,7 @@ def web(
     name: Host = "",
     certificate: Certificate = None,
     private_key: PrivateKey = None,
+    page: Pages = None,
     bus: BusOptions,
 ) -> None:
     """Serve the page: the robot, its tree, its tasks and the stop in a browser, until Ctrl-C."""
@@ -72,10 +82,15 @@ def web(
         AddressError,
         WebOptions,
         checked_address,
+        checked_pages,
         is_loopback,
     )
     from tandem.executive.web.serve import listen, serve  # noqa: PLC0415
 
+    try:
+        pages = checked_pages(page or ())
+    except AddressError as error:
+        raise CommandError(f"--page: {error}") from error
     try:
         host, port = checked_address(at, secure=bus.keys is not None)
         secure = None
@@ -90,7 +105,7 @@ def web(
     typer.echo(f"the page of {named.prefix} is at {address}\npress Ctrl-C to stop")
     if secure is not None:
         typer.echo(f"a log-in: tandem keys link NAME --page {secure.origin}")
-    serve(_robot(named), listening, secure)
+    serve(_robot(named), listening, secure, pages)
 
 
 def _require_extra(what: str) -> None:

@@ -6,9 +6,10 @@ from typing import Any
 
 import pytest
 from starlette.testclient import TestClient
-from web_rig import Rig, of_role
+from web_rig import AT, Rig, of_role
 
 from tandem.executive.security.role import Role
+from tandem.executive.web.app import application
 from tandem.executive.web.verbs import VERBS
 from tandem.skills.ports.packages import resolve
 from tandem.skills.ports.tasks import TaskState
@@ -59,6 +60,11 @@ def test_robot_place_and_kinds_are_told(page: TestClient) -> None:
     assert "<robot" in page.get("/api/robot").json()["urdf"]
     assert page.get("/api/site").json()["depots"][0]["name"] == "depot"
     assert [each["name"] for each in page.get("/api/kinds").json()["kinds"]] == ["wait"]
+
+
+def test_pages_of_other_robots_are_told(rig: Rig) -> None:
+    with TestClient(application(rig, pages={"r2": "https://r2.example"}), base_url=AT) as page:
+        assert page.get("/api/session").json()["pages"] == {"r2": "https://r2.example"}
 
 
 def test_a_mesh_is_sent_if_the_urdf_names_it(page: TestClient) -> None:

@@ -11,7 +11,7 @@ from starlette.testclient import TestClient, WebSocketTestSession
 from starlette.websockets import WebSocketDisconnect
 from web_rig import AT, Rig
 
-from tandem.executive.web.feed import Feed
+from tandem.executive.web.feed import LASER_EVERY, Feed
 from tandem.executive.web.viewers import Update, merge
 from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback
@@ -22,7 +22,16 @@ from tandem.skills.ports.occupancy import Occupancy, pack
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.tasks import TaskState, TaskStatus
 from tandem.skills.ports.whereabouts import RobotWhereabouts, whereabouts
-from tandem.skills.ports.world import SCENE, SIGHTINGS, PlanningScene, Sighting, Sightings
+from tandem.skills.ports.world import (
+    PEOPLE,
+    SCENE,
+    SIGHTINGS,
+    People,
+    PlanningScene,
+    Sighting,
+    Sightings,
+    TrackedPerson,
+)
 from tandem.skills.wire.memory import MemoryHub
 
 LIVE = AT.replace("http", "ws") + "/live"
@@ -185,6 +194,19 @@ def test_other_robots_are_told_by_their_own_names_and_when_they_fall_silent() ->
     now[0] = 10.0
     robots = feed.poll()["robots"]
     assert robots["r2"]["silent"]
+
+
+def test_people_are_told_where_they_are_and_go() -> None:
+    hub, stamp = MemoryHub(), RobotTime(boot="b", seconds=1.0)
+    bus, feed = hub.endpoint(), Feed(hub.endpoint(), time.monotonic)
+    one = TrackedPerson(
+        id=7, x=1.004, y=2.0, vx=0.5, vy=0.0, position_sigma=0.1, radius=0.3, unseen=0.0
+    )  # fmt: skip
+    told = []
+    for people in ((one,), (one,), ()):
+        PEOPLE.publish(bus, People(stamp=stamp, people=people))
+        told += [update["people"] for _ in range(LASER_EVERY) if "people" in (update := feed.poll())]
+    assert told == [{"7": [1.0, 2.0, 0.5, 0.0, 0.3]}, {}]
 
 
 def test_occupied_space_is_told_when_it_changes_and_once_a_second_at_the_most() -> None:

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.executive.web.options import AddressError, checked_address
+from tandem.executive.web.options import AddressError, checked_address, checked_pages
 
 
 @pytest.mark.parametrize(
@@ -27,3 +27,18 @@ def test_what_is_no_address_is_refused(text: str) -> None:
 def test_beyond_this_host_it_is_refused_with_what_to_do(text: str) -> None:
     with pytest.raises(AddressError, match=r"anyone who can reach the page.*ssh -L 8447"):
         checked_address(text)
+
+
+def test_pages_of_other_robots_are_taken() -> None:
+    words = ("r2=https://r2.example:8447", "r3=http://127.0.0.1:8448/")
+    assert checked_pages(words) == {"r2": "https://r2.example:8447", "r3": "http://127.0.0.1:8448/"}
+
+
+@pytest.mark.parametrize(
+    "word",
+    ["r2", "=http://a", "r2=", "r2=r2.example", "r2=javascript:alert(1)", "r2=http://a:port", "r2=http://[::1",
+     "r2=https://me:secret@r2.example"],
+)  # fmt: skip
+def test_what_is_no_page_of_a_robot_is_refused(word: str) -> None:
+    with pytest.raises(AddressError, match="expected ROBOT=ADDRESS"):
+        checked_pages((word,))

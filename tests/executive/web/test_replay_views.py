@@ -85,3 +85,8 @@ def test_a_record_is_looked_at_where_one_wants(browser: Browser, path: Path) -> 
         expect(page.locator(".replay .number")).to_contain_text(re.compile("0:0[1-9]"))
         expect(page.locator(".task")).to_contain_text("RUNNING")
         assert page.get_by_role("button", name="STOP").count() == 0
+        page.goto("/map?item=29")
+        expect(page.locator("main")).to_contain_text("A record takes no requests")
+        assert page.get_by_role("link", name="Request").count() == 0
+        page.goto("/request")
+        expect(page.locator("main")).to_contain_text("A record takes no requests")

@@ -38,19 +38,22 @@ from tandem.skills.ports.tasks import (
 )
 from tandem.skills.ports.whereabouts import RobotWhereabouts
 from tandem.skills.ports.world import (
+    PEOPLE,
     ROBOT_POSE,
     SCENE,
     SIGHTINGS,
     Box,
+    People,
     PlanningScene,
     RobotPose,
     SceneObject,
     Sighting,
     Sightings,
+    TrackedPerson,
 )
 
 pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Page, Route, expect
 from web_chromium import MARKS, launched, opened, picture
 
 pytestmark = MARKS
@@ -189,6 +192,26 @@ def test_occupied_space_is_drawn_and_can_be_hidden(page: Page, robot: FakeRobot)
     page.get_by_role("button", name="Occupied space", pressed=True).click()
     expect(page).to_have_url("/?unoccupied")
     expect(page.get_by_role("button", name="Occupied space", pressed=False)).to_be_visible()
+
+
+def test_people_are_drawn_in_3d_and_on_the_map(page: Page, robot: FakeRobot) -> None:
+    def person(number: int, x: float) -> TrackedPerson:
+        return TrackedPerson(
+            id=number, x=x, y=0.4, vx=0.6, vy=-0.3, position_sigma=0.1, radius=0.3, unseen=0.0
+        )
+
+    both = People(stamp=robot.now, people=(person(3, 0.8), person(4, 1.5)))
+    page.goto("/")
+    expect(page.locator(".canvas")).to_have_attribute("data-robot", "loaded")
+    robot.tell((PEOPLE, both))
+    expect(page.locator(".canvas")).to_have_attribute("data-people", "2")
+    picture(page, "page-people")
+    page.get_by_role("link", name="Map").click()
+    expect(page.locator(".room .person title")).to_have_text(["a person, 0.7 m/s"] * 2)
+    picture(page, "page-people-map")
+    robot.tell((PEOPLE, both.model_copy(update={"people": (person(4, 1.5),)})))
+    expect(page.get_by_label("person 4")).to_be_visible()
+    expect(page.get_by_label("person 3")).to_have_count(0)
 
 
 def test_a_reflex_is_switched_where_it_is_shown_who_has_what(page: Page, robot: FakeRobot) -> None:
@@ -481,6 +504,10 @@ def test_an_address_that_is_cut_in_a_character_is_answered(page: Page) -> None:
 
 
 def test_the_other_robots_of_the_site_are_on_the_map(page: Page, robot: FakeRobot) -> None:
+    def session(route: Route) -> None:
+        route.fulfill(json={**route.fetch().json(), "pages": {"r2": "https://r2.example/"}})
+
+    page.route("**/api/session", session)
     page.goto("/map")
     expect(page.locator(".link")).to_contain_text("nothing heard")
     told = RobotWhereabouts(
@@ -489,16 +516,17 @@ def test_the_other_robots_of_the_site_are_on_the_map(page: Page, robot: FakeRobo
     robot.tell_site("r2", told)
     expect(page.get_by_label("robot r2")).to_contain_text("r2")
     expect(page.locator(".others li")).to_have_text("r2 patrol: corner 2 · at 0.30, 0.20")
-    page.goto("/")
+    expect(page.get_by_role("link", name="r2")).to_have_attribute("href", "https://r2.example/")
+    page.get_by_role("link", name="Now").click()
     expect(page.locator(".view3d .label", has_text="r2")).to_be_visible()
     picture(page, "page-robots")
     page.evaluate("""() => {
         window.least = 1
-        const names = () => document.querySelectorAll(".label.item").length
+        const shown = () => [...document.querySelectorAll(".view3d .label")]
+        const names = () => shown().filter(each => each.textContent.startsWith("r2")).length
         const count = () => window.least = Math.min(window.least, names())
         new MutationObserver(count).observe(document.querySelector(".labels"), {childList: true})
     }""")
     robot.tell_site("r2", told.model_copy(update={"sequence": 2, "phase": "corner 3"}))
     expect(page.locator(".others li")).to_contain_text("corner 3")
-    expect(page.locator(".view3d .label.item")).to_have_text("r2")
     assert page.evaluate("window.least") == 1, "names that are drawn anew don't flicker"
