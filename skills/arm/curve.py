@@ -43,6 +43,10 @@ class Curve:
         """Return dq/ds (k, n) at the lengths (k,)."""
         return np.stack([np.interp(s, self.s, column) for column in self.slope.T], axis=1)
 
+    def bend_at(self, s: Array) -> Array:
+        """Return d2q/ds2 (k, n) at the lengths (k,)."""
+        return np.stack([np.interp(s, self.s, column) for column in self.bend.T], axis=1)
+
 
 def through(points: Array) -> Curve:
     """Return a natural cubic spline through the points (m, n), over the length of their polyline."""

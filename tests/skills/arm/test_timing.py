@@ -73,5 +73,12 @@ def test_a_curve_keeps_the_limits_and_ends_at_rest() -> None:
     assert np.allclose(trajectory.positions[-1], path[-1])
 
 
+def test_a_short_line_of_the_hand_takes_what_the_joints_allow() -> None:
+    x = np.linspace(0.0, 1.0, 20)[:, None]
+    trajectory = time_curve(through(np.hstack((0.3 * x, 0.2 * x**1.5, 0.2 * x**2, 0.1 * x))), LIMITS)
+    _, acceleration, jerk = worst(trajectory)
+    assert max(acceleration, jerk) > 0.85
+
+
 def test_nowhere_to_go_takes_no_time() -> None:
     assert time_path(np.zeros((2, 4)), LIMITS).duration == 0.0
