@@ -28,7 +28,8 @@ EMPTY_BELOW: Final = 0.006
 HOLDING_FORCE: Final = 0.5
 """Newtons at the least between pads that hold something."""
 SETTLE: Final = 0.2
-"""Robot seconds at rest before the hand is judged."""
+"""Robot seconds at rest before the hand is judged; pads that are opened or closed, and have got there, hold
+nothing that could still yield."""
 SLOW: Final = 2.5
 """Times the motion's nominal time, and a second, after which a gripper is stuck."""
 ANSWER_WITHIN: Final = 2.0
@@ -146,7 +147,8 @@ class Gripping:
             now, state = robot_seconds(self._clocks), self._now()
             done = state.command_id == command_id and state.motion is not GripperMotion.MOVING
             rest_since = (now if rest_since is None else rest_since) if done else None
-            if rest_since is not None and now - rest_since >= SETTLE:
+            there = state.motion is GripperMotion.AT_WIDTH and goal.grip is not Grip.GRASP
+            if rest_since is not None and (there or now - rest_since >= SETTLE):
                 return None
             if now > late:
                 return self._failure(

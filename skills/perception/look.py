@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass, field
-from typing import Final
+from typing import Final, TypeAlias
 
 import numpy as np
 
@@ -36,6 +36,8 @@ from tandem.skills.ports.skill import ActionType, Command, Run, Slice, canceled,
 from tandem.skills.ports.world import CLUTTER, SCENE, SIGHTINGS, Box, Clutter, Sighting, Sightings
 
 WHERE: Final = "perception/look"
+Views: TypeAlias = tuple[tuple[float, ...], ...]
+"""Positions of the head (rad)."""
 
 
 @dataclass
@@ -161,22 +163,31 @@ class Look:
         return succeeded(self._result(looking))
 
     def _views(self, looking: _Looking) -> Steps:
-        """Take all views; the last one's pictures are read while the head turns to the next."""
+        """Take all views; the last one's pictures are read while the head turns to the next.
+
+        Where else to look is found out while the pictures of the point looked at are taken.
+        """
         goal, reading = looking.goal, _nothing()
+        choices: list[Job[Views]] = []
+
+        def choose() -> None:
+            if goal.at is not None and goal.around > 0.0:
+                choices.append(self._choice(looking))
+
         for number in range(1 if goal.at is not None else len(goal.tilts)):
             yield from reading
             if looking.found():
                 break
-            reading = yield from self._one_view(looking, self._target(looking, number), goal.pictures)
+            target = self._target(looking, number)
+            reading = yield from self._one_view(looking, target, goal.pictures, there=choose)
             looking.short = max(looking.short, looking.head.short)
         if goal.around > 0.0:
-            reading = yield from self._look_around(looking, reading)
+            choice = choices[-1] if choices else self._choice(looking)
+            reading = yield from self._look_around(looking, reading, choice)
         yield from reading
 
-    def _look_around(
-        self, looking: _Looking, reading: Steps
-    ) -> Generator[LookFeedback | Slice, Command, Steps]:
-        """Take a picture from each further head position that shows furniture near by."""
+    def _choice(self, looking: _Looking) -> Job[Views]:
+        """Have the further head positions chosen that show furniture near by."""
         robot = looking.robot.newest
         assert robot is not None
         job = ViewsJob(
@@ -188,7 +199,12 @@ class Look:
             within=min(looking.goal.around, self._arms.reach),
             seen_from=tuple(looking.heads),
         )
-        choice = self._compute.submit(further_views, job, cost=cover.COST)
+        return self._compute.submit(further_views, job, cost=cover.COST)
+
+    def _look_around(
+        self, looking: _Looking, reading: Steps, choice: Job[Views]
+    ) -> Generator[LookFeedback | Slice, Command, Steps]:
+        """Take a picture from each further head position."""
         if not (yield from looking.session.until(choice.done, WORK_AFTER)):
             raise LookError(FailureKind.TIMED_OUT, "the further views were not chosen in time")
         for head in choice.result():
@@ -196,12 +212,23 @@ class Look:
         return reading
 
     def _one_view(
-        self, looking: _Looking, head: tuple[float, ...], pictures: int, *, meanwhile: Steps | None = None
+        self,
+        looking: _Looking,
+        head: tuple[float, ...],
+        pictures: int,
+        *,
+        meanwhile: Steps | None = None,
+        there: Callable[[], None] | None = None,
     ) -> Generator[LookFeedback | Slice, Command, Steps]:
-        """Point the head and take the pictures; return what is left to do: to read them and tell."""
+        """Point the head and take the pictures; return what is left to do: to read them and tell.
+
+        ``meanwhile`` is done while the head turns, ``there`` called once it is there.
+        """
         session = looking.session
         looking.heads.append(head)
         yield from looking.head.move(session, looking.joints, head, meanwhile)
+        if there is not None:
+            there()
         after, standing = session.stamp.plus(SETTLE), self._eye.standing(looking.sightings)
         taken: list[tuple[RobotTime, Shot, Job[TagsFound]]] = []
         for _ in range(pictures):

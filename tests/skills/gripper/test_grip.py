@@ -147,6 +147,11 @@ def test_it_opens_all_the_way_and_to_a_width(rig: Rig) -> None:
     assert rig.fingers.commands[-1].width == pytest.approx(0.09)
 
 
+def test_a_hand_that_has_opened_is_not_waited_for(rig: Rig) -> None:
+    rig.run(GripGoal(grip=Grip.OPEN))
+    assert rig.clocks.seconds < (0.09 - 0.045) / SPEED + 0.1
+
+
 def test_a_command_whose_answer_is_lost_is_sent_again_as_it_was(rig: Rig) -> None:
     rig.fingers.answers_lost = 2
     assert result(rig.run(GripGoal(grip=Grip.OPEN))).width == pytest.approx(0.09)
