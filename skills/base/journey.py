@@ -38,7 +38,7 @@ GOOD_YAW: Final = 0.3
 NUDGE: Final = 0.25
 """Metres up to which a correction goes straight, without a new plan."""
 SETTLE: Final = 0.15
-"""Robot seconds at rest before the pose is judged: a scan or two."""
+"""Robot seconds at rest, at the most, before the pose is judged: by then a scan has been taken from there."""
 AT_PERSON: Final = 0.8
 """Metres from a person to what is in the way up to which it is the person: in a narrow place nothing is free
 beside them either."""
@@ -87,7 +87,7 @@ class Journey:
             turns = abs(off) > GOOD_YAW * self._goal.yaw_tolerance or not ride.wheels.resting
             if turns and not (yield from ride.turn(off)):
                 return False
-            if not (yield from ride.settle(SETTLE)):
+            if not (yield from ride.settle_seen(SETTLE)):
                 return False
             if self._within(pose):
                 return True

@@ -258,6 +258,7 @@ class Localiser(OdometryDrift):
 
     def _place(self, points: ScanPoints, pose: FloorPose, residual: FloatArray) -> None:
         self._number += 1
+        self.taken_in = points.stamp
         placed = points_in(pose, points.in_base)
         self.placed = PlacedScan(self._number, points, pose, placed, residual, share_near(residual))
 

@@ -6,6 +6,7 @@ from tandem.skills.base.floor import ORIGIN
 from tandem.skills.base.odometry import OdometryBuffer
 from tandem.skills.base.whereabouts import wheels_turn
 from tandem.skills.ports.hardware import Odometry
+from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
 
 
@@ -16,6 +17,8 @@ class OdometryDrift:
         """Without odometry, and without drift."""
         self._buffer = OdometryBuffer()
         self._odom_in_map = ORIGIN
+        self.taken_in: RobotTime | None = None
+        """When the newest scan was taken by which ``odom_in_map`` was judged; None if one says little."""
 
     @property
     def odometry(self) -> Odometry | None:

@@ -20,7 +20,7 @@ from tandem.skills.base.whereabouts import Whereabouts
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.message import Message
+from tandem.skills.ports.message import Message, RobotTime
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import Command, Slice
 
@@ -185,6 +185,18 @@ class Ride(Generic[F]):
             if not (yield from self.cycle(0.0, 0.0)):
                 return False
         return True
+
+    def settle_seen(self, most: float) -> Motion[F]:
+        """Stand still until the pose has been judged by what is seen from here, at most so many seconds."""
+        rested, until = self._clocks.robot(), self.active + most
+        while self.active < until and not self._seen_since(rested):
+            if not (yield from self.cycle(0.0, 0.0)):
+                return False
+        return True
+
+    def _seen_since(self, moment: RobotTime | None) -> bool:
+        seen = self._localiser.taken_in
+        return moment is not None and seen is not None and seen.is_after(moment) is True
 
     def fail(self, kind: FailureKind, message: str, **evidence: str | float | bool) -> None:
         """Note why the run has to end; the first reason stays."""

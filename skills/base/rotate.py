@@ -21,7 +21,7 @@ from tandem.skills.ports.skill import ActionType, Outcome, Run, canceled, failed
 
 MOST_CORRECTIONS: Final = 2
 SETTLE: Final = 0.15
-"""Robot seconds at rest before the angle is judged."""
+"""Robot seconds at rest, at the most, before the angle is judged: by then a scan has been taken there."""
 
 
 class Rotate:
@@ -89,7 +89,7 @@ class Rotate:
         )
         for _ in range(MOST_CORRECTIONS + 1):
             before = ride.pose.yaw
-            going_on = (yield from ride.turn(goal.angle - turned)) and (yield from ride.settle(SETTLE))
+            going_on = (yield from ride.turn(goal.angle - turned)) and (yield from ride.settle_seen(SETTLE))
             # Whole turns as counted on the way, the rest as the settled pose tells.
             turned += ride.turned + wrap(ride.pose.yaw - before - ride.turned)
             ride.turned = 0.0

@@ -33,6 +33,11 @@ class Whereabouts(Protocol):
         ...
 
     @property
+    def taken_in(self) -> RobotTime | None:
+        """When the newest scan was taken by which ``odom_in_map`` was judged; None if one says little."""
+        ...
+
+    @property
     def localised(self) -> bool:
         """Whether the robot knows where it is."""
         ...

@@ -4,8 +4,10 @@ import math
 
 import pytest
 
+from tandem.skills.base.ride import Ride
+from tandem.skills.base.wheels import Wheels
 from tandem.skills.geometry.poses import wrap
-from tandem.skills.ports.actions.base import RotateGoal
+from tandem.skills.ports.actions.base import RotateFeedback, RotateGoal
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.skill import Command
 from tandem.skills.site import load
@@ -28,6 +30,19 @@ def test_a_right_angle_takes_little_more_than_the_drives_limits_allow() -> None:
     start = rig.now
     rig.run(rig.base.rotate.run(RotateGoal(angle=math.pi / 2), "g"))
     assert rig.now - start < 2.5 + 0.4
+
+
+def test_it_stands_still_only_until_a_scan_has_been_taken_from_there() -> None:
+    rig = make_rig(load("lab"), START)
+    clocks = rig.robot.clocks
+    wheels = Wheels(rig.bus, clocks, rig.base.drive.course.drive, lambda: lambda: True)
+    told = RotateFeedback(remaining=0.0)
+    ride = Ride(clocks, rig.base.localiser, wheels, feedback=lambda: told, where="test")
+    rig.wait(0.2)
+    start = rig.now
+    for _ in ride.settle_seen(1.0):
+        rig.tick()
+    assert 0.0 < rig.now - start < 0.2  # the fake scans every 0.1 s
 
 
 def test_cancelled_it_stands_still_at_its_end() -> None:
