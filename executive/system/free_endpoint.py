@@ -20,11 +20,11 @@ class EndpointError(ValueError):
     """Nothing can listen there; the message says why."""
 
 
-def require_vacant(endpoint: str) -> None:
-    """Return when a router can listen at the endpoint. Says nothing of other kinds than tcp, tls and ws.
+def require_vacant(endpoint: str) -> bool:
+    """Return True where a router can listen, False where that can't be told before it tries.
 
     Args:
-        endpoint: such as tcp/127.0.0.1:7447.
+        endpoint: such as tcp/127.0.0.1:7447; tls and ws, too.
 
     Raises:
         TakenError: when another program listens there.
@@ -32,7 +32,7 @@ def require_vacant(endpoint: str) -> None:
     """
     found = _HOST_AND_PORT.fullmatch(endpoint)
     if found is None:
-        return
+        return False
     if int(found["port"]) > LAST_PORT:  # some C libraries would take its lower 16 bits
         raise EndpointError(f"{endpoint}: expected a port up to {LAST_PORT}")
     try:
@@ -50,6 +50,7 @@ def require_vacant(endpoint: str) -> None:
                 probe.listen(1)
             except OSError as error:
                 raise _said(endpoint, error) from error
+    return True
 
 
 def _said(endpoint: str, error: OSError) -> TakenError | EndpointError:

@@ -17,7 +17,7 @@ from tandem.executive.config.run_options import RunOptions
 from tandem.executive.security.identity import Identity
 from tandem.executive.system.births import Births
 from tandem.executive.system.crews import Crew, crews_of
-from tandem.executive.system.free_endpoint import TakenError, require_vacant
+from tandem.executive.system.free_endpoint import EndpointError, TakenError, require_vacant
 from tandem.executive.system.hung_processes import HUNG_AFTER
 from tandem.executive.system.processes import RESTARTED, Death, Supervisor
 from tandem.executive.system.roles.observer import NAME as OBSERVER
@@ -237,6 +237,8 @@ class ProcessSystem:
 
     def _refuse_second_router(self) -> None:
         endpoint = self._options.bus.endpoint
+        if self._listens_nobody():
+            return  # nor does a router answer, and it need not be waited for
         try:
             self._open(0.3, self._main).close()
         except BusError:
@@ -246,6 +248,12 @@ class ProcessSystem:
             f"a router already answers at {endpoint}: another system is running there; "
             f"stop it, or choose another endpoint with --connect tcp/127.0.0.1:7448"
         )
+
+    def _listens_nobody(self) -> bool:
+        ends = (self._options.bus.endpoint, *self._options.listen)
+        with suppress(TakenError, EndpointError):
+            return all(require_vacant(each) for each in ends)
+        return False
 
     def _require_vacant(self) -> None:
         try:

@@ -29,6 +29,10 @@ each; one for which there is none is copied), and for nothing smaller. zenoh's o
 MOST_AT_ONCE: Final = 64 * 1024 * 1024
 """Bytes of one message that a router takes in; zenoh would keep up to 1 GB of one while its parts come."""
 
+RETRY: Final = {"period_init_ms": 20, "period_max_ms": 4000, "period_increase_factor": 1.5}
+"""When a router that does not answer is asked again. zenoh's second try would come after 1 s: who starts
+beside its router would wait out its whole patience. Its longest period (4 s) stays."""
+
 
 def client_config(
     endpoint: str, patience: float = 2.0, credentials: Credentials | None = None, *, pictures: bool = False
@@ -42,7 +46,12 @@ def client_config(
         pictures: whether large payloads go through memory that the processes of a host share. That wakes a
             process 50 times a second for its upkeep, so that only those have it that tell or hear pictures.
     """
-    connect = {"endpoints": [endpoint], "timeout_ms": round(patience * 1000), "exit_on_failure": True}
+    connect = {
+        "endpoints": [endpoint],
+        "timeout_ms": round(patience * 1000),
+        "exit_on_failure": True,
+        "retry": RETRY,
+    }
     entries = {"mode": "client", "connect": connect, **_shared_memory(pictures=pictures)}
     return _config(entries, credentials)
 
