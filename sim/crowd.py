@@ -64,6 +64,11 @@ class Crowd:
                 np.random.default_rng((seed, PURPOSE, number)),
                 robots=self._robots,
                 others=lambda before=before: [each.body.place for each in before],  # type: ignore[misc]
+                waiting=lambda before=before, name=person.name: [  # type: ignore[misc]
+                    each.body.place
+                    for each in self.walkers.values()
+                    if each not in before and each.person.name != name
+                ],
             )
             world.join(person.name, body)
         if people:

@@ -44,6 +44,8 @@ STARTLED: Final = 1.5
 """Seconds for which a person stands who has bumped into something."""
 OTHERS: Final = 0.9
 """Metres between the axes of two people from which on the later one of the file waits."""
+CLOSE: Final = 0.55
+"""Metres from another person who waits at which somebody comes to rest and turns: two bodies, and a foot."""
 OFF: Final = 0.10
 """Metres off its place from which on a person gets back there before it goes on."""
 STEER: Final = 2.0
@@ -60,6 +62,7 @@ class Walker:
         rng: source of its whims.
         robots: returns where the axes of the robots are (m, in map), by their bodies in the physics.
         others: returns where the people are that this one waits for.
+        waiting: returns where those are who wait for this one.
     """
 
     def __init__(
@@ -71,10 +74,11 @@ class Walker:
         *,
         robots: Callable[[], dict[int, Place]],
         others: Callable[[], Iterable[Place]],
+        waiting: Callable[[], Iterable[Place]],
     ) -> None:
         self.person, self.body = person, body
         self._period, self._rng = period, rng
-        self._robots, self._others = robots, others
+        self._robots, self._others, self._waiting = robots, others, waiting
         self._now = self._until_look = self._until_steer = 0.0
         self._leg, self._onward, self._way = 0, 1, 0.0
         """The piece of the path, 1 or -1 along it, and the metres walked of the piece."""
@@ -113,6 +117,10 @@ class Walker:
         elif self._now - self._waits_since > GIVES_UP:
             self._waits_since = None
             self._turn()
+        near = CLOSE + self._pace**2 / (2.0 * ACCELERATION)
+        blocked = any(math.dist((x, y), at) < near and self._ahead(x, y, at) for at in self._waiting())
+        if blocked and not self._turns_after:
+            self._stand(STARTLED, turns=True)
         self._follow_whims()
 
     def _meet(self, x: float, y: float, robots: dict[int, Place]) -> None:
@@ -141,14 +149,16 @@ class Walker:
         """Walk the way back."""
         self._onward, self._way = -self._onward, self._length(self._leg) - self._way
 
-    def _ahead(self, x: float, y: float, at: Place) -> bool:
+    def _ahead(self, x: float, y: float, at: Place, within: float = AHEAD) -> bool:
         (ux, uy), bearing = self._direction(), math.atan2(at[1] - y, at[0] - x)
-        return abs(wrap(bearing - math.atan2(uy, ux))) < AHEAD
+        return abs(wrap(bearing - math.atan2(uy, ux))) < within
 
     def _walk(self, seconds: float) -> None:
-        touches = any(self.body.touches(robot) > 0.0 for robot in self._robots())
+        touched = [at for robot, at in self._robots().items() if self.body.touches(robot) > 0.0]
+        touches = bool(touched)
         if touches and not self._touched:
-            self._stand(STARTLED, turns=True)
+            bumps = any(self._ahead(*self.body.place, at, within=math.pi / 2) for at in touched)
+            self._stand(STARTLED, turns=bumps)
             self._pace = 0.0
         self._touched = touches
         standing = self._now < self._stands_until or self._waits or self._done

@@ -63,10 +63,12 @@ class Course:
     Args:
         context: of its task.
         target: where it goes now.
+        most: how often in a row reflexes may take the base.
     """
 
     context: TreeContext
     target: Target
+    most: int = OVERRIDES
     not_before: float = 0.0
     """Robot seconds (``context.seconds``) before which no goal is sent."""
     reactive: float = 0.0
@@ -134,7 +136,7 @@ class Course:
         if self._nearest < self._before - NEARER:
             self._in_a_row, self._before = {}, self._nearest
         self._in_a_row[reflex] = self._in_a_row.get(reflex, 0) + 1
-        return self._starved(failure) if sum(self._in_a_row.values()) >= OVERRIDES else None
+        return self._starved(failure) if sum(self._in_a_row.values()) >= self.most else None
 
     def _starved(self, last: Failure) -> Failure:
         times, by = sum(self._in_a_row.values()), _words(self._in_a_row)

@@ -105,14 +105,29 @@ class Journey:
         return False
 
     def _plan_first(self) -> Motion[DriveFeedback]:
-        """Take the first of the goal's poses that a checked plan leads to."""
-        for index, pose in enumerate(self._goal.poses):
+        """Take the first of the goal's poses that a checked plan leads to; wait where people are about."""
+        left = MOST_REPLANS_FOR_PEOPLE
+        while not (yield from self._plan_to_one_of(0)):
+            if self._ride.canceled or self._ride.failure is not None:
+                return False
+            caution = self._course.caution
+            if not left or caution is None or not caution.tracker.lately:
+                self._ride.failure = self._nowhere()
+                return False
+            left, self._replans = left - 1, self._replans + 1
+            self._problems.clear()
+            if not (yield from self._ride.settle(WAIT_FOR_PEOPLE)):
+                return False
+        return True
+
+    def _plan_to_one_of(self, first: int) -> Motion[DriveFeedback]:
+        """Take the first of the goal's poses, from that number on, that a checked plan leads to."""
+        for index in range(first, len(self._goal.poses)):
             self._chosen = index
-            if (yield from self._plan_to(pose)):
+            if (yield from self._plan_to(self._goal.poses[index])):
                 return True
             if self._ride.canceled or self._ride.failure is not None:
                 return False
-        self._ride.failure = self._nowhere()
         return False
 
     def _nowhere(self) -> Failure:
@@ -183,7 +198,7 @@ class Journey:
                 return True
             while True:
                 if not left:
-                    if (yield from self._plan_to_another()):
+                    if (yield from self._plan_to_one_of(self._chosen + 1)):
                         left = self._most_replans()
                         break
                     if not (ride.canceled or ride.failure is not None):
@@ -212,16 +227,6 @@ class Journey:
 
     def _wait(self) -> float:
         return WAIT if self._course.caution is None else WAIT_FOR_PEOPLE
-
-    def _plan_to_another(self) -> Motion[DriveFeedback]:
-        """Take the next of the goal's poses that has a way; those before it were given up."""
-        for index in range(self._chosen + 1, len(self._goal.poses)):
-            self._chosen = index
-            if (yield from self._plan_to(self._goal.poses[index])):
-                return True
-            if self._ride.canceled or self._ride.failure is not None:
-                return False
-        return False
 
     def _within(self, pose: FloorPose) -> bool:
         here = self._ride.pose

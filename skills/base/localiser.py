@@ -12,9 +12,11 @@ from collections import deque
 from dataclasses import dataclass
 from typing import Final
 
+import numpy as np
+
 from tandem.skills.base.floor import FloatArray, compose, invert, points_in
 from tandem.skills.base.map import SiteMap
-from tandem.skills.base.matcher import Match, carried, diagonal, match, share_near
+from tandem.skills.base.matcher import NEAR, Match, carried, diagonal, match, share_near
 from tandem.skills.base.odometry import OdometryBuffer, ahead
 from tandem.skills.base.odometry_drift import OdometryDrift
 from tandem.skills.base.scan import ScanGeometry, ScanPoints
@@ -51,6 +53,11 @@ STILL: Final = (0.0015, 0.002)
 """Metres and radians of odometry between two scans that are no motion."""
 TINY: Final = 1e-6
 """Marks a poor scan at rest as unconfirmed."""
+THROUGH_WALLS: Final = 0.06
+"""Share of beams that end behind what is mapped, from which on something has pushed the base: people hide
+walls, but make no hole in them."""
+PUSHED: Final = (0.15, 0.15)
+"""Metres and radians, one sigma, by which a base may have been pushed that odometry has not noticed."""
 LATE: Final = 0.06
 """Seconds for which a scan waits for the odometry of its moment before odometry is carried on to it."""
 
@@ -216,6 +223,10 @@ class Localiser(OdometryDrift):
             self._covariance = carried(self._covariance, before, predicted)
             self._scans_at_rest = 0
         self._matched_at = base_in_odom
+        if self._through_walls(points, predicted):
+            pushed = np.diag(diagonal(*PUSHED))
+            self._covariance = np.diag(np.maximum(np.diag(self._covariance), pushed))
+            self._scans_at_rest = 0
         if still and self._scans_at_rest >= SETTLED_AFTER and self._unconfirmed == 0.0:
             self._place(points, predicted, self._explained(points, predicted))
             return
@@ -227,6 +238,10 @@ class Localiser(OdometryDrift):
             self._odom_in_map = compose(found.pose, invert(base_in_odom))
             self._covariance = found.covariance
         self._place(points, found.pose if used else predicted, found.residual)
+
+    def _through_walls(self, points: ScanPoints, pose: FloorPose) -> bool:
+        residual = self._map.laser.at(points_in(pose, points.in_base))
+        return bool(len(residual)) and float(np.mean(residual < -NEAR)) > THROUGH_WALLS
 
     def _is_still(self, base_in_odom: FloorPose) -> bool:
         before = self._matched_at

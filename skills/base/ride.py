@@ -109,8 +109,9 @@ class Ride(Generic[F]):
     def cycle(self, linear: float, angular: float) -> Motion[F]:
         """Send speeds and wait one cycle; False when the run has to end. Who comes near stops the base."""
         if self._must_halt(linear, angular):
-            linear = angular = 0.0
-        self.wheels.send(linear, angular)
+            self.wheels.brake()
+        else:
+            self.wheels.send(linear, angular)
         yield from self._wait(CYCLE)
         return self._may_go_on()
 

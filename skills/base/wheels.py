@@ -59,19 +59,31 @@ class Wheels:
     def send(self, linear: float, angular: float) -> None:
         """Go on towards these speeds (m/s, rad/s) and send what is reached."""
         self.linear, self.angular = self.next_speeds(linear, angular)
+        self._send()
+
+    def brake(self) -> None:
+        """Go on towards standstill, as hard as the drive may, and send what is reached."""
+        span, drive = self._span(), self.drive
+        self.linear = _towards(self.linear, 0.0, drive.hardest * span)
+        self.angular = _towards(self.angular, 0.0, drive.turn_acceleration * span)
+        self._send()
+
+    def _send(self) -> None:
         self._at = robot_seconds(self._clocks)
         self._publish()
 
     def next_speeds(self, linear: float, angular: float) -> tuple[float, float]:
         """Return what would be sent now on the way to these speeds."""
-        span = min(max(robot_seconds(self._clocks) - self._at, 0.0), LONGEST_STEP)
-        drive = self.drive
+        span, drive = self._span(), self.drive
         linear = min(max(linear, -drive.backward), drive.forward)
         angular = min(max(angular, -drive.turn), drive.turn)
         return (
             _towards(self.linear, linear, drive.acceleration * span),
             _towards(self.angular, angular, drive.turn_acceleration * span),
         )
+
+    def _span(self) -> float:
+        return min(max(robot_seconds(self._clocks) - self._at, 0.0), LONGEST_STEP)
 
     def halt(self) -> None:
         """Send standstill at once: the last resort."""

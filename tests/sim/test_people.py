@@ -84,6 +84,21 @@ def test_the_later_one_of_two_people_waits() -> None:
     assert min(math.dist(a, b) for a, b in zip(one, two, strict=True)) > 0.4
 
 
+def test_the_earlier_one_turns_round_before_one_who_stands_in_its_way() -> None:
+    ben = Person(name="ben", path=((-1.0, -0.3), (0.0, -0.3)), speed=1.0, after=60.0)
+    one, two = (places(watched(room(CROSSES, ben), 8.0), who) for who in (0, 1))
+    assert max(math.dist(two[0], b) for b in two) < 0.01, "ben is not pushed"
+    assert min(math.dist(a, two[0]) for a in one) > 0.4
+    assert one[-1][1] > 0.5, "anna walks back"
+
+
+def test_who_is_touched_from_behind_goes_on() -> None:
+    turned = watched(room(CROSSES.model_copy(update={"gives_way": 0.0, "after": 1.0}), x=-1.0, y=-0.4), 6.0)
+    at = places(turned)
+    assert [touch.person for touch in turned[-1].touches] == ["anna"]
+    assert max(y for _, y in at[45:]) > 0.9, "anna bumps once, and then walks all the way back"
+
+
 @pytest.mark.parametrize(
     ("people", "path", "said"),
     [

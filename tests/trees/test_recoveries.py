@@ -14,6 +14,7 @@ from tandem.skills.ports.actions.gripper import Grip, GripGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.testing.mock_skill import Fault
 from tandem.trees.recovery_kinds import RECOVERIES
+from tandem.trees.subtrees.travel import PASSERS_BY
 
 K = FailureKind
 STEPS = 20_000
@@ -145,6 +146,22 @@ def test_what_a_reflex_saw_says_what_helps_a_goal_that_it_overrode() -> None:
     while bench.step() is Status.RUNNING:
         pass
     assert [each.recovery for each in bench.context.failures.attempts] == [WAY]
+
+
+def test_a_drive_goes_on_after_a_reflex_and_tries_another_way_at_last() -> None:
+    saw = Failure(kind=K.BASE_BLOCKED, message="the base touched something")
+    taken = Failure(kind=K.OVERRIDDEN, message="took", evidence={"reflex": "bumper"}, causes=(saw,))
+    tried = []
+    for nth in ((1,), range(1, PASSERS_BY + 1)):
+        bench = fetch_worlds()["in view"]()
+        for n in nth:
+            bench.robot.leaf_faults["drive to item", n] = Fault(failure=taken)
+        while bench.step() is Status.RUNNING:
+            pass
+        assert bench.robot.base == bench.context.site.home
+        tried.append([each.recovery for each in bench.context.failures.attempts])
+    gives_way = "drive to item, giving way"
+    assert tried == [[gives_way], [gives_way] * (PASSERS_BY - 1) + [WAY]]
 
 
 def test_a_hand_that_has_let_go_is_not_told_to_once_more() -> None:

@@ -11,9 +11,9 @@ from tandem.skills.ports.pose import FloorPose
 from tandem.trees.behaviours.recovery import Recovery
 from tandem.trees.conditions.at_pose import at_any
 from tandem.trees.context import TreeContext
-from tandem.trees.leaves.drive import drive
 from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.recovery_steps import let_pass, localise_again, wait_back
+from tandem.trees.subtrees.travel import drive_and_give_way
 
 WITHIN: Final = 180.0
 """Robot seconds after which a way home is not tried again."""
@@ -28,7 +28,10 @@ def home(context: TreeContext, where: str = "home") -> Behaviour:
     base = Selector(
         f"{where}: base",
         memory=True,
-        children=[at_any(f"{where}: at home?", context, poses), drive(f"{where}: drive", context, poses)],
+        children=[
+            at_any(f"{where}: at home?", context, poses),
+            drive_and_give_way(f"{where}: drive", context, poses),
+        ],
     )
     return Sequence(f"{where}: go", memory=True, children=[free_and_tuck(context, where), base])
 

@@ -20,12 +20,12 @@ from tandem.trees.board import FetchBoard
 from tandem.trees.conditions.item_located import item_located
 from tandem.trees.context import TreeContext
 from tandem.trees.item_failures import ambiguous
-from tandem.trees.leaves.drive import drive
 from tandem.trees.leaves.edit_scene import select
 from tandem.trees.leaves.look import look
 from tandem.trees.leaves.rotate import rotate
 from tandem.trees.recovery_kinds import unseen
 from tandem.trees.subtrees.arms_in import free_and_tuck
+from tandem.trees.subtrees.travel import drive_and_give_way
 
 TURNS = 12
 """Turns of 30 degrees make 360."""
@@ -116,7 +116,7 @@ def _to_spot(context: TreeContext, board: FetchBoard) -> Behaviour:
     def poses() -> tuple[FloorPose, ...]:
         return (context.site.spots[(board.spot - 1) % len(context.site.spots)].pose,)
 
-    return drive("drive to spot", context, poses)
+    return drive_and_give_way("drive to spot", context, poses)
 
 
 def _not_found(context: TreeContext, board: FetchBoard) -> GiveUp:

@@ -20,10 +20,10 @@ from tandem.trees.board import FetchBoard
 from tandem.trees.branch import branch
 from tandem.trees.conditions.at_pose import at_any
 from tandem.trees.context import TreeContext
-from tandem.trees.leaves.drive import drive
 from tandem.trees.leaves.survey import Reach, survey_stands
 from tandem.trees.leaves.turn_head import turn_head
 from tandem.trees.subtrees.arms_in import free_and_tuck, tuck
+from tandem.trees.subtrees.travel import drive_and_give_way
 
 FACES: Final = {0: "", 1: ", left face", -1: ", right face"}
 """Names of an item's faces by quarter turns, seen from above, from the one that is seen."""
@@ -142,7 +142,7 @@ def _drive(
     what: str, context: TreeContext, board: FetchBoard, sight: Callable[[], Vector3 | Failure] | None
 ) -> Behaviour:
     """Drive to the first stand that there is a way to; the head turns meanwhile, if it can."""
-    way = drive(f"drive to {what}", context, lambda: board.stands, serves=lambda: board.item)
+    way = drive_and_give_way(f"drive to {what}", context, lambda: board.stands, serves=lambda: board.item)
     if sight is None:
         return way
     head = turn_head(f"turn head to {what}", branch(context, "head"), sight, lambda: board.stands[0])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Final
 
@@ -9,25 +10,28 @@ from py_trees.behaviour import Behaviour
 from py_trees.composites import Selector, Sequence
 
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.reflex import BASE
 from tandem.trees.behaviours.check import Check
-from tandem.trees.behaviours.give_way import REFLEX, WAITED, GiveWay
+from tandem.trees.behaviours.give_way import FREE_WITHIN, REFLEX, WAITED, GiveWay
 from tandem.trees.behaviours.recovery import Recovery, RecoveryStep
 from tandem.trees.behaviours.wait_for import WaitFor
 from tandem.trees.context import TreeContext
-from tandem.trees.course import Course
+from tandem.trees.course import Course, Target
+from tandem.trees.leaves.drive import drive
 from tandem.trees.leaves.go import go
 from tandem.trees.leaves.localise import localise
 from tandem.trees.recovery_kinds import localising_helps
 from tandem.trees.subtrees.recovery_steps import let_pass, wait_back
 from tandem.trees.subtrees.request import ready
 
-FREE_WITHIN: Final = 60.0
-"""Robot seconds for which a reflex may have the base without a break, before the task fails."""
 POSE_WITHIN: Final = 3.0
 """Robot seconds in which a pose sensor tells where the robot is."""
 WITHIN: Final = 900.0
 """Robot seconds on the way to one place after which nothing is tried again."""
+PASSERS_BY: Final = 6
+"""How often in a row reflexes may take the base from a drive that has other ways, before it has got nearer:
+one who passes by has it taken once to three times."""
 KNOWS: Final = 2
 """How often it is tried again to find out where the robot is."""
 
@@ -97,6 +101,35 @@ def get_there(context: TreeContext, course: Course) -> Behaviour:
         (wait_back("go", context), know_again("go", context), let_pass("go", context, seconds=2.0, times=3)),
         within=WITHIN,
     )
+
+
+def drive_and_give_way(
+    name: str,
+    context: TreeContext,
+    poses: Callable[[], tuple[FloorPose, ...] | Failure],
+    *,
+    serves: Callable[[], int | None] = lambda: None,
+) -> Behaviour:
+    """Return the subtree: a drive to one of some poses that goes on after a reflex has had the base.
+
+    When reflexes take it again and again without progress, other ways may help: what is above decides.
+    """
+    course = Course(context, Target(math.inf, math.inf, None, 0.0), most=PASSERS_BY)
+
+    def aimed() -> tuple[FloorPose, ...] | Failure:
+        found = poses()
+        if not isinstance(found, Failure) and (found[0].x, found[0].y) != (course.target.x, course.target.y):
+            course.aim(Target(found[0].x, found[0].y, None, 0.0))
+        return found
+
+    def enough(failure: Failure) -> Failure | None:
+        return failure if course.held_up(failure) is not None else None
+
+    def free() -> bool:
+        return not context.knowledge.base_taken and context.seconds >= course.not_before
+
+    way = drive(name, context, aimed, serves=serves)
+    return GiveWay(f"{name}, giving way", context, way, enough, settles=False, free=free)
 
 
 def know_again(where: str, context: TreeContext) -> RecoveryStep:

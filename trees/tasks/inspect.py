@@ -25,7 +25,6 @@ from tandem.trees.conditions.at_pose import at_any
 from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext
 from tandem.trees.inspection import Inspection, InspectResult
-from tandem.trees.leaves.drive import drive
 from tandem.trees.leaves.look_round import look_round
 from tandem.trees.leaves.rotate import rotate
 from tandem.trees.needs import Needs
@@ -34,6 +33,7 @@ from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.home import home_at_last
 from tandem.trees.subtrees.recovery_steps import let_pass, localise_again, wait_back
 from tandem.trees.subtrees.request import know_where, ready
+from tandem.trees.subtrees.travel import drive_and_give_way
 from tandem.trees.task import TaskType
 
 VIEWS: Final = 12
@@ -114,7 +114,10 @@ def _spot(context: TreeContext, at: Inspection) -> Behaviour:
     there = Selector(
         "be at the spot",
         memory=True,
-        children=[at_any("at the spot?", context, poses), drive("drive to spot", context, poses)],
+        children=[
+            at_any("at the spot?", context, poses),
+            drive_and_give_way("drive to spot", context, poses),
+        ],
     )
     turn = Sequence(
         "turn and look",

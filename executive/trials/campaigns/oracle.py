@@ -35,6 +35,8 @@ REST: Final = 1.0
 """Robot seconds over which the robot must stand still after the end."""
 STILL: Final = 0.01
 """Metres (base) and rad/s (joints) that count as standing still."""
+STOOD: Final = 1.0
+"""Robot seconds for which the base has stood when a person's running into it is not its doing."""
 
 
 @dataclass(frozen=True)
@@ -43,25 +45,27 @@ class Verdict:
 
     ``misplaced``: the item is not in the slot that was reported. ``moved``: other things that moved or fell.
     ``untouched``: those of them that neither the robot nor what it held ever touched. ``touched``: furniture
-    that the robot touched. ``not_home``: base or arms are elsewhere. ``restless``: it still moves.
+    that the robot touched. ``people``: whom it touched while it moved, or had stood for less than a second.
+    ``not_home``: base or arms are elsewhere. ``restless``: it still moves.
     """
 
     misplaced: tuple[str, ...]
     moved: tuple[str, ...]
     untouched: tuple[str, ...]
     touched: tuple[str, ...]
+    people: tuple[str, ...]
     not_home: tuple[str, ...]
     restless: tuple[str, ...]
 
     @property
     def disturbed(self) -> tuple[str, ...]:
         """What the robot did to the room."""
-        return tuple(each for each in self.moved if each not in self.untouched) + self.touched
+        return tuple(each for each in self.moved if each not in self.untouched) + self.touched + self.people
 
     @property
     def wrong(self) -> tuple[str, ...]:
         """All of it: nothing, when the run is right."""
-        return self.misplaced + self.moved + self.touched + self.not_home + self.restless
+        return self.misplaced + self.moved + self.touched + self.people + self.not_home + self.restless
 
 
 class Oracle:
@@ -110,6 +114,7 @@ class Oracle:
             moved=tuple(str(each) for each in shifts),
             untouched=tuple(str(each) for each in shifts if not each.robots_doing),
             touched=tuple(str(each) for each in self._seen.touches()),
+            people=bumped(truth),
             not_home=(*_off_home(truth.base_in_map, self._site), *self._arms_out()),
             restless=restless,
         )
@@ -157,6 +162,19 @@ def misplaced(truth: Truth, site: Site, item: int, depot: str, slot: int | None)
         return ()
     nearest = min(range(len(slots)), key=lambda each: math.dist((x, y), slots[each].position[:2]))
     return (f"item {item} lies {off:.3f} m from slot {slot}, which was reported, and next to slot {nearest}",)
+
+
+def bumped(truth: Truth) -> tuple[str, ...]:
+    """Return in words whom a robot touched while it moved, or had stood for less than a second."""
+
+    def how(stood: float) -> str:
+        return f"had stood for {stood:.2f} s" if stood > 0.0 else "moved"
+
+    return tuple(
+        f"{each.robot} touches {each.person} at {each.at:.2f} s, when it {how(each.stood)}"
+        for each in truth.touches
+        if each.stood < STOOD
+    )
 
 
 def _off_home(base: Pose, site: Site) -> Iterator[str]:

@@ -50,6 +50,8 @@ TRUSTED_FIT: Final = 0.4
 """Share of beams that the map explains, below which a scan says nothing. Three people hide a good part."""
 LONGEST: Final = 1.0
 """Robot seconds between two scans after which all are forgotten."""
+LATELY: Final = 20.0
+"""Robot seconds after somebody was there for which they may be near still, unseen or taken for a thing."""
 RADIUS: Final = 0.25
 """Metres around a person's axis: trunk and swinging legs."""
 STILL_RADIUS: Final = 0.20
@@ -76,6 +78,7 @@ class Tracker:
         self._tracks: list[Track] = []
         self._still = StillPlaces()
         self._born = 0
+        self._alone = math.inf
         self.number = 0
         """Counts the scans."""
         self.stamp: RobotTime | None = None
@@ -100,6 +103,11 @@ class Tracker:
     def walking(self) -> tuple[Track, ...]:
         """Those who walk, or have just stopped: they will not stay where they are."""
         return tuple(track for track in self.people if track.speed >= STANDS or track.stood < SETTLED)
+
+    @property
+    def lately(self) -> bool:
+        """Whether somebody is, or was a moment ago, about."""
+        return self._alone < LATELY
 
     def hides(self, points: FloatArray) -> BoolArray:
         """Say which points, shape (n, 2), are on somebody who walks: no thing stands there."""
@@ -137,6 +145,7 @@ class Tracker:
             trusted = self._localiser.localised and placed.fit >= TRUSTED_FIT
             bounds, still = self._map.bounds, self._still.holds
             self._follow(placed, passed, candidates(placed, bounds, still) if trusted else ())
+        self._alone = 0.0 if self.people else self._alone + max(passed or 0.0, 0.0)
         self._tell(placed.points.stamp)
         return False
 

@@ -90,6 +90,31 @@ def test_at_rest_the_pose_does_not_move_at_all() -> None:
     assert rig.base.localiser.odom_in_map == drift
 
 
+@pytest.mark.parametrize("push", [(0.03, 0.0, 0.10), (0.10, 0.10, -0.12), (-0.12, 0.05, 0.2)])
+@pytest.mark.parametrize("person", [False, True])
+def test_a_push_that_odometry_does_not_notice_is_found_at_rest(
+    push: tuple[float, float, float], *, person: bool
+) -> None:
+    rig = make_rig(LAB, START)
+    rig.wait(1.0)
+    rig.robot.truth = compose(START, FloorPose(x=push[0], y=push[1], yaw=push[2]))
+    if person:
+        rig.robot.boxes.append(SiteBox(size=(0.3, 0.3, 1.0), centre=(START.x + 0.6, START.y + 0.1, 0.5)))
+    rig.wait(1.0)
+    metres, radians = error_of(rig)
+    assert metres < 0.02
+    assert radians < math.radians(0.5)
+
+
+def test_who_comes_and_hides_a_part_of_the_walls_moves_nothing() -> None:
+    rig = make_rig(LAB, START)
+    rig.wait(1.0)
+    drift = rig.base.localiser.odom_in_map
+    rig.robot.boxes.append(SiteBox(size=(0.5, 0.5, 1.0), centre=(START.x + 0.6, START.y + 0.1, 0.5)))
+    rig.wait(1.0)
+    assert rig.base.localiser.odom_in_map == drift
+
+
 def test_the_pose_is_told_twenty_times_a_second_and_says_why_it_is_unknown() -> None:
     rig = make_rig(LAB, START, localised=False)
     poses = Latest(rig.bus, ROBOT_POSE)

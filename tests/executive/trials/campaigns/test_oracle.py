@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 
 from tandem.executive.system.systems import LockstepSystem
-from tandem.executive.trials.campaigns.oracle import Oracle, Verdict, misplaced
+from tandem.executive.trials.campaigns.oracle import Oracle, Verdict, bumped, misplaced
 from tandem.executive.trials.campaigns.recovery import unstruck, wrong_in
 from tandem.sim.controls import MOVE, MoveRequest
 from tandem.sim.faults import BaseMoving, CameraDark, DepotTaken, Fault, FaultEvent, JointStall
 from tandem.sim.scenario import load_scenario
-from tandem.sim.truth import TrueBody, TrueContact, Truth
+from tandem.sim.truth import TrueBody, TrueContact, TrueTouch, Truth
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.hardware import BaseVelocity
 from tandem.skills.ports.keys import BASE_VELOCITY
@@ -114,6 +114,20 @@ def test_the_robot_must_be_at_rest_at_home_and_have_pushed_nothing() -> None:
     assert still.wrong == still.misplaced + still.moved + still.touched + still.not_home + still.restless
 
 
+@pytest.mark.parametrize(
+    ("stood", "told"),
+    [
+        (0.0, "robot touches anna at 3.00 s, when it moved"),
+        (0.4, "when it had stood for 0.40 s"),
+        (1.0, ""),
+    ],
+)
+def test_who_is_touched_counts_unless_the_base_has_stood(stood: float, told: str) -> None:
+    touch = TrueTouch(at=3.0, person="anna", robot="robot", stood=stood)
+    said = bumped(truth(lying()).model_copy(update={"touches": (touch,)}))
+    assert told in said[0] if told else said == ()
+
+
 def event(number: int, phase: str) -> FaultEvent:
     return FaultEvent.model_validate(
         {"stamp": STAMP, "number": number, "kind": "camera_dark", "phase": phase, "words": ""}
@@ -145,7 +159,7 @@ def test_a_fault_that_never_began_has_not_struck(told: list[tuple[int, str]], mi
 
 
 def test_what_a_fault_did_to_the_room_is_not_the_robots_doing() -> None:
-    verdict = Verdict(("a",), ("fell", "swept"), ("fell",), ("leg",), ("away",), ("moves",))
-    assert wrong_in(verdict, hopeless=False) == ("a", "swept", "leg", "away", "moves")
-    assert wrong_in(verdict, hopeless=True) == ("swept", "leg", "moves")
-    assert verdict.wrong == ("a", "fell", "swept", "leg", "away", "moves")
+    verdict = Verdict(("a",), ("fell", "swept"), ("fell",), ("leg",), ("anna",), ("away",), ("moves",))
+    assert wrong_in(verdict, hopeless=False) == ("a", "swept", "leg", "anna", "away", "moves")
+    assert wrong_in(verdict, hopeless=True) == ("swept", "leg", "anna", "moves")
+    assert verdict.wrong == ("a", "fell", "swept", "leg", "anna", "away", "moves")

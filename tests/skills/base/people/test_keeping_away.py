@@ -14,6 +14,7 @@ from tandem.skills.base.people.forecast import Forecast, forecast
 from tandem.skills.base.people.segments import Candidate
 from tandem.skills.base.people.track import Track
 from tandem.skills.base.ride import PATIENCE
+from tandem.skills.base.wheels import Wheels
 from tandem.skills.ports.actions.base import DriveGoal, DriveResult
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.pose import FloorPose
@@ -118,6 +119,30 @@ def test_who_stands_in_the_only_way_for_good_ends_the_drive_and_is_named() -> No
     assert outcome.failure.evidence["person_x_m"] == pytest.approx(1.6, abs=0.15)
     assert outcome.failure.evidence["person_y_m"] == pytest.approx(-2.05, abs=0.15)
     assert rig.robot.linear == 0.0
+
+
+def test_a_drive_begins_once_who_stands_in_the_only_way_has_left() -> None:
+    rig = make_rig(LAB, FloorPose(x=0.0, y=-2.1, yaw=0.0))
+    rig.robot.boxes.append(SiteBox(size=(1.9, 0.3, 0.5), centre=(1.9, -1.5, 0.25)))
+    room = list(rig.robot.boxes)
+    comes = [(0.0, 1.6, -2.6), (0.6, 1.6, -2.6), (1.4, 1.6, -2.05), (99.0, 1.6, -2.05)]
+    assert drive(rig, FloorPose(x=0.1, y=-2.1, yaw=1.5), comes)[0].result is not None
+    rig.robot.boxes = room
+    leaves = [(0.0, 1.6, -2.05), (3.0, 1.6, -2.05), (5.0, 0.8, -1.2), (99.0, 0.8, -1.2)]
+    outcome, _ = drive(rig, FloorPose(x=2.25, y=-2.1, yaw=0.0), leaves)
+    assert outcome.result is not None, outcome.failure
+    assert outcome.result.replans >= 1
+
+
+def test_the_base_brakes_for_people_as_hard_as_it_may() -> None:
+    rig = make_rig(LAB, SOUTH)
+    hard = rig.robot.description.driven.model_copy(update={"braking": 3.0})
+    wheels = Wheels(rig.bus, rig.robot.clocks, hard, lambda: lambda: True)
+    wheels.begin(None)
+    wheels.linear = 0.5
+    rig.wait(0.1)
+    wheels.brake()
+    assert wheels.linear == pytest.approx(0.5 - 3.0 * 0.1)
 
 
 def test_alone_the_setting_changes_nothing() -> None:
