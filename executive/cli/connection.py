@@ -31,6 +31,8 @@ ANSWER_WITHIN: Final = 2.5
 """Seconds of the host in which somebody must answer; with the connection's own, below three."""
 ROUTER_WITHIN: Final = 1.0
 """Seconds of the host in which the router must answer."""
+NEIGHBOURS_WITHIN: Final = 0.5
+"""Seconds of the host for which the router is asked who else is there: it has just answered."""
 
 
 class Connection:
@@ -138,13 +140,18 @@ class Connection:
         """Return that nobody answers, who is there, and what to do; ``of`` is whom, in words."""
         options = self.options
         there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))
-        seen = f"connected are only {there}" if there else "nothing else is connected"
+        seen = f"connected are only {there}" if there else self._none_of_it()
         if there and self._identity is not None:
             seen = f"{there} are connected; perhaps the key of {self._identity.name} has been revoked"
         return (
             f"no {of} answers on {options.prefix} at {options.endpoint}: {seen}; "
             "start the system with `tandem up`, or name another robot with --site-key and --robot"
         )
+
+    def _none_of_it(self) -> str:
+        others = ", ".join(sorted(self.bus.neighbours(timeout=NEIGHBOURS_WITHIN)))
+        also = f"; connected there: {others}" if others else ""
+        return f"none of its processes is connected{also}"
 
 
 def _no_router(options: BusOptions) -> CommandError:

@@ -201,20 +201,25 @@ def _ended(work: Callable[[Console], ExitCode], *, aside: bool = False) -> ExitC
     try:
         return work(console)
     except (DocumentError, EndpointError) as error:
-        console.print(f"error: {error}", style="red", markup=False)
+        _complain(f"error: {error}")
         return ExitCode.BAD_INPUT
     except RefusedError as error:
-        console.print(f"refused: {error}", style="red", markup=False)
+        _complain(f"refused: {error}")
         return ExitCode.REFUSED
     except LedgerFailure as error:
-        console.print(f"error: {error}", style="red", markup=False)
+        _complain(f"error: {error}")
         return ExitCode.UNKEPT
     except SystemFailure as error:
-        console.print(f"error: {error}", style="red", markup=False)
+        _complain(f"error: {error}")
         return ExitCode.TASK_FAILED
     except KeyboardInterrupt:
         console.print("interrupted; all processes are stopped")
         return ExitCode.INTERRUPTED
+
+
+def _complain(words: str, style: str = "red") -> None:
+    """Say what is wrong where errors belong, whatever standard output is for."""
+    Console(stderr=True, highlight=False, soft_wrap=True).print(words, style=style, markup=False)
 
 
 def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
@@ -259,7 +264,7 @@ def _system(
         console.print(line, style="yellow", markup=False)
 
     for each in options.broken:
-        say(str(each))
+        _complain(str(each), "yellow")
     if options.lockstep:
         with lockstep_of(options, scenario, bus_faults) as lockstep:
             yield lockstep
@@ -293,7 +298,7 @@ def _carry_out(
     console.print(f"request: {request}", markup=False)
     answer = caller.request(request)
     if not answer.accepted:
-        console.print(describe_problems(answer), style="red", markup=False)
+        _complain(describe_problems(answer))
         return None
     status = caller.follow(answer.task, within=options.within)
     after = caller.truth()
@@ -313,7 +318,7 @@ def _save(film: Film, path: Path, console: Console) -> None:
     try:
         film.write(path)
     except OSError as error:
-        console.print(f"no moving picture: {error}", style="red", markup=False)
+        _complain(f"no moving picture: {error}")
     else:
         console.print(f"moving picture: {path.resolve()}", markup=False)
 
@@ -355,7 +360,7 @@ def _show_end(path: Path, caller: Caller, view: View | None, console: Console) -
     """Save a picture of the scene and say so; return its whole path, None when there is none."""
     picture = caller.photograph(view or USUAL_VIEW)
     if picture is None:
-        console.print("no picture: the camera did not answer")
+        _complain("no picture: the camera did not answer")
         return None
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(picture)

@@ -90,7 +90,7 @@ class Talks:
 
     def _nobody(self, key: str) -> str:
         there = ", ".join(sorted(name for name in self.bus.alive() if name.startswith("process/")))
-        seen = f"connected are only {there}" if there else "nothing else is connected"
+        seen = f"connected are only {there}" if there else "none of its processes is connected"
         who = "hardware" if key.startswith("hw/") else "executive"
         return f"no {who} answers on {self.where}: {seen}; start the system with `tandem up`"
 

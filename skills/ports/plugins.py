@@ -177,7 +177,10 @@ def _misnamed(plugin: Plugin, taken: Collection[str], origins: Mapping[str, Plug
         return f"the name {plugin.name!r} is taken: Tandem's own; choose another one"
     if plugin.name in origins:
         other = origins[plugin.name]
-        return f"the name {plugin.name!r} is taken: by {other.package} {other.version}"
+        return (
+            f"the name {plugin.name!r} is taken: by {other.package} {other.version}; give one of the two "
+            "another name in its pyproject.toml and install it again, or uninstall one"
+        )
     return ""
 
 

@@ -238,6 +238,19 @@ def test_names_are_alive_while_announced(pair: Pair) -> None:
     assert pair.until(lambda: "skill/look" not in pair.b.alive())
 
 
+def test_other_robots_at_the_router_are_known_by_their_processes() -> None:
+    endpoint = free_endpoint()
+    router = open_session(router_config(endpoint), endpoint)
+    mine, other, client = (ZenohBus(endpoint, f"lab/{name}") for name in ("mine", "other", "client"))
+    mine.announce("process/base")
+    other.announce("process/executive")
+    client.announce("client/ann")
+    assert mine.neighbours(timeout=2.0) == {"lab/other"}
+    for each in (mine, other, client):
+        each.close()
+    router.close()
+
+
 def test_a_session_that_has_just_been_opened_knows_who_is_present() -> None:
     endpoint = free_endpoint()
     router = open_session(router_config(endpoint), endpoint)

@@ -58,8 +58,9 @@ def test_the_end_is_a_document_and_the_story_goes_elsewhere(
 
 def test_a_robot_that_is_not_there_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(tmp_path, BusOptions(robot="r9")) is ExitCode.BAD_INPUT
-    said = " ".join(capsys.readouterr().out.split())
-    assert "pair.yaml: expected --robot to name one of r2, r3, found r9" in said
+    said = capsys.readouterr()
+    assert "pair.yaml: expected --robot to name one of r2, r3, found r9" in " ".join(said.err.split())
+    assert not said.out, "what is wrong goes where errors belong"
 
 
 def test_a_folder_that_cannot_be_written_is_told_before_any_process_starts(
@@ -67,7 +68,7 @@ def test_a_folder_that_cannot_be_written_is_told_before_any_process_starts(
 ) -> None:
     (tmp_path / "plain").write_text("", "utf-8")
     assert run_up(RunOptions(data=tmp_path / "plain" / "data")) is ExitCode.UNKEPT
-    assert "the ledger needs a writable folder: Not a directory" in capsys.readouterr().out
+    assert "the ledger needs a writable folder: Not a directory" in capsys.readouterr().err
 
 
 def test_a_run_is_filmed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -85,9 +86,9 @@ def test_a_film_that_cannot_be_written_ends_no_run(
     taken = tmp_path / "plain"
     taken.write_text("", "utf-8")
     assert run(tmp_path, BusOptions(robot="r3"), taken / "film.webp") is ExitCode.OK
-    said = " ".join(capsys.readouterr().out.split())
-    assert "no moving picture: " in said
-    assert "task follow-0001 succeeded" in said
+    said = capsys.readouterr()
+    assert "no moving picture: " in said.err
+    assert "task follow-0001 succeeded" in said.out
 
 
 def test_a_film_of_an_unknown_kind_is_refused_before_anything_starts() -> None:

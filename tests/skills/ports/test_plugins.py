@@ -50,7 +50,12 @@ def test_one_that_can_not_be_loaded_is_named_and_the_rest_runs(installed: Instal
 @pytest.mark.parametrize(
     ("name", "taken", "error"),
     [
-        ("theirs", (), "the name 'theirs' is taken: by a-first 1.0"),
+        (
+            "theirs",
+            (),
+            "the name 'theirs' is taken: by a-first 1.0; give one of the two another name in its "
+            + "pyproject.toml and install it again, or uninstall one",
+        ),
         ("fetch", ("fetch",), "the name 'fetch' is taken: Tandem's own; choose another one"),
         ("Of-mine", (), "expected a name of small letters, digits and _, that begins with a letter"),
     ],
