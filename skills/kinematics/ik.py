@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -19,8 +20,10 @@ import pinocchio as pin
 from tandem.skills.kinematics.batch import BatchChain, left
 from tandem.skills.kinematics.model import Chain, Limits
 from tandem.skills.kinematics.transforms import Array
-from tandem.skills.kinematics.turning import SIX, TurningChain, Vertical, widened
+from tandem.skills.kinematics.turning import TurningChain, Vertical, widened
 
+SIX = 6
+"""Ways in which a body can move."""
 TURN_WEIGHT = 0.25
 """Metres that a radian counts when the table's nearest hands are looked for."""
 HOPELESS_AFTER = 8
@@ -31,6 +34,12 @@ NEARLY = 0.1
 """Radians: a hand turned less is told to be as far away as its origin."""
 FAR = 0.25
 """Metres and radians, together."""
+SPREAD = 8
+"""Configurations, spread over the limits, at which it is asked in which ways a hand can move: one might be
+singular."""
+RIGID = 1e-6
+"""Metres and radians a radian: below it, no joint moves the hand in some way. Rounding gives 1e-16, the
+shipped arms of six joints or more 0.003 to 0.17."""
 
 
 @dataclass(frozen=True)
@@ -145,10 +154,19 @@ class Solver:
         self.batch, self.limits = batch, limits
         self._table, self.settings = table, settings or IkSettings()
 
-    @property
+    @cached_property
     def exact(self) -> bool:
-        """Whether there are joints enough for any pose within reach."""
-        return len(self.limits.lower) >= SIX
+        """Whether the hand can move in all six ways at once: the arm takes any pose within reach as it is.
+
+        A number of joints does not tell: an arm that goes up and down, turns about the vertical, bends three
+        times and rolls has six, and can't turn its hand about the vertical where it is.
+        """
+        number, span = len(self.limits.lower), self.limits.upper - self.limits.lower
+        shares = np.outer(np.arange(1, SPREAD + 1), np.sqrt(np.arange(2.0, number + 2.0))) % 1.0
+        q = self.limits.lower + (0.1 + 0.8 * shares) * span
+        _, jacobians = self.batch.error(q, np.broadcast_to(np.eye(4), (SPREAD, 4, 4)))
+        least = np.linalg.svd(jacobians, compute_uv=False)[:, -1]
+        return number >= SIX and float(least.max()) > RIGID
 
     def turning(self, chain: Chain, vertical: Vertical) -> Solver:
         """Return a solver whose targets may turn about a vertical: by how much is its last column."""

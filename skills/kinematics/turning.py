@@ -1,4 +1,4 @@
-"""Targets that may be turned about a vertical: what an arm of fewer than six joints needs.
+"""Targets that may be turned about a vertical: what an arm needs that can't turn its hand freely.
 
 The heading of such an arm's hand follows from where the hand is. A base that stands a centimetre aside puts a
 given pose out of its reach, but not the same pose turned a little about what the hand is for.
@@ -16,8 +16,6 @@ from tandem.skills.kinematics.batch import stepped
 from tandem.skills.kinematics.model import Chain, Limits
 from tandem.skills.kinematics.transforms import Array
 
-SIX = 6
-"""Joints with which a hand gets into any pose within reach."""
 FAST = 1e3
 """Radians a second: a turn of the target costs no time when solutions are ordered by theirs."""
 

@@ -11,6 +11,7 @@ import xml.etree.ElementTree as ET
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Final
 
 ONE_NUMBER: Final = frozenset({"revolute", "continuous", "prismatic"})
@@ -18,6 +19,11 @@ ONE_NUMBER: Final = frozenset({"revolute", "continuous", "prismatic"})
 SEVERAL_NUMBERS: Final = frozenset({"floating", "planar"})
 SHORTEST_AXIS: Final = 1e-6
 """What is shorter has lost its direction to rounding; an axis that is written is about 1 long."""
+MEASURES: Final[Mapping[str, Mapping[str, int]]] = MappingProxyType(
+    {"box": {"size": 3}, "cylinder": {"radius": 1, "length": 1}, "sphere": {"radius": 1}, "mesh": {}}
+)
+"""Geometries that all readers know, and how many numbers each of their measures has."""
+INSTEAD: Final[Mapping[str, str]] = MappingProxyType({"capsule": "write it as a cylinder and two spheres"})
 KINDS: Final = ONE_NUMBER | SEVERAL_NUMBERS | {"fixed"}
 
 
@@ -99,6 +105,26 @@ def _link_mistakes(link: ET.Element) -> Iterator[str]:
             yield f"expected a mass of at least 0, found {mass.get('value', '')!r}"
     for part in (*link.findall("inertial"), *link.findall("visual"), *link.findall("collision")):
         yield from (f"{part.tag}: {each}" for each in _origin(part))
+    for collision in link.findall("collision"):
+        yield from (f"collision: {each}" for each in _geometry(collision))
+
+
+def _geometry(collision: ET.Element) -> Iterator[str]:
+    """Parsers drop a shape that they can't read, and arms then go through the link."""
+    shapes = collision.findall("geometry/*")
+    if len(shapes) != 1:
+        yield f"expected one geometry, found {', '.join(each.tag for each in shapes) or 'none'}"
+        return
+    (shape,) = shapes
+    if shape.tag not in MEASURES:
+        instead = f"; {INSTEAD[shape.tag]}" if shape.tag in INSTEAD else ""
+        yield f"expected a geometry out of {', '.join(MEASURES)}, found {shape.tag}{instead}"
+        return
+    for name, count in MEASURES[shape.tag].items():
+        numbers = [_number(each) for each in shape.get(name, "").split()]
+        if len(numbers) != count or not all(0.0 <= each < math.inf for each in numbers):
+            wanted = "a number" if count == 1 else f"{count} numbers"
+            yield f"expected {wanted} of at least 0 for the {shape.tag}'s {name}, found {shape.get(name)!r}"
 
 
 def _parts_once(joint: ET.Element) -> Iterator[str]:

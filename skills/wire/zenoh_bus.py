@@ -250,7 +250,7 @@ class ZenohBus:
         return frozenset(str(reply.ok.key_expr)[start:] for reply in replies if reply.ok is not None)
 
     def neighbours(self, *, timeout: float) -> frozenset[str]:
-        """Return the other ``<site>/<robot>`` with processes at the router; blocks for ``timeout`` s at most."""
+        """Return the other ``<site>/<robot>`` with processes at the router, within ``timeout`` seconds."""
         replies = self._session.liveliness().get("*/*/alive/process/**", timeout=timeout)
         keys = (str(reply.ok.key_expr) for reply in replies if reply.ok is not None)
         return frozenset("/".join(key.split("/")[:2]) for key in keys) - {self._prefix}

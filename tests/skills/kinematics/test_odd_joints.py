@@ -8,6 +8,7 @@ comes from its hardware alone, so no file or key of tests/outside reaches this.
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ from pydantic import ValidationError
 
 from tandem.skills.kinematics.model import RobotKinematics
 from tandem.skills.ports.hardware import JointGroup, JointLimit
-from tandem.skills.ports.urdf_check import UrdfError
+from tandem.skills.ports.urdf_check import UrdfError, parsed
 from tests.fakes.arm_rig import panda
 
 ARM = ("shoulder", "elbow")
@@ -163,3 +164,33 @@ def test_the_description_takes_no_limits_the_wrong_way_round_and_no_joint_twice(
         JointLimit.model_validate({**good.model_dump(), "lower": 2.0})
     with pytest.raises(ValidationError, match="group 'arm': expected each joint once"):
         JointGroup(name="arm", limits=(good, good))
+
+
+@pytest.mark.parametrize(
+    ("shapes", "error"),
+    [
+        ('<capsule radius="0.1" length="0.2"/>', "found capsule; write it as a cylinder and two spheres"),
+        (
+            '<cone radius="0.1" length="0.2"/>',
+            "expected a geometry out of box, cylinder, sphere, mesh, found cone",
+        ),
+        ('<box size="0.1 0.1"/>', "expected 3 numbers of at least 0 for the box's size, found '0.1 0.1'"),
+        ('<sphere radius="-1"/>', "expected a number of at least 0 for the sphere's radius, found '-1'"),
+        ("", "expected one geometry, found none"),
+        ('<sphere radius="1"/><sphere radius="2"/>', "expected one geometry, found sphere, sphere"),
+    ],
+)
+def test_a_shape_that_no_reader_knows_is_refused_with_its_link(shapes: str, error: str) -> None:
+    """It would be left out, and arms would go through the link."""
+    link = f'<link name="tip"><collision><geometry>{shapes}</geometry></collision></link>'
+    with pytest.raises(UrdfError, match=re.escape("link 'tip': collision: expected")) as found:
+        parsed(f'<robot name="odd">{link}</robot>')
+    assert error in str(found.value)
+
+
+@pytest.mark.parametrize(
+    "shape", ['<cylinder radius="0.1" length="0.2"/>', '<sphere radius="0.1"/>', '<box size="1 2 3"/>']
+)
+def test_a_primitive_shape_is_taken(shape: str) -> None:
+    link = f'<link name="tip"><collision><geometry>{shape}</geometry></collision></link>'
+    assert parsed(f'<robot name="odd">{link}</robot>').find("link") is not None

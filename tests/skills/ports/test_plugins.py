@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 from importlib.metadata import EntryPoints, entry_points
+from typing import Final
 
 import pytest
 
@@ -47,15 +48,16 @@ def test_one_that_can_not_be_loaded_is_named_and_the_rest_runs(installed: Instal
     assert signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
 
 
+TAKEN: Final = (
+    "the name 'theirs' is taken: by a-first 1.0; give one of the two another name in its pyproject.toml "
+    "and install it again, or uninstall one"
+)
+
+
 @pytest.mark.parametrize(
     ("name", "taken", "error"),
     [
-        (
-            "theirs",
-            (),
-            "the name 'theirs' is taken: by a-first 1.0; give one of the two another name in its "
-            + "pyproject.toml and install it again, or uninstall one",
-        ),
+        ("theirs", (), TAKEN),
         ("fetch", ("fetch",), "the name 'fetch' is taken: Tandem's own; choose another one"),
         ("Of-mine", (), "expected a name of small letters, digits and _, that begins with a letter"),
     ],
