@@ -9,10 +9,14 @@ import type { CameraSensor } from "./types";
 import { named } from "./words";
 
 const EVERY = 1000;
+const NEAREST = 0.01; // m before the camera; what is behind it is not in its picture
 const FRESH = 3; // robot seconds for which a tag is drawn where it was seen
 
-// The camera of that name, or the first: with that one perception looks, so that the tags are in its picture.
-export function Camera({ name }: { name: string }) {
+// Where a tag that one camera has seen is for another one, both of them where the robot has them now; null: not known.
+export type Carry = (from: CameraSensor, to: CameraSensor, point: readonly [number, number, number]) => readonly [number, number, number] | null;
+
+// The camera of that name, or the first: with that one perception looks, so that the tags are as it saw them.
+export function Camera({ name, carry }: { name: string; carry: Carry }) {
   const cameras = useRobot().value?.cameras;
   if (!cameras?.length) return null;
   const sensor = cameras.find((each) => each.name === name) ?? cameras[0]!;
@@ -21,10 +25,12 @@ export function Camera({ name }: { name: string }) {
       {cameras.map((each) => <option key={each.name} value={each.name}>{each.name}</option>)}
     </select>
   );
-  return <View key={sensor.name} sensor={sensor} reads={sensor === cameras[0]}>{choice}</View>;
+  return <View key={sensor.name} sensor={sensor} looks={cameras[0]!} carry={carry}>{choice}</View>;
 }
 
-function View({ sensor, reads, children }: { sensor: CameraSensor; reads: boolean; children: ComponentChildren }) {
+type Given = { sensor: CameraSensor; looks: CameraSensor; carry: Carry };
+
+function View({ sensor, looks, carry, children }: Given & { children: ComponentChildren }) {
   const [shown, show] = useState<{ url: string; came: number } | null>(null);
   const [error, fail] = useState("");
   const [now, tick] = useState(performance.now());
@@ -59,9 +65,9 @@ function View({ sensor, reads, children }: { sensor: CameraSensor; reads: boolea
   const age = shown ? Math.max(0, (now - shown.came) / 1000) : null;
   return (
     <figure class="camera">
-      {shown ? <span class="shot"><img src={shown.url} alt={`What the camera ${sensor.name} sees`} />{reads && <Found sensor={sensor} />}</span>
+      {shown ? <span class="shot"><img src={shown.url} alt={`What the camera ${sensor.name} sees`} /><Found sensor={sensor} looks={looks} carry={carry} /></span>
         : <p class="quiet">{children}{error || "Asking for a picture…"}</p>}
-      {shown && <figcaption>{children}{error ? `${error}; this one is ${age!.toFixed(0)} s old` : `${age! < 1.5 ? "now" : `${age!.toFixed(0)} s old`}`}{reads && <Seen />}</figcaption>}
+      {shown && <figcaption>{children}{error ? `${error}; this one is ${age!.toFixed(0)} s old` : `${age! < 1.5 ? "now" : `${age!.toFixed(0)} s old`}`}<Seen by={sensor === looks ? "" : looks.name} /></figcaption>}
     </figure>
   );
 }
@@ -73,14 +79,15 @@ function useTags(): { tags: Tags | null; age: number | null } {
   return { tags, age: same ? Math.max(0, now.seconds! - tags.stamp.seconds) : null };
 }
 
-function Seen() {
+function Seen({ by }: { by: string }) {
   const { tags, age } = useTags();
   if (!tags?.seen.length || age === null) return <span class="quiet"> · no tag read yet</span>;
-  return <span class="quiet"> · {tags.seen.length > 1 ? "tags" : "tag"} {tags.seen.map((each) => each.item).join(", ")} read {age < 1 ? "now" : `${age.toFixed(0)} s ago`}</span>;
+  return <span class="quiet"> · {tags.seen.length > 1 ? "tags" : "tag"} {tags.seen.map((each) => each.item).join(", ")} read {by && `by ${by} `}{age < 1 ? "now" : `${age.toFixed(0)} s ago`}</span>;
 }
 
-// The outlines of tags by a pinhole camera, in its optical frame: z forward, x to the right, y down.
-function Found({ sensor }: { sensor: CameraSensor }) {
+// The outlines of tags by a pinhole camera, in its optical frame: z forward, x to the right, y down. In the picture of
+// another camera than that which perception looks with they are dashed: something may stand before them.
+function Found({ sensor, looks, carry }: Given) {
   const { tags, age } = useTags();
   const site = useSite().value;
   if (!tags || age === null || age > FRESH) return null;
@@ -92,12 +99,14 @@ function Found({ sensor }: { sensor: CameraSensor }) {
         const corners = [[-half, -half], [half, -half], [half, half], [-half, half]].map(([x, y]) => {
           const [px, py, pz] = turned(each.tag.orientation, [x!, y!, 0]);
           const [tx, ty, tz] = each.tag.position;
-          const depth = Math.max(tz + pz, 0.01);
-          return [sensor.width / 2 + (focal * (tx + px)) / depth, sensor.height / 2 + (focal * (ty + py)) / depth] as const;
-        });
+          const seen = [tx + px, ty + py, tz + pz] as const;
+          const [cx, cy, cz] = (sensor === looks ? seen : carry(looks, sensor, seen)) ?? [0, 0, -1];
+          return cz < NEAREST ? null : [sensor.width / 2 + (focal * cx) / cz, sensor.height / 2 + (focal * cy) / cz] as const;
+        }).filter((each) => each !== null);
+        if (corners.length < 4 || !corners.some(([u, v]) => u >= 0 && v >= 0 && u <= sensor.width && v <= sensor.height)) return null;
         const top = corners.reduce((one, other) => (other[1] < one[1] ? other : one));
         return (
-          <g key={i}>
+          <g key={i} class={sensor === looks ? "" : "guessed"}>
             <polygon points={corners.map((each) => each.join(",")).join(" ")} />
             <text x={top[0]} y={top[1] - sensor.height / 60} font-size={sensor.height / 20}>{named(site, each.item)}</text>
           </g>

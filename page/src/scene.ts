@@ -89,6 +89,14 @@ export class RobotScene {
     this.box.replaceChildren();
   }
 
+  // A point of one frame of the robot in another, by its joints as they are; null: the robot has no such frame.
+  carry(from: string, to: string, point: readonly [number, number, number]): readonly [number, number, number] | null {
+    const [one, other] = [this.robot?.frames[from], this.robot?.frames[to]];
+    if (!one || !other) return null;
+    for (const each of [one, other]) each.updateWorldMatrix(true, false);
+    return other.worldToLocal(one.localToWorld(new THREE.Vector3(...point))).toArray();
+  }
+
   touch() {
     this.dirty = true;
   }

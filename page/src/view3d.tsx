@@ -45,7 +45,7 @@ export function View3d() {
     <section class="view3d" aria-label="The robot in its room">
       <div class="canvas" ref={box} />
       {error && <p class="quiet over">{error} <a href="/map">Map</a></p>}
-      {looks && <Camera name={words.get("camera") ?? ""} />}
+      {looks && <Camera name={words.get("camera") ?? ""} carry={(from, to, point) => scene.current?.carry(from.frame, to.frame, point) ?? null} />}
       <div class="tools">
         <button onClick={() => scene.current?.look("side")}>Side</button>
         <button onClick={() => scene.current?.look("above")}>Above</button>

@@ -139,7 +139,10 @@ def test_of_several_cameras_one_is_chosen(page: Page, robot: FakeRobot) -> None:
     expect(page).to_have_url("/?camera=wrist")
     expect(page.get_by_alt_text("What the camera wrist sees")).to_be_visible()
     assert robot.viewed[-1] == "wrist"
-    expect(page.locator(".camera figcaption")).not_to_contain_text("tag")  # they are of the first one
+    expect(page.locator(".canvas")).to_have_attribute("data-robot", "loaded")
+    tell(robot)
+    expect(page.locator(".camera .guessed text")).to_have_text("tea")
+    expect(page.locator(".camera figcaption")).to_contain_text(f"tag 29 read by {head.name} now")
     picture(page, "page-cameras")
 
 
