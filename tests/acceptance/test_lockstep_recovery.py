@@ -12,7 +12,8 @@ import pytest
 from tandem.sim.controls import FAULTS
 from tandem.sim.faults import HandOpens, ItemLifted
 from tandem.sim.scenario import load_scenario
-from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.hardware import GripperMotion, GripperState
+from tandem.skills.ports.keys import Latest, gripper_state
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.tasks import TaskState
 from tests.acceptance.course import STILL, course
@@ -28,7 +29,7 @@ def test_a_dropped_item_is_noticed_within_half_a_second_and_the_robot_stops() ->
     fault = HandOpens(when=ItemLifted(after=8.0))
     scenario = load_scenario("Demo").starting_at(BEFORE_THE_TABLE).with_faults((fault,))
     with course(scenario) as run:
-        events = Latest(run.system.bus, FAULTS)
+        events, pads = Latest(run.system.bus, FAULTS), Latest(run.system.bus, gripper_state("left"))
         task = run.ask(29)
         run.until(lambda: events.refresh() is not None, within=120.0)
         assert events.value is not None
@@ -42,7 +43,13 @@ def test_a_dropped_item_is_noticed_within_half_a_second_and_the_robot_stops() ->
         assert run.seconds - opened < NOTICED_WITHIN + 0.1, "a tick of the tree later at the most"
         assert run.cancel(task).accepted
         assert run.caller.follow(task, within=5.0).state is TaskState.CANCELED
+        # A hand that has lost what it held closes by itself.
+        run.until(lambda: not _moving(pads.refresh()), within=1.0)
         assert run.moves() < STILL
+
+
+def _moving(pads: GripperState | None) -> bool:
+    return pads is None or pads.motion is GripperMotion.MOVING
 
 
 @pytest.mark.parametrize(

@@ -117,5 +117,5 @@ def test_a_second_system_at_the_same_endpoint_refuses(live: ProcessSystem) -> No
         argv, check=False, env=ENVIRONMENT, cwd=ROOT, capture_output=True, text=True, timeout=60
     )
     assert done.returncode == ExitCode.REFUSED, done.stdout + done.stderr
-    assert "another system is running there" in done.stdout
+    assert "another system is running there" in done.stderr
     live.advance()

@@ -243,7 +243,8 @@ def test_a_reflex_that_protects_somebody_is_switched_off_only_after_a_question(
     question = page.get_by_role("alertdialog")
     expect(question).to_contain_text("It protects people from a blind base.")
     picture(page, "page-reflex-question")
-    page.keyboard.press("Enter")  # on what is at hand
+    expect(page.get_by_role("button", name="Leave it on")).to_be_focused()
+    page.keyboard.press("Enter")
     expect(question).to_have_count(0)
     expect(off).to_be_focused()
     assert robot.reflexes[REFLEX.reflex].on
