@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 
@@ -13,8 +14,12 @@ from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.map import SiteMap
 from tandem.skills.base.obstacles import Obstacles
 from tandem.skills.base.people.caution import Caution
+from tandem.skills.base.people.tracker import STILL_RADIUS
 from tandem.skills.base.watch import Watch
 from tandem.skills.ports.hardware import Drive
+
+BERTH: Final = 0.75
+"""Metres from the axis of somebody who stands at which a way passes, where there is room."""
 
 
 @dataclass
@@ -56,10 +61,15 @@ class Course:
         reach = self.guard.reach
         return (reach, self.radius) if reach > self.radius else (self.radius,)
 
-    def strange(self) -> FloatArray:
-        """Return points, shape (n, 2), of what stands and is on no map, people with it."""
+    def berths(self) -> tuple[float, ...]:
+        """Return the berths (m) to give people who stand, the wished one first: they may set out any time."""
+        stand = self.caution is not None and len(self.caution.tracker.rings()) > 0
+        return (BERTH, STILL_RADIUS) if stand else (STILL_RADIUS,)
+
+    def strange(self, berth: float = STILL_RADIUS) -> FloatArray:
+        """Return points, shape (n, 2), of what stands and is on no map, people with their berth."""
         points = self.obstacles.points
-        return points if self.caution is None else np.concatenate((points, self.caution.tracker.rings()))
+        return points if self.caution is None else np.concatenate((points, self.caution.tracker.rings(berth)))
 
     def watch(self) -> Watch:
         """Return a watch for one run."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import Final
 
@@ -142,19 +143,20 @@ class Journey:
     def _plan_to(self, pose: FloorPose) -> Motion[DriveFeedback]:
         """Plan from here; True with ``_plan`` set, False with the reason among ``_problems``.
 
-        A way with room for all that the arms reach is tried first; then one for the footprint alone.
+        A way with room for all that the arms reach is tried first; then one for the footprint alone. A way
+        wide around people who stand comes before one that is close by.
         """
-        for radius in self._course.radii():
-            if (yield from self._plan_with(radius, pose)):
+        for radius, berth in itertools.product(self._course.radii(), self._course.berths()):
+            if (yield from self._plan_with(radius, berth, pose)):
                 return True
             if self._ride.canceled or self._ride.failure is not None:
                 return False
         return False
 
-    def _plan_with(self, radius: float, pose: FloorPose) -> Motion[DriveFeedback]:
+    def _plan_with(self, radius: float, berth: float, pose: FloorPose) -> Motion[DriveFeedback]:
         self._plan = None
         mapped = Clearances(self._course.site_map.plan, radius + MARGIN, self._ride.pose)
-        planner = Planner(mapped, self._course.strange(), pose)
+        planner = Planner(mapped, self._course.strange(berth), pose)
         for _ in planner.slices():
             if not (yield from self._ride.heed((yield Slice(SLICE_COST)))):
                 return False

@@ -56,8 +56,8 @@ RADIUS: Final = 0.25
 """Metres around a person's axis: trunk and swinging legs."""
 STILL_RADIUS: Final = 0.20
 """The same of somebody who stands, their legs side by side."""
-RING: Final = 12
-"""Points around somebody who stands."""
+RING: Final = 24
+"""Points around somebody who stands: 20 cm apart in the widest berth, so that no base gets in between."""
 SETTLED: Final = 1.0
 """Robot seconds after which somebody who stands is in the way as a thing is."""
 
@@ -116,10 +116,14 @@ class Tracker:
             on |= np.hypot(points[:, 0] - track.state[0], points[:, 1] - track.state[1]) < SWALLOWED
         return on
 
-    def rings(self) -> FloatArray:
-        """Return points, shape (n, 2), around those who stand: a plan goes around the whole of them."""
+    def rings(self, berth: float = STILL_RADIUS) -> FloatArray:
+        """Return points, shape (n, 2), around those who stand: a plan goes around the whole of them.
+
+        Args:
+            berth: metres from their axes.
+        """
         turns = np.linspace(0.0, 2 * math.pi, RING, endpoint=False)
-        ring = STILL_RADIUS * np.stack((np.cos(turns), np.sin(turns)), axis=1)
+        ring = berth * np.stack((np.cos(turns), np.sin(turns)), axis=1)
         walking = {track.id for track in self.walking}
         still = [track.place for track in self.people if track.id not in walking]
         return np.concatenate([ring + place for place in still]) if still else np.empty((0, 2))

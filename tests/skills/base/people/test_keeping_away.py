@@ -134,6 +134,22 @@ def test_a_drive_begins_once_who_stands_in_the_only_way_has_left() -> None:
     assert outcome.result.replans >= 1
 
 
+def test_a_way_passes_who_stands_at_a_distance_where_there_is_room() -> None:
+    rig, somebody = make_rig(LAB, SOUTH), track(0.4, -2.4, 0.0, 0.0)
+    somebody.stood = 5.0
+    assert rig.base.people is not None
+    rig.base.people._tracks.append(somebody)
+    ways = []
+
+    def command(_: float) -> Command:
+        ways.append(math.dist((rig.robot.truth.x, rig.robot.truth.y), somebody.place))
+        return Command.GO_ON
+
+    goal = DriveGoal(poses=(FloorPose(x=2.0, y=-1.6, yaw=0.0),))
+    assert rig.run(rig.base.drive.run(goal, "g"), command).result is not None
+    assert min(ways) > 0.95, "straight on it would be 0.8 m"
+
+
 def test_the_base_brakes_for_people_as_hard_as_it_may() -> None:
     rig = make_rig(LAB, SOUTH)
     hard = rig.robot.description.driven.model_copy(update={"braking": 3.0})
