@@ -11,7 +11,7 @@ from tandem.sim.robots import registry
 from tandem.sim.scenario import load_scenario
 from tandem.skills.ports.tasks import TaskState
 from tests.acceptance.course import course
-from tests.fakes.example_cart import example_cart
+from tests.fakes.examples import example_cart
 
 pytestmark = pytest.mark.lockstep
 

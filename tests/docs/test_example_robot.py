@@ -11,7 +11,7 @@ import pytest
 from tandem.sim.body import RobotBody
 from tandem.sim.physics import Physics
 from tandem.sim.robots.robot import Robot
-from tests.fakes.example_cart import CART, example_cart
+from tests.fakes.examples import CART, example_cart
 
 
 @pytest.fixture(scope="module")

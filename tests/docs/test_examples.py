@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import importlib.util
 import sys
-from pathlib import Path
-from types import ModuleType
 
 import pytest
 from py_trees.common import Status
@@ -28,20 +26,10 @@ from tandem.skills.wire.memory import MemoryBus, MemoryHub
 from tandem.trees import tasks
 from tandem.trees.client import ActionClient
 from tandem.trees.registry import discover
+from tests.fakes.examples import EXAMPLES, example
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
 SITE = load("lab")
 TAG = Pose(position=(0.9, 0.1, 0.74), orientation=from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0)))
-
-
-def example(name: str) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(f"example_{name}", EXAMPLES / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # annotations are looked up there
-    spec.loader.exec_module(module)
-    return module
 
 
 @pytest.fixture

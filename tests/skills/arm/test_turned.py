@@ -25,7 +25,7 @@ from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.shapes import BoxShape
 from tandem.skills.ports.world import PlanningScene
 from tests.fakes.arm_rig import drive, panda
-from tests.fakes.example_cart import example_cart
+from tests.fakes.examples import example_cart
 
 BOX = BoxShape((0.06, 0.06, 0.06))
 ITEM = Pose(position=(0.75, 0.0, 0.74), orientation=from_rpy(0.0, 0.0, math.pi))
