@@ -110,6 +110,10 @@ class Course:
             return False
         return yaw is None or abs(wrap(robot.base_in_map.yaw - yaw)) < YAW_TOLERANCE
 
+    def free(self) -> bool:
+        """Say whether no reflex has the base, and it may be asked for again."""
+        return not self.context.knowledge.base_taken and self.context.seconds >= self.not_before
+
     def watch(self) -> None:
         """Take note of who has the base now; called at each tick."""
         now, taken = self.context.seconds, bool(self.context.knowledge.base_taken)

@@ -16,7 +16,7 @@ import numpy as np
 
 from tandem.skills.base.floor import FloatArray, compose, invert, points_in
 from tandem.skills.base.map import SiteMap
-from tandem.skills.base.matcher import NEAR, Match, carried, diagonal, match, share_near
+from tandem.skills.base.matcher import Match, carried, diagonal, match, share_behind, share_near
 from tandem.skills.base.odometry import OdometryBuffer, ahead
 from tandem.skills.base.odometry_drift import OdometryDrift
 from tandem.skills.base.scan import ScanGeometry, ScanPoints
@@ -223,12 +223,15 @@ class Localiser(OdometryDrift):
             self._covariance = carried(self._covariance, before, predicted)
             self._scans_at_rest = 0
         self._matched_at = base_in_odom
-        if self._through_walls(points, predicted):
+        residual = self._map.laser.at(points_in(predicted, points.in_base))
+        if share_behind(residual) > THROUGH_WALLS:
             pushed = np.diag(diagonal(*PUSHED))
             self._covariance = np.diag(np.maximum(np.diag(self._covariance), pushed))
             self._scans_at_rest = 0
         if still and self._scans_at_rest >= SETTLED_AFTER and self._unconfirmed == 0.0:
-            self._place(points, predicted, self._explained(points, predicted))
+            if share_near(residual) < POOR_FIT:
+                self._scans_at_rest = 0
+            self._place(points, predicted, residual)
             return
         found = match(self._map.laser, points.in_base, predicted, self._covariance)
         self._judge(found, before, predicted)
@@ -239,22 +242,12 @@ class Localiser(OdometryDrift):
             self._covariance = found.covariance
         self._place(points, found.pose if used else predicted, found.residual)
 
-    def _through_walls(self, points: ScanPoints, pose: FloorPose) -> bool:
-        residual = self._map.laser.at(points_in(pose, points.in_base))
-        return bool(len(residual)) and float(np.mean(residual < -NEAR)) > THROUGH_WALLS
-
     def _is_still(self, base_in_odom: FloorPose) -> bool:
         before = self._matched_at
         if before is None or self.moving:
             return False
         moved = math.hypot(base_in_odom.x - before.x, base_in_odom.y - before.y)
         return moved < STILL[0] and abs(wrap(base_in_odom.yaw - before.yaw)) < STILL[1]
-
-    def _explained(self, points: ScanPoints, pose: FloorPose) -> FloatArray:
-        residual = self._map.laser.at(points_in(pose, points.in_base))
-        if share_near(residual) < POOR_FIT:
-            self._scans_at_rest = 0
-        return residual
 
     def _judge(self, found: Match, before: FloorPose, predicted: FloorPose) -> None:
         """Count how long, and how far, the scans have not confirmed the pose."""

@@ -75,6 +75,11 @@ def share_near(distances: FloatArray) -> float:
     return float(np.mean(np.abs(distances) < NEAR)) if len(distances) else 0.0
 
 
+def share_behind(distances: FloatArray) -> float:
+    """Return the share of beams that end more than ``NEAR`` behind a mapped surface; 0 without beams."""
+    return float(np.mean(distances < -NEAR)) if len(distances) else 0.0
+
+
 def diagonal(position_sigma: float, yaw_sigma: float) -> FloatArray:
     """Return the covariance (3, 3) of these standard deviations (m, rad)."""
     return np.diag([position_sigma**2, position_sigma**2, yaw_sigma**2])

@@ -14,6 +14,7 @@ from tandem.skills.testing.mock_skill import Fault
 from tandem.trees.behaviours.again import Again
 from tandem.trees.behaviours.each import Each
 from tandem.trees.behaviours.give_up import GiveUp
+from tandem.trees.behaviours.give_way import FREE_WITHIN, REFLEX, GiveWay
 from tandem.trees.behaviours.guarded import Guarded
 from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.pause import Pause
@@ -261,3 +262,30 @@ def test_give_up_says_why(bench: TreeBench) -> None:
     tree = GiveUp("give up", bench.context, lambda: Failure(kind=K.ITEM_NOT_FOUND, message="nowhere"))
     assert play(bench, tree) == [F]
     assert bench.context.failures.last().where == "give up"
+
+
+@pytest.mark.parametrize(("busy", "last"), [(5.0, S), (FREE_WITHIN + 1.0, F)])
+def test_a_drive_waits_for_the_base_until_its_patience_ends(
+    bench: TreeBench, busy: float, last: Status
+) -> None:
+    context = bench.context
+    taken = Failure(kind=K.OVERRIDDEN, message="took", evidence={REFLEX: "bumper"})
+
+    class Overridden(Script):
+        def update(self) -> Status:
+            status = super().update()
+            if status is F:
+                context.failures.add(taken)
+            return status
+
+    child, start = Overridden("drive", context, F, S), context.seconds
+    tree = GiveWay(
+        "give way",
+        context,
+        child,
+        lambda _: None,
+        settles=False,
+        free=lambda: context.seconds - start > busy,
+    )
+    assert play(bench, tree, most=1000)[-1] is last
+    assert child.ticks == (2 if last is S else 1)

@@ -63,7 +63,7 @@ def base_is_free(
     """
 
     def free() -> bool:
-        return or_else() or (not context.knowledge.base_taken and context.seconds >= course.not_before)
+        return or_else() or course.free()
 
     def otherwise() -> Failure:
         taken = context.knowledge.base_taken
@@ -125,11 +125,8 @@ def drive_and_give_way(
     def enough(failure: Failure) -> Failure | None:
         return failure if course.held_up(failure) is not None else None
 
-    def free() -> bool:
-        return not context.knowledge.base_taken and context.seconds >= course.not_before
-
     way = drive(name, context, aimed, serves=serves)
-    return GiveWay(f"{name}, giving way", context, way, enough, settles=False, free=free)
+    return GiveWay(f"{name}, giving way", context, way, enough, settles=False, free=course.free)
 
 
 def know_again(where: str, context: TreeContext) -> RecoveryStep:

@@ -7,14 +7,15 @@ import math
 import numpy as np
 import pytest
 
+from tandem.skills.base.course import Progress
 from tandem.skills.base.field import DistanceField
 from tandem.skills.base.headway import STUCK_AFTER, Headway
+from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.people.cost import costs
 from tandem.skills.base.people.forecast import Forecast, forecast
 from tandem.skills.base.people.segments import Candidate
 from tandem.skills.base.people.track import Track
 from tandem.skills.base.ride import PATIENCE
-from tandem.skills.base.wheels import Wheels
 from tandem.skills.ports.actions.base import DriveGoal, DriveResult
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.pose import FloorPose
@@ -150,15 +151,16 @@ def test_a_way_passes_who_stands_at_a_distance_where_there_is_room() -> None:
     assert min(ways) > 0.95, "straight on it would be 0.8 m"
 
 
-def test_the_base_brakes_for_people_as_hard_as_it_may() -> None:
+def test_the_base_brakes_for_people_as_hard_as_it_may(monkeypatch: pytest.MonkeyPatch) -> None:
     rig = make_rig(LAB, SOUTH)
-    hard = rig.robot.description.driven.model_copy(update={"braking": 3.0})
-    wheels = Wheels(rig.bus, rig.robot.clocks, hard, lambda: lambda: True)
-    wheels.begin(None)
-    wheels.linear = 0.5
+    monkeypatch.setattr(Caution, "safe", lambda *_: False)
+    ride = rig.base.drive._ride(Progress())
+    ride.wheels.drive = ride.wheels.drive.model_copy(update={"braking": 3.0})
+    ride.wheels.linear = 0.5
     rig.wait(0.1)
-    wheels.brake()
-    assert wheels.linear == pytest.approx(0.5 - 3.0 * 0.1)
+    next(ride.cycle(0.5, 0.0))
+    assert ride.halted
+    assert ride.wheels.linear == pytest.approx(0.5 - 3.0 * 0.1)
 
 
 def test_alone_the_setting_changes_nothing() -> None:
