@@ -16,11 +16,12 @@ from tandem.skills.ports.plugins import NONE
 from tandem.skills.wire.endpoints import is_loopback
 
 
-def owner_of(bus: BusOptions, *, by_environment: bool = False) -> BusOptions:
-    """Return the options with the robot whose keys the processes show.
+def owner_of(bus: BusOptions, robots: Sequence[str] = (), *, by_environment: bool = False) -> BusOptions:
+    """Return the options with the robot whose keys the processes show; of several, those of the first.
 
     Args:
         bus: names the robot, or nobody where the folder has keys of one robot only.
+        robots: several robots of a scenario, each of which has the keys of its own name.
         by_environment: whether TANDEM_AS names the holder; the name of a client there is none of ours.
 
     Raises:
@@ -28,12 +29,18 @@ def owner_of(bus: BusOptions, *, by_environment: bool = False) -> BusOptions:
     """
     if bus.keys is None:
         return bus
+    others = by_environment and (bool(robots) or (bus.keys / f"{bus.holder}.pem").exists())
+    named = "" if others else bus.holder
+    if robots and named:
+        each = ", ".join(robots)
+        raise CommandError(
+            f"--as {named}: the robots {each} show the keys of their own names; leave out --as"
+        )
     try:
-        others = by_environment and (bus.keys / f"{bus.holder}.pem").exists()
-        robot = robot_in(bus.keys, "" if others else bus.holder)
+        found = [robot_in(bus.keys, name) for name in robots or (named,)]
     except KeysError as error:
         raise CommandError(str(error)) from error
-    return replace(bus, holder=robot.name)
+    return replace(bus, holder=found[0].name)
 
 
 def checked_endpoints(bus: BusOptions, listen: Sequence[str], *, insecure: bool) -> tuple[str, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import cast, get_args
+from typing import TYPE_CHECKING, cast, get_args
 
 import typer
 
@@ -15,6 +15,9 @@ from tandem.executive.config.addresses import METRICS_EXAMPLE, host_and_port
 from tandem.executive.config.extras import RECORD, WEB, words_on
 from tandem.executive.config.on_restart import OnRestart
 from tandem.executive.config.run_options import FILMS, BusOptions, Processes
+
+if TYPE_CHECKING:
+    from tandem.sim.scenario import Scenario
 
 
 def _one_of(texts: tuple[str, ...], text: str, option: str) -> str:
@@ -136,14 +139,14 @@ def checked_film(file: Path | None) -> Path | None:
     return file
 
 
-def checked_scenario(name_or_path: str, site: str, faults: Path | None) -> str:
-    """Return it when both are right; CommandError names the file, the path in it and what was expected."""
+def checked_scenario(name_or_path: str, site: str, faults: Path | None) -> Scenario:
+    """Return it when all is right; CommandError names the file, the path in it and what was expected."""
     from tandem.executive.cli.commands.scenario_commands import checked, checked_faults  # noqa: PLC0415
 
     scenario = checked(name_or_path, site)
     if faults is not None:
         checked_faults(faults, scenario)
-    return name_or_path
+    return scenario
 
 
 def logs_of(context: typer.Context) -> LogOptions:

@@ -219,9 +219,10 @@ def _whole_system(
     logs = logs_of(context)
     require_window(gui=gui, lockstep=lockstep)
     refuse_without_extras(checked_roles(None))
+    checked_scenario(scenario, site, faults)
     return RunOptions(
         bus=bus_options(connect, site_key, robot),
-        scenario=checked_scenario(scenario, site, faults),
+        scenario=scenario,
         site=site,
         faults=faults,
         seed=seed,

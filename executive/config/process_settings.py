@@ -73,6 +73,8 @@ class WorkerSettings(Message):
     """Host seconds without a beat after which another process is said not to go on."""
     listen: tuple[str, ...] = ()
     """Endpoints at which the router listens besides its own."""
+    prefixes: tuple[str, ...] = ()
+    """The router's: ``<site>/<robot>`` of each of several robots behind it; empty: ``prefix`` alone."""
     keys: str | None = None
     """Folder of keys, with which every process shows who it is; None: nobody asks."""
     holder: str = ""

@@ -7,7 +7,7 @@ are made from the list of those who have been given a key, and made anew when it
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Final, Literal
 
 from tandem.executive.security.holders import Holder
@@ -93,13 +93,18 @@ ROBOT_IN_KEY: Final = "{robot}"
 _DECLARATIONS: Final[tuple[Kind, ...]] = ("declare_subscriber", "declare_queryable")
 
 
-def access_control(holders: Iterable[Holder], prefix: str, parts: Mapping[Part, Rights]) -> AccessControl:
+def access_control(
+    holders: Iterable[Holder], prefixes: Sequence[str], parts: Mapping[Part, Rights]
+) -> AccessControl:
     """Return the rules for all who have a key that holds.
+
+    Clients have their rights at every robot. Of several robots each has the keys of its own name, and its
+    parts have rights at that robot only.
 
     Args:
         holders: who has been given a key.
-        prefix: ``<site>/<robot>`` of the robot.
-        parts: what each part of the robot may do that is a process.
+        prefixes: ``<site>/<robot>`` of each robot behind the router.
+        parts: what each part of a robot may do that is a process.
     """
     valid = [holder for holder in holders if not holder.revoked]
     # That somebody listens or serves is told to all: without it a client's session drops what it puts.
@@ -107,7 +112,7 @@ def access_control(holders: Iterable[Holder], prefix: str, parts: Mapping[Part, 
     rules = [Rule(id="declarations", flows=("egress",), messages=_DECLARATIONS, key_exprs=("**",))]
     policies = []
     for holder in valid:
-        own = _rules(holder, prefix, parts)
+        own = _rules(holder, _prefixes_of(holder, prefixes), parts)
         rules += own
         policies.append(
             Policy(rules=("declarations", *(rule.id for rule in own)), subjects=(holder.common_name,))
@@ -116,7 +121,7 @@ def access_control(holders: Iterable[Holder], prefix: str, parts: Mapping[Part, 
     return AccessControl(rules=tuple(rules), subjects=subjects, policies=tuple(policies))
 
 
-def low_pass_filter(prefix: str) -> tuple[dict[str, object], ...]:
+def low_pass_filter(prefixes: Sequence[str]) -> tuple[dict[str, object], ...]:
     """Return zenoh's bounds on what a message weighs: much heavier ones end at the router.
 
     Those that are a little too heavy get through, to be told what is wrong with them. Where
@@ -132,43 +137,56 @@ def low_pass_filter(prefix: str) -> tuple[dict[str, object], ...]:
             "size_limit": size,
         }
 
-    here = [f"{prefix}/{area}" for area in SMALL_QUERIES]
+    here = _whole(SMALL_QUERIES, prefixes)
     return (
         bound(["query"], ["**"], ROUTER_LETS_THROUGH_OF_ALL),
         bound(["query"], here, ROUTER_LETS_THROUGH),
-        bound(["put"], [f"{prefix}/{key}" for key in PUT_BY_CLIENTS], ROUTER_LETS_THROUGH),
+        bound(["put"], _whole(PUT_BY_CLIENTS, prefixes), ROUTER_LETS_THROUGH),
         bound(["put"], ["**"], ROUTER_LETS_THROUGH_OF_STREAMS),
     )
 
 
-def _rules(holder: Holder, prefix: str, parts: Mapping[Part, Rights]) -> list[Rule]:
+def _prefixes_of(holder: Holder, prefixes: Sequence[str]) -> Sequence[str]:
+    """Return the robots at which a key has rights: a client's at all, a robot's at its own."""
+    if holder.role != "robot" or len(prefixes) == 1:
+        return prefixes
+    return tuple(each for each in prefixes if each.rpartition("/")[2] == holder.name)
+
+
+def _rules(holder: Holder, prefixes: Sequence[str], parts: Mapping[Part, Rights]) -> list[Rule]:
     rights: Rights = rights_of(holder.role, holder.part, parts).of(holder.name)
     rules = []
     for verb, keys in rights.model_dump().items():
+        whole = _whole_of_site(keys, prefixes) if verb in SITE_VERBS else _whole(keys, prefixes)
         for flow, kinds in MESSAGES[verb].items():
-            if keys:
+            if whole:
                 rule = Rule(
-                    id=f"{holder.common_name}/{verb}/{flow}",
-                    flows=(flow,),
-                    messages=kinds,
-                    key_exprs=tuple(_whole(verb, key, prefix) for key in keys),
+                    id=f"{holder.common_name}/{verb}/{flow}", flows=(flow,), messages=kinds, key_exprs=whole
                 )
                 rules.append(rule)
-    return [*rules, *_kept_rules(holder, rights, prefix)]
+    return [*rules, *_kept_rules(holder, rights, prefixes)]
 
 
-def _whole(verb: str, key: str, prefix: str) -> str:
-    """Return a right's key expression as it stands in the router."""
-    if verb not in SITE_VERBS:
-        return f"{prefix}/{key}"
-    site, _, robot = prefix.partition("/")
-    return f"{site}/{key.replace(ROBOT_IN_KEY, robot)}"
+def _whole(keys: Iterable[str], prefixes: Sequence[str]) -> tuple[str, ...]:
+    """Return key expressions as they stand in the router, at each robot."""
+    return tuple(f"{prefix}/{key}" for key in keys for prefix in prefixes)
 
 
-def _kept_rules(holder: Holder, rights: Rights, prefix: str) -> list[Rule]:
+def _whole_of_site(keys: Iterable[str], prefixes: Sequence[str]) -> tuple[str, ...]:
+    """Return key expressions that all robots of a site share as they stand in the router."""
+    found = []
+    for key in keys:
+        for site, _, robot in (prefix.partition("/") for prefix in prefixes):
+            found.append(f"{site}/{key.replace(ROBOT_IN_KEY, robot)}")
+    return tuple(dict.fromkeys(found))
+
+
+def _kept_rules(holder: Holder, rights: Rights, prefixes: Sequence[str]) -> list[Rule]:
     """Return the rules for states that are asked for again: of what one may hear, from who may tell it."""
-    every = (f"{prefix}/{KEPT}**",)
-    tells, hears = (tuple(f"{prefix}/{KEPT}{key}" for key in keys) for keys in (rights.tells, rights.hears))
+    every = _whole((f"{KEPT}**",), prefixes)
+    tells, hears = (
+        _whole((f"{KEPT}{key}" for key in keys), prefixes) for keys in (rights.tells, rights.hears)
+    )
     asks: list[tuple[Flow, Kind, tuple[str, ...]]] = [("ingress", "query", hears), ("egress", "reply", hears)]
     serves: list[tuple[Flow, Kind, tuple[str, ...]]] = [
         ("ingress", "declare_queryable", every),

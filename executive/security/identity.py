@@ -72,7 +72,7 @@ def robot_in(folder: Path, name: str = "") -> Identity:
     if name or len(there) != 1:
         found = ", ".join(there) or "none"
         wanted = f"the robot {name!r}" if name else "one robot, or its name with --as"
-        hint = f"`tandem keys new --role robot NAME --folder {folder}` makes one"
+        hint = f"`tandem keys new --role robot --folder {folder} {name or 'NAME'}` makes them"
         raise KeysError(f"{folder}: no keys of {wanted}; found {found}; {hint}")
     return Identity(folder, there[0])
 

@@ -52,6 +52,10 @@ class Crew:
         """Return what the process of a role is called, as in ``r2/base``."""
         return role if not self.robot or role in ONCE else f"{self.robot}/{role}"
 
+    def holder(self, options: RunOptions) -> str:
+        """Return in whose name its processes show keys: of several robots each has keys of its own name."""
+        return self.robot or options.bus.holder
+
     def logs(self, options: RunOptions) -> Path | None:
         """Return the folder beside whose ledger the logs of all go, where its commands look for them."""
         usual = self.data is not None and self.robot and self.data.parent != options.data

@@ -179,7 +179,6 @@ class ProcessSystem:
         return tuple(sinks)
 
     def _start(self) -> None:
-        self._refuse_keys()
         self.supervisor.folder.mkdir(parents=True, exist_ok=True)
         self.supervisor.warm(self._births)
         if "router" in self._main.roles:
@@ -230,11 +229,6 @@ class ProcessSystem:
                     why = f"the {role} process of a plug-in was not ready within {PLUGGED_READY_WITHIN:.0f} s"
                     self._do_without(role, why)
 
-    def _refuse_keys(self) -> None:
-        if len(self._crews) > 1 and self._options.bus.keys is not None:
-            expected = "expected no --keys, whose access rules are those of one robot"
-            raise RefusedError(f"{self._options.scenario} has several robots: {expected}")
-
     def _refuse_second_router(self) -> None:
         endpoint = self._options.bus.endpoint
         if self._listens_nobody():
@@ -276,7 +270,9 @@ class ProcessSystem:
 
     def _open(self, patience: float, crew: Crew) -> ZenohBus:
         bus = self._options.bus
-        shown = None if bus.keys is None else Identity(bus.keys, bus.holder).part("supervisor")
+        shown = (
+            None if bus.keys is None else Identity(bus.keys, crew.holder(self._options)).part("supervisor")
+        )
         waker = None if self._main.bus is None else self._main.bus.waker
         opened = ZenohBus(bus.endpoint, crew.prefix, patience=patience, waker=waker, credentials=shown)
         opened.waker.calm = CALM

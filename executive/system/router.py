@@ -42,6 +42,7 @@ class Router:
         self._settings, self._credentials = settings, credentials
         self._endpoints = tuple(dict.fromkeys((settings.endpoint, *settings.listen)))
         self._list = None if settings.keys is None else Path(settings.keys) / LIST
+        self._prefixes = settings.prefixes or (settings.prefix,)
         self._known = self._version()
         self._session = self._open()
         self._steps = 0
@@ -75,7 +76,7 @@ class Router:
                 *self._endpoints,
                 credentials=self._credentials,
                 access=access or self._access(),
-                bounds=json.dumps(low_pass_filter(self._settings.prefix)),
+                bounds=json.dumps(low_pass_filter(self._prefixes)),
             )
             return RouterSession(config, self._endpoints)
         except KeysError as error:
@@ -88,9 +89,8 @@ class Router:
         if self._list is None:
             return None
         holders = read_holders(self._list.parent).holders
-        return access_control(
-            holders, self._settings.prefix, rights_of_parts(self._settings.left_out)
-        ).model_dump_json()
+        parts = rights_of_parts(self._settings.left_out)
+        return access_control(holders, self._prefixes, parts).model_dump_json()
 
     def _version(self) -> tuple[int, int]:
         """Return what changes with the list: who replaces a file gives it another inode."""

@@ -72,8 +72,9 @@ class SettingsOfProcesses:
             silent_after=options.silent_after,
             listen=options.listen if role == "router" else (),
             left_out=options.left_out,
+            prefixes=tuple(each.prefix for each in self._crews) if role == "router" else (),
             keys=None if options.bus.keys is None else str(options.bus.keys),
-            holder=options.bus.holder,
+            holder=crew.holder(options),
         )
 
     def _metrics_of(self, crew: Crew) -> str:

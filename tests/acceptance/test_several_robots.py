@@ -1,8 +1,13 @@
-"""Two robots with an executive each, and a third that a script drives, as processes behind one router."""
+"""Two robots with an executive each, and a third that a script drives, as processes behind one router.
+
+With keys: each robot's processes show its own, and whoever asks shows an operator's.
+"""
 
 from __future__ import annotations
 
+import datetime as dt
 import math
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from urllib.request import urlopen
@@ -10,7 +15,10 @@ from urllib.request import urlopen
 import pytest
 
 from tandem.executive.config.run_options import RunOptions
+from tandem.executive.security.authority import Wanted, begin, issue
+from tandem.executive.security.identity import Identity
 from tandem.executive.system.process_system import ProcessSystem
+from tandem.executive.system.systems import RobotSystem
 from tandem.executive.trials.demo import Caller
 from tandem.sim.scenario import Scenario
 from tandem.sim.starts import RobotStart
@@ -18,6 +26,7 @@ from tandem.skills.ports.hardware import Stop, StopState
 from tandem.skills.ports.keys import STOP, STOP_STATE, Latest
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.whereabouts import Neighbours
+from tandem.skills.wire.zenoh_bus import ZenohBus
 from tests.acceptance.live import go_on, kill, own_bus, written
 from tests.fakes.ports import free_pair
 
@@ -47,6 +56,23 @@ def replaced(system: ProcessSystem, name: str, dead: int) -> bool:
     return system.pids().get(name) not in (None, dead)
 
 
+def keys_in(folder: Path) -> Path:
+    now = dt.datetime.now(dt.UTC)
+    begin(folder, now)
+    for wanted in (Wanted("robot", "r2"), Wanted("robot", "r3"), Wanted("operator", "kim")):
+        issue(folder, wanted, now)
+    return folder
+
+
+def as_kim(system: ProcessSystem, options: RunOptions, robot: str) -> RobotSystem:
+    """The same system, as an operator has it."""
+    bus = options.bus
+    assert bus.keys is not None
+    shown = Identity(bus.keys, "kim").client()
+    own = ZenohBus(bus.endpoint, f"{bus.site}/{robot}", waker=system.bus.waker, credentials=shown)
+    return RobotSystem(system, own, system.of(robot).clocks)
+
+
 def knows_of(neighbours: Neighbours, name: str) -> bool:
     neighbours.refresh()
     return neighbours.of(name) is not None
@@ -55,8 +81,9 @@ def knows_of(neighbours: Neighbours, name: str) -> bool:
 def test_each_robot_has_processes_of_its_own_and_outlives_the_other(tmp_path: Path) -> None:
     said: list[str] = []
     port = free_pair()
+    bus = own_bus()
     options = RunOptions(
-        bus=own_bus(),
+        bus=replace(bus, endpoint=bus.endpoint.replace("tcp/", "tls/"), keys=keys_in(tmp_path / "keys")),
         scenario=written(TRIO, tmp_path),
         data=tmp_path / "data",
         metrics=f"127.0.0.1:{port}",
@@ -68,10 +95,11 @@ def test_each_robot_has_processes_of_its_own_and_outlives_the_other(tmp_path: Pa
         for each_port in (port, port + 1):
             with urlopen(f"http://127.0.0.1:{each_port}/metrics") as page:
                 assert b"tandem_queue_length" in page.read()
-        r2, r3 = system.of("r2"), system.of("r3")
+        r2, r3 = (as_kim(system, options, name) for name in ("r2", "r3"))
         stops = {name: Latest(end.bus, STOP_STATE) for name, end in (("r2", r2), ("r3", r3))}
         caller = Caller(r3, lambda _: None)
-        neighbours = Neighbours(system.bus.commons(), system.clocks, "r2")
+        assert isinstance(r2.bus, ZenohBus)
+        neighbours = Neighbours(r2.bus.commons(), r2.clocks, "r2")
         go_on(system, partial(knows_of, neighbours, "r3"), within=20.0)
 
         # The stop of r2, and the death of its executive, are r2's alone.

@@ -108,7 +108,8 @@ def up(
         )
     require_window(gui=gui, lockstep=False)
     broken = broken_plugins()
-    bus = owner_of(bus, by_environment=_by_environment(context))
+    several = checked_scenario(scenario, site, faults).robots_on_the_bus
+    bus = owner_of(bus, several, by_environment=_by_environment(context))
     roles = checked_roles(only, {each.plugin.key: each.error for each in broken})
     refuse_without_extras(roles)
     folder = data or default_data(bus, os.environ)
@@ -116,7 +117,7 @@ def up(
         bus=bus,
         data=folder,
         on_restart=on_restart_of(on_restart),
-        scenario=checked_scenario(scenario, site, faults),
+        scenario=scenario,
         site=site,
         faults=faults,
         seed=seed,

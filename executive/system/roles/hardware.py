@@ -62,7 +62,7 @@ def _buses(
 
     The process plays the hardware of each, and ends when another one plays that of any.
     """
-    from tandem.executive.system.playing import claim_of  # noqa: PLC0415
+    from tandem.executive.system.playing import claim_of, credentials_of  # noqa: PLC0415
     from tandem.skills.wire.presence import Presence  # noqa: PLC0415
     from tandem.skills.wire.zenoh_bus import ZenohBus  # noqa: PLC0415
 
@@ -77,6 +77,7 @@ def _buses(
             settings.endpoint,
             f"{site}/{name}",
             waker=stage.bus.waker,
+            credentials=credentials_of(settings.model_copy(update={"holder": name}), ROLES[0]),
             silent_after=settings.silent_after,
             pictures=True,
         )
