@@ -16,9 +16,10 @@ from tandem.skills.perception.arms import Arms
 from tandem.skills.perception.camera import Camera
 from tandem.skills.perception.cover import ViewsJob, further_views
 from tandem.skills.perception.detectors import Detector
-from tandem.skills.perception.eye import WORK_AFTER, Eye, Steps, View
+from tandem.skills.perception.eye import WORK_AFTER, Eye, Steps
 from tandem.skills.perception.frames import JointHistory, RobotPoseHistory
 from tandem.skills.perception.head import SETTLE, Head
+from tandem.skills.perception.head_view import HeadView
 from tandem.skills.perception.jobs import ClutterJob, Shot, TagsFound, find_clutter
 from tandem.skills.perception.merge import merge
 from tandem.skills.perception.rigid import Matrix
@@ -41,11 +42,10 @@ Views: TypeAlias = tuple[tuple[float, ...], ...]
 
 
 @dataclass
-class _Looking(View):
+class _Looking(HeadView):
     """One run."""
 
     goal: LookGoal
-    head: Head
     sightings: list[Sighting] = field(default_factory=list)
     points: Matrix = field(default_factory=lambda: np.zeros((0, 3)))
     shown: list[Box] = field(default_factory=list)
@@ -66,14 +66,6 @@ class _Looking(View):
 
     def found(self) -> bool:
         return any(each.item == self.goal.item for each in self.sightings)
-
-    def refresh(self) -> None:
-        super().refresh()
-        self.head.refresh()
-
-    def close(self) -> None:
-        super().close()
-        self.head.close()
 
 
 class Look:

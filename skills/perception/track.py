@@ -21,10 +21,11 @@ from tandem.skills.geometry.poses import angle_between, compose, to_pose
 from tandem.skills.perception.aim import Aim
 from tandem.skills.perception.camera import Camera
 from tandem.skills.perception.detectors import Detector
-from tandem.skills.perception.eye import Eye, Steps, View
+from tandem.skills.perception.eye import Eye, Steps
 from tandem.skills.perception.frames import JointHistory, RobotPoseHistory
 from tandem.skills.perception.gaze import Gaze
 from tandem.skills.perception.head import SETTLE, Head
+from tandem.skills.perception.head_view import HeadView
 from tandem.skills.perception.jobs import Shot, TagsFound
 from tandem.skills.perception.merge import things
 from tandem.skills.perception.session import Canceled, LookError, Session
@@ -51,23 +52,14 @@ MUCH_WORSE: Final = 0.5
 
 
 @dataclass
-class _Tracking(View):
+class _Tracking(HeadView):
     """One run."""
 
     goal: TrackGoal
-    head: Head
     gaze: Gaze
     missed: Counter[int] = field(default_factory=Counter)
     timer: RobotTimer = field(default_factory=RobotTimer)
     """Robot seconds as its pictures count them."""
-
-    def refresh(self) -> None:
-        super().refresh()
-        self.head.refresh()
-
-    def close(self) -> None:
-        super().close()
-        self.head.close()
 
 
 class Track:
