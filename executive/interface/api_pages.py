@@ -33,6 +33,8 @@ MODULES: Final = (
 """The surface: each name in ``__all__`` of these."""
 _OF_PY_TREES: Final = ("initialise", "update", "terminate")
 """Methods that every node has; the pages leave them out."""
+_MIX_INS: Final = ("tandem.skills.testing.mock_servers",)
+"""Modules with a part of a public class: nobody imports that part by itself."""
 _INDEX: Final = """# API
 
 A package of your own may import the names on these pages. Version {version} of this surface: a name that
@@ -92,9 +94,16 @@ def _entry(name: str, value: object) -> list[str]:
 
 
 def _methods(cls: type) -> list[str]:
-    """Return the public methods and properties that the class itself declares, each with its first line."""
+    """Return the public methods and properties of the class, each with its first line.
+
+    Those that it inherits from a mix-in of ours are its own to who calls them.
+    """
     lines = []
-    for name, value in vars(cls).items():
+    declared = dict(vars(cls))
+    for base in cls.__mro__[1:]:
+        if base.__module__ in _MIX_INS:
+            declared |= {name: value for name, value in vars(base).items() if name not in declared}
+    for name, value in declared.items():
         documented = inspect.isfunction(value) or isinstance(value, property)
         if documented and not name.startswith("_") and name not in _OF_PY_TREES and inspect.getdoc(value):
             shown = _signature(name, value) if inspect.isfunction(value) else name

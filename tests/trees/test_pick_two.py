@@ -18,7 +18,8 @@ from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import HeldItem
 from tandem.skills.site import load
-from tandem.skills.testing.mock_robot import STRETCHED, MockRobot
+from tandem.skills.testing.mock_arms import STRETCHED
+from tandem.skills.testing.mock_robot import MockRobot
 from tandem.skills.testing.mock_skill import Fault
 from tandem.trees.registry import discover
 

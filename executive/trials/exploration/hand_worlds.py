@@ -19,7 +19,8 @@ from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.world import HeldItem, ItemFact
 from tandem.skills.site import load
-from tandem.skills.testing.mock_robot import STRETCHED, MockRobot
+from tandem.skills.testing.mock_arms import STRETCHED
+from tandem.skills.testing.mock_robot import MockRobot
 from tandem.skills.testing.mock_skill import Fault
 
 LEFT: Final = 29

@@ -12,7 +12,8 @@ from tandem.executive.trials.exploration.worlds import ITEM, OTHER, STEP, TAG, H
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.site import Site
 from tandem.skills.site import load
-from tandem.skills.testing.mock_robot import STRETCHED, MockRobot
+from tandem.skills.testing.mock_arms import STRETCHED
+from tandem.skills.testing.mock_robot import MockRobot
 from tandem.skills.testing.mock_skill import Fault
 from tandem.trees.inspection import NAME, InspectNotes
 

@@ -20,7 +20,8 @@ from tandem.skills.ports.pose import IDENTITY, Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import HeldItem, ItemFact, Placed
 from tandem.skills.site import load
-from tandem.skills.testing.mock_robot import STRETCHED, TUCKED, MockRobot
+from tandem.skills.testing.mock_arms import STRETCHED, TUCKED
+from tandem.skills.testing.mock_robot import MockRobot
 from tandem.skills.testing.mock_skill import Fault
 from tandem.trees.tasks.fetch import TASK
 
