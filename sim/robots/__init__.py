@@ -2,5 +2,6 @@
 
 Robots: tiago_dual, tiago, tiago_base, panda, p3dx, summit_xl, locobot.
 What such a file declares is in robot; registry finds them.
-Parts that several share: pmb2, tiago_upper, parallel_gripper, sensors, primitives, joint_limits, finishing.
+Parts that several share: pmb2, tiago_upper, wx250s, parallel_gripper, sensors, primitives, joint_limits,
+finishing.
 """
