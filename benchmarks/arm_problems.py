@@ -18,9 +18,10 @@ from tandem.skills.arm.problem import Moment
 from tandem.skills.geometry.poses import about, add, from_axes, multiply, rotate
 from tandem.skills.grasping.tag_grasps import FINGER_ROOM, PITCHES, Grasp, grasp, proximity_poses
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
-from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import Box, PlanningScene, SceneObject
 

@@ -21,9 +21,10 @@ from tandem.sim.scenario import Scenario, load_scenario
 from tandem.sim.truth import lies_on
 from tandem.skills.arm.timing import bang_bang
 from tandem.skills.arm.trajectory import MotionLimits
-from tandem.skills.ports.hardware import RobotDescription, TrajectoryGoal
+from tandem.skills.ports.hardware import TrajectoryGoal
 from tandem.skills.ports.keys import group_goal
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.tasks import TaskState
 from tandem.skills.site import load
 from tandem.skills.wire.memory import Kind

@@ -26,10 +26,11 @@ from tandem.skills.grasping.item_frames import tag_of_item
 from tandem.skills.grasping.tag_grasps import tool_orientation
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.ports.actions.approach import ApproachGoal
-from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.keys import JOINT_STATES
 from tandem.skills.ports.message import RobotTime, Vector3
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.world import (
     ROBOT_POSE,
     SCENE,

@@ -22,8 +22,8 @@ from tandem.skills.geometry.poses import about, add, from_rpy, multiply, rotate
 from tandem.skills.kinematics.described import home_positions, load_hulls
 from tandem.skills.kinematics.transforms import Array, to_se3
 from tandem.skills.ports.actions.arm import MoveGoal
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.world import Box, PlanningScene, SceneObject
 
 Triple = tuple[float, float, float]

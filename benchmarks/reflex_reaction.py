@@ -21,7 +21,7 @@ from tandem.sim.robots.registry import robot_model
 from tandem.skills.base.process import build
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.endpoint import answering
-from tandem.skills.ports.hardware import BaseVelocity, Clock, Odometry, RobotDescription
+from tandem.skills.ports.hardware import BaseVelocity, Clock, Odometry
 from tandem.skills.ports.keys import (
     BASE_VELOCITY,
     CLOCK,
@@ -34,6 +34,7 @@ from tandem.skills.ports.keys import (
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.reflex import pipeline_state
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import PoseReading, RangeReading, Ranges
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.site import load

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Final
 
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.hardware import BaseVelocity, JointStates, Odometry, RobotDescription
+from tandem.skills.ports.hardware import BaseVelocity, JointStates, Odometry
 from tandem.skills.ports.keys import BASE_VELOCITY, JOINT_STATES, ODOMETRY, Latest
+from tandem.skills.ports.robot_description import RobotDescription
 
 MOVING: Final = 0.2
 """rad/s from which a joint is followed to see it slow down."""

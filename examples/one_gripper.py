@@ -11,17 +11,10 @@ from typing import Final
 
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.endpoint import answering
-from tandem.skills.ports.hardware import (
-    Answer,
-    Clock,
-    GripperCommand,
-    GripperMotion,
-    GripperState,
-    RobotDescription,
-    StopState,
-)
+from tandem.skills.ports.hardware import Answer, Clock, GripperCommand, GripperMotion, GripperState, StopState
 from tandem.skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, gripper_command, gripper_state
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.serving import Endpoints
 
 PERIOD: Final = 0.01

@@ -8,9 +8,10 @@ from typing import Any, Final
 
 from pydantic.json_schema import models_json_schema
 
-from tandem.skills.ports.hardware import RobotDescription, StopState
+from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.reflex import PipelineState, ReflexState
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
     ExecutivePulse,

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
     from tandem.sim.model import Wheels
     from tandem.sim.scenario import Noise
-    from tandem.skills.ports.hardware import BaseVelocity, Drive
+    from tandem.skills.ports.hardware import BaseVelocity
+    from tandem.skills.ports.robot_description import Drive
 
 WHEEL_GAIN = 8.0
 """1/s: how fast a wheel makes up for a lag behind its reference; keeps the base from creeping, too."""

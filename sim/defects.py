@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     from tandem.sim.faulty_link import FaultyLink
     from tandem.sim.hardware import Hardware
-    from tandem.skills.ports.hardware import RobotDescription
+    from tandem.skills.ports.robot_description import RobotDescription
 
 CUTS: Final[dict[type[Fault], str]] = {
     HardwareSilent: "hw/",

@@ -9,7 +9,8 @@ from collections import deque
 from dataclasses import dataclass
 from typing import Final
 
-from tandem.skills.ports.hardware import Answer, Gripper, GripperCommand, GripperMotion
+from tandem.skills.ports.hardware import Answer, GripperCommand, GripperMotion
+from tandem.skills.ports.robot_description import Gripper
 
 WIDTH_TOLERANCE: Final = 0.001
 """Metres of width within which a command is done."""

@@ -11,13 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tandem.sim.spline import Spline
-from tandem.skills.ports.hardware import (
-    Answer,
-    JointGroup,
-    MotionState,
-    SetPoint,
-    TrajectoryGoal,
-)
+from tandem.skills.ports.hardware import Answer, MotionState, SetPoint, TrajectoryGoal
+from tandem.skills.ports.robot_description import JointGroup
 
 Array = NDArray[np.float64]
 

@@ -14,7 +14,7 @@ from tandem.sim.joints import GroupController
 
 if TYPE_CHECKING:
     from tandem.sim.body import JointReading, RobotBody
-    from tandem.skills.ports.hardware import JointGroup
+    from tandem.skills.ports.robot_description import JointGroup
 
 SERVO_GAIN: Final = 0.5
 """Part of a position error that is made up for in one period."""

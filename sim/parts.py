@@ -36,9 +36,10 @@ if TYPE_CHECKING:
     from tandem.sim.model import Hand, Wheels
     from tandem.sim.scenario import Noise
     from tandem.skills.ports.bus import Bus
-    from tandem.skills.ports.hardware import BaseVelocity, EndEffector, JointGroup
+    from tandem.skills.ports.hardware import BaseVelocity
     from tandem.skills.ports.hearing import Ear
     from tandem.skills.ports.lease import LeaseRefusal
+    from tandem.skills.ports.robot_description import EndEffector, JointGroup
     from tandem.skills.ports.sensors import LaserSensor
 
 C = TypeVar("C", bound=Leased)

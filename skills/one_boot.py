@@ -17,9 +17,9 @@ from pydantic import ValidationError
 
 from tandem.skills.ports.bus import Bus, Pending
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import DESCRIPTION, Nothing
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.scoped_bus import ScopedBus
 
 log = logging.getLogger(__name__)

@@ -20,7 +20,6 @@ from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.endpoint import answering
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.problems import in_words, problems_of
 from tandem.skills.ports.reflex import (
@@ -32,6 +31,7 @@ from tandem.skills.ports.reflex import (
     reflex_switch,
 )
 from tandem.skills.ports.reflex_setting import ReflexSetting
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.sources import DocumentError
 

@@ -8,10 +8,11 @@ from tandem.skills.ports.actions.arm import ArmStatus, arm_status
 from tandem.skills.ports.actions.bimanual import PAIR, ZONES, Zones
 from tandem.skills.ports.bus import Bus, Pending
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.hardware import RobotDescription, StopState
+from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, Latest, Nothing
 from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.reflex import BASE, PipelineState, pipeline_state
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.whereabouts import Neighbours
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, WORLD, PlanningScene, RobotPose, WorldState

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import HandName
 from tandem.skills.ports.problems import Problem
+from tandem.skills.ports.robot_description import RobotDescription
 
 _COUNTS: Final = {1: "a gripper", 2: "two hands"}
 

@@ -9,9 +9,9 @@ from typing import Final, Generic, TypeVar, get_args
 from py_trees.behaviour import Behaviour
 from pydantic import JsonValue
 
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.problems import Problem
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.trees.context import TreeContext
 from tandem.trees.knowledge import Knowledge

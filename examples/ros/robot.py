@@ -22,8 +22,9 @@ import numpy as np
 from tandem.skills.geometry.poses import to_pose
 from tandem.skills.ports import keys
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.hardware import BaseVelocity, RobotDescription
+from tandem.skills.ports.hardware import BaseVelocity
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ros import types
 from tandem.skills.ros.cdr import Codec
 from tandem.skills.ros.link import Link

@@ -21,9 +21,10 @@ from tandem.executive.config.run_options import DEFAULT_ENDPOINT, DEFAULT_ROBOT,
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.hardware import RobotDescription, StopState
+from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.records import Records
 from tandem.skills.ports.reflex import ReflexState
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
     AskHistory,

@@ -15,11 +15,12 @@ from tandem.executive.client.talks import Sent, Talk, Talks
 from tandem.executive.render.failure_words import chosen, explain
 from tandem.executive.security.identity import Identity
 from tandem.skills.ports.actions.perception import PICTURE, AskView
-from tandem.skills.ports.hardware import RobotDescription, Stop, StopRelease, StopState
+from tandem.skills.ports.hardware import Stop, StopRelease, StopState
 from tandem.skills.ports.keys import DESCRIPTION, STOP, STOP_RELEASE, Nothing, Service
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.records import TASK_RECORDS, AskRecords, Records
 from tandem.skills.ports.reflex import ReflexState, ReflexSwitch, reflex_switch
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
     REQUEST,

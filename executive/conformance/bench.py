@@ -17,8 +17,8 @@ from tandem.skills.ports.problems import in_words, problems_of
 
 if TYPE_CHECKING:
     from tandem.skills.ports.bus import Bus
-    from tandem.skills.ports.hardware import RobotDescription
     from tandem.skills.ports.keys import Service
+    from tandem.skills.ports.robot_description import RobotDescription
 
 A = TypeVar("A", bound=Message)
 R = TypeVar("R", bound=Message)

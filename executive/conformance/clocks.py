@@ -13,7 +13,8 @@ from tandem.skills.ports.hearing import stamp_of
 
 if TYPE_CHECKING:
     from tandem.executive.conformance.bench import Bench
-    from tandem.skills.ports.hardware import Clock, RobotDescription
+    from tandem.skills.ports.hardware import Clock
+    from tandem.skills.ports.robot_description import RobotDescription
 
 LOST: Final = 0.1
 """Share of messages that the way here may lose: small ones are dropped rather than waited for."""

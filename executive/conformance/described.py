@@ -11,7 +11,7 @@ from tandem.skills.ports import keys
 
 if TYPE_CHECKING:
     from tandem.executive.conformance.bench import Bench
-    from tandem.skills.ports.hardware import RobotDescription
+    from tandem.skills.ports.robot_description import RobotDescription
 
 ARM_POSTURES: Final = ("home", "carry")
 SLACK: Final = 1e-3

@@ -9,7 +9,7 @@ from tandem.skills.ports.urdf_check import ONE_NUMBER, UrdfError, mimics, parsed
 
 if TYPE_CHECKING:
     from tandem.executive.conformance.bench import Bench
-    from tandem.skills.ports.hardware import RobotDescription
+    from tandem.skills.ports.robot_description import RobotDescription
 
 
 def _parses(bench: Bench) -> Steps:

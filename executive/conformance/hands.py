@@ -10,7 +10,7 @@ from tandem.skills.ports.hardware import GripperCommand, GripperMotion, GripperS
 
 if TYPE_CHECKING:
     from tandem.executive.conformance.bench import Bench
-    from tandem.skills.ports.hardware import EndEffector
+    from tandem.skills.ports.robot_description import EndEffector
 
 SHARES: Final = (0.8, 0.4, 0.8)
 """Widths that the pads are sent to, as shares of the largest."""

@@ -11,8 +11,8 @@ from tandem.skills.ports.hardware import Answer, GripperCommand, TrajectoryGoal,
 
 if TYPE_CHECKING:
     from tandem.executive.conformance.bench import Bench
-    from tandem.skills.ports.hardware import JointGroup
     from tandem.skills.ports.lease import Lease
+    from tandem.skills.ports.robot_description import JointGroup
 
 
 def standing(bench: Bench, group: JointGroup) -> tuple[float, ...]:

@@ -20,7 +20,8 @@ from tandem.skills.ports.urdf_check import parsed
 
 if TYPE_CHECKING:
     from tandem.executive.conformance.bench import Bench
-    from tandem.skills.ports.hardware import Answer, JointGroup, JointLimit
+    from tandem.skills.ports.hardware import Answer
+    from tandem.skills.ports.robot_description import JointGroup, JointLimit
 
 TURN: Final = 0.05
 """rad that a joint is moved: 3 degrees, enough to be told from noise, and seldom into anything."""

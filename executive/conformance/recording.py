@@ -26,7 +26,8 @@ from tandem.skills.ports.sensors import Bumpers, Cliffs, LaserScan, PoseReading,
 
 if TYPE_CHECKING:
     from tandem.skills.ports.bus import Bus
-    from tandem.skills.ports.hardware import RgbdHeader, RobotDescription
+    from tandem.skills.ports.hardware import RgbdHeader
+    from tandem.skills.ports.robot_description import RobotDescription
 
 M = TypeVar("M", bound=Message)
 

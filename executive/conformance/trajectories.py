@@ -22,7 +22,7 @@ from tandem.skills.ports.hardware import MotionState
 
 if TYPE_CHECKING:
     from tandem.executive.conformance.bench import Bench
-    from tandem.skills.ports.hardware import JointGroup
+    from tandem.skills.ports.robot_description import JointGroup
 
 STRETCHED: Final = 4.0
 """How many times slower a motion is that is to be interrupted."""

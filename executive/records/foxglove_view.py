@@ -35,12 +35,13 @@ from tandem.executive.records.mcap_file import OURS
 from tandem.executive.records.mcap_writing import McapFile, Schema
 from tandem.executive.records.recording import Attachment, Recorded
 from tandem.skills.geometry.poses import to_pose
-from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.keys import DESCRIPTION, JOINT_STATES
 from tandem.skills.ports.message import Quaternion as OurQuaternion
 from tandem.skills.ports.message import Vector3 as OurVector
 from tandem.skills.ports.message import read_leniently
 from tandem.skills.ports.pose import Pose as OurPose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import LaserScan as OurScan
 from tandem.skills.ports.shapes import is_round, solid
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene, RobotPose, SceneObject

@@ -19,8 +19,8 @@ from tandem.sim.starts import ALONE
 from tandem.sim.station import Station, StationSettings
 from tandem.skills.one_boot import OneBoot
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.site import load
 from tandem.skills.testing.faulty_bus import BusFaults, FaultyBus

@@ -15,9 +15,9 @@ from tandem.skills.goal_journal import GoalJournal
 from tandem.skills.one_boot import OneBoot
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import DESCRIPTION, Nothing
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.server import ActionServer
 from tandem.skills.site import load
 from tandem.skills.wire.workers import ProcessCompute

@@ -14,10 +14,11 @@ from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
 from tandem.skills.ports.actions.arm import move
 from tandem.skills.ports.actions.base import DRIVE
 from tandem.skills.ports.bus import Bus, Commons
-from tandem.skills.ports.hardware import Clock, JointStates, RobotDescription
+from tandem.skills.ports.hardware import Clock, JointStates
 from tandem.skills.ports.keys import CLOCK, JOINT_STATES, STOP_STATE, Latest, laser
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.reflex import pipeline_state, reflex_state
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import LaserScan
 from tandem.skills.ports.tasks import (
     TASK_PULSE,

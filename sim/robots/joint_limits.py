@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from tandem.skills.ports.hardware import JointGroup, JointLimit
+from tandem.skills.ports.robot_description import JointGroup, JointLimit
 
 if TYPE_CHECKING:
     from tandem.sim.urdf import UrdfDocument

@@ -15,11 +15,7 @@ from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.joint_limits import Smoothness, groups
 from tandem.sim.robots.primitives import box, fixed, frame, inertial, link, shape, turning, wheel
 from tandem.sim.robots.robot import Robot
-from tandem.skills.ports.hardware import (
-    DifferentialDrive,
-    Posture,
-    RobotDescription,
-)
+from tandem.skills.ports.robot_description import DifferentialDrive, Posture, RobotDescription
 from tandem.skills.ports.sensors import Bumper, CameraSensor, CliffSensor, LaserSensor
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from tandem.sim.robots import primitives
 from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.robot import Robot
 from tandem.sim.robots.sensors import bumpers, motion_capture
-from tandem.skills.ports.hardware import DifferentialDrive, RobotDescription
+from tandem.skills.ports.robot_description import DifferentialDrive, RobotDescription
 from tandem.skills.ports.sensors import RangeSensor
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.joint_limits import Smoothness, group
 from tandem.sim.robots.robot import Robot
 from tandem.sim.robots.sensors import camera_sensor
-from tandem.skills.ports.hardware import EndEffector, Posture, RobotDescription
 from tandem.skills.ports.packages import resolve
+from tandem.skills.ports.robot_description import EndEffector, Posture, RobotDescription
 
 if TYPE_CHECKING:
     from tandem.sim.urdf import UrdfDocument as Document

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from tandem.sim.model import Hand
-from tandem.skills.ports.hardware import Gripper
+from tandem.skills.ports.robot_description import Gripper
 
 if TYPE_CHECKING:
     from tandem.sim.urdf import UrdfDocument

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from tandem.sim.model import ROOT, Wheels
-from tandem.skills.ports.hardware import DifferentialDrive
+from tandem.skills.ports.robot_description import DifferentialDrive
 
 if TYPE_CHECKING:
     from tandem.sim.urdf import UrdfDocument

@@ -13,8 +13,8 @@ from tandem.sim.robots import primitives
 from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.robot import Robot
 from tandem.sim.robots.sensors import bumpers, motion_capture
-from tandem.skills.ports.hardware import RobotDescription, SkidSteerDrive
 from tandem.skills.ports.reflex_setting import ReflexSetting
+from tandem.skills.ports.robot_description import RobotDescription, SkidSteerDrive
 from tandem.skills.ports.sensors import RangeSensor, RobotSensor
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.joint_limits import groups
 from tandem.sim.robots.robot import Robot
 from tandem.sim.robots.sensors import bumpers, camera_sensor, laser_sensor
-from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.robot_description import RobotDescription
 
 if TYPE_CHECKING:
     from tandem.sim.urdf import UrdfDocument

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Final
 
 from tandem.sim.robots import pmb2
 from tandem.sim.robots.joint_limits import Smoothness
-from tandem.skills.ports.hardware import Posture
 from tandem.skills.ports.packages import resolve
+from tandem.skills.ports.robot_description import Posture
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

@@ -11,8 +11,8 @@ from typing import Final
 
 from tandem.sim.model import ROOT, Hand
 from tandem.sim.robots.primitives import box, fixed, link, turning
-from tandem.skills.ports.hardware import EndEffector, Gripper
 from tandem.skills.ports.message import HandName, Vector3
+from tandem.skills.ports.robot_description import EndEffector, Gripper
 
 MOUNT: Final = "gripper_mount"
 TOOL: Final = "ee_gripper_link"

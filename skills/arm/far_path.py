@@ -17,7 +17,7 @@ from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.compute import Compute
-from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.robot_description import RobotDescription
 
 CHECK_COST: Final = 25e-6
 """Robot seconds that lockstep charges for a collision check."""

@@ -10,14 +10,9 @@ from tandem.skills.arm.trajectory import Trajectory
 from tandem.skills.ports.bus import Bus, Pending
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import (
-    CancelMotion,
-    GroupStatus,
-    JointGroup,
-    MotionState,
-    TrajectoryGoal,
-)
+from tandem.skills.ports.hardware import CancelMotion, GroupStatus, MotionState, TrajectoryGoal
 from tandem.skills.ports.keys import STOP_STATE, Latest, group_cancel, group_goal, group_status
+from tandem.skills.ports.robot_description import JointGroup
 
 ANSWER_WITHIN: Final = 2.0
 """Robot seconds for the hardware's answer to a goal or a cancel."""

@@ -21,8 +21,9 @@ from tandem.skills.kinematics.model import Limits
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.kinematics.world_field import WorldField, installed
 from tandem.skills.ports.actions.arm import MoveGoal
-from tandem.skills.ports.hardware import EndEffector, JointStates, RobotDescription
+from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.robot_description import EndEffector, RobotDescription
 from tandem.skills.ports.world import PlanningScene
 
 LIMIT_MARGIN = 0.01

@@ -15,9 +15,9 @@ from tandem.skills.base.wheels import stopping_speed
 from tandem.skills.geometry.chain import Chain
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import CLIFFS, Latest
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import RobotDescription
 
 log = logging.getLogger(__name__)
 

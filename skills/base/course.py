@@ -16,7 +16,7 @@ from tandem.skills.base.obstacles import Obstacles
 from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.people.tracker import STILL_RADIUS
 from tandem.skills.base.watch import Watch
-from tandem.skills.ports.hardware import Drive
+from tandem.skills.ports.robot_description import Drive
 
 BERTH: Final = 0.75
 """Metres from the axis of somebody who stands at which a way passes, where there is room."""

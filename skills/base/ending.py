@@ -15,8 +15,8 @@ from tandem.skills.base.path import Path
 from tandem.skills.base.planner import SLACK, Clearances
 from tandem.skills.base.wheels import CYCLE, stopping_speed
 from tandem.skills.geometry.poses import wrap
-from tandem.skills.ports.hardware import Drive
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import Drive
 
 LATENCY: Final = 0.05
 """Seconds between a command and what the base does about it."""

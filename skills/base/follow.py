@@ -18,8 +18,8 @@ from tandem.skills.base.path import Path
 from tandem.skills.base.planner import Clearances
 from tandem.skills.base.wheels import stopping_speed
 from tandem.skills.geometry.poses import wrap
-from tandem.skills.ports.hardware import Drive
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import Drive
 
 NEAREST_AIM: Final = 0.18
 """Metres ahead of the base: the least distance of the point that is steered at."""

@@ -20,7 +20,7 @@ from tandem.skills.ports.actions.base import FOLLOW, FollowFeedback, FollowGoal,
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.hardware import Drive
+from tandem.skills.ports.robot_description import Drive
 from tandem.skills.ports.skill import ActionType, Command, Run, canceled, succeeded
 
 SPEED: Final = 0.60

@@ -16,7 +16,7 @@ from tandem.skills.ports.actions.base import GO, GoFeedback, GoGoal, GoResult
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import Drive
+from tandem.skills.ports.robot_description import Drive
 from tandem.skills.ports.skill import ActionType, Command, Run, canceled, failed, succeeded
 
 SPEED: Final = 0.40

@@ -10,9 +10,9 @@ from tandem.skills.ports.actions.base import ARM_MARGIN
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import BUMPERS, STOP_STATE, Latest
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.robot_description import RobotDescription
 
 SILENCE: Final = 0.5
 """Robot seconds without odometry after which the base does not move."""

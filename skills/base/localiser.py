@@ -24,10 +24,11 @@ from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import Odometry, RobotDescription
+from tandem.skills.ports.hardware import Odometry
 from tandem.skills.ports.keys import ODOMETRY, Latest, laser
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import LaserScan
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 

@@ -17,8 +17,8 @@ from tandem.skills.base.field import DistanceField
 from tandem.skills.base.floor import BoolArray, FloatArray
 from tandem.skills.geometry.chain import Chain
 from tandem.skills.geometry.poses import rotate, to_floor
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site, SiteBox
 
 STEP: Final = 0.025

@@ -33,9 +33,9 @@ from tandem.skills.pipeline import Pipeline
 from tandem.skills.ports.actions.base import LOCALISE
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
 from tandem.skills.ports.reflex import BASE
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.whereabouts import Neighbours
 from tandem.skills.reflexes import Fitted, Reflexes, fitted

@@ -17,8 +17,8 @@ from tandem.skills.base.follow import corner_speed, tight_speeds
 from tandem.skills.base.path import Path
 from tandem.skills.base.planner import SLACK, Clearances
 from tandem.skills.geometry.poses import wrap
-from tandem.skills.ports.hardware import Drive
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import Drive
 
 STEP: Final = 0.05
 """Metres between two places whose speeds are reckoned: half of the search's grid."""

@@ -16,7 +16,7 @@ from tandem.skills.ports.actions.base import ROTATE, RotateFeedback, RotateGoal,
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import Drive
+from tandem.skills.ports.robot_description import Drive
 from tandem.skills.ports.skill import ActionType, Outcome, Run, canceled, failed, succeeded
 
 MOST_CORRECTIONS: Final = 2

@@ -14,9 +14,9 @@ from tandem.skills.geometry.chain import Chain
 from tandem.skills.geometry.poses import to_floor, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import RANGES, ROBOTS_SEEN, Latest
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import RobotsSeen, SeenRobot
 
 log = logging.getLogger(__name__)

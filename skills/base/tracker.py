@@ -17,10 +17,10 @@ from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import ODOMETRY, POSE_READING, Latest
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import PoseReading
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 

@@ -8,8 +8,9 @@ from collections.abc import Callable
 from tandem.skills.pipeline import MayCommand
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
-from tandem.skills.ports.hardware import BaseVelocity, Drive, Odometry
+from tandem.skills.ports.hardware import BaseVelocity, Odometry
 from tandem.skills.ports.keys import BASE_VELOCITY
+from tandem.skills.ports.robot_description import Drive
 
 CYCLE = 0.02
 """Robot seconds between two commands to the wheels: as often as odometry comes."""

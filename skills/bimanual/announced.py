@@ -19,8 +19,9 @@ from tandem.skills.kinematics.follow import PoseFollower
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.approach import GOAL_RADIUS
-from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.message import HandName, Vector3
+from tandem.skills.ports.robot_description import RobotDescription
 
 OUT: Final = 5
 """Positions that are looked at of the way out."""

@@ -20,9 +20,10 @@ from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.bimanual import CROSSING, PAIR, RIGHT_OF_WAY, Order, RightOfWay
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.hardware import ArmsCrossing, CancelMotion, JointStates, RobotDescription
+from tandem.skills.ports.hardware import CancelMotion, JointStates
 from tandem.skills.ports.keys import JOINT_STATES, Latest, group_cancel
 from tandem.skills.ports.message import HandName, RobotTime, RobotTimer
+from tandem.skills.ports.robot_description import ArmsCrossing, RobotDescription
 from tandem.skills.ports.world import SCENE
 
 PERIOD: Final = 0.05

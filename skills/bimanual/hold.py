@@ -18,10 +18,11 @@ from tandem.skills.ports.actions.approach import ApproachStatus, approach_status
 from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.hardware import GroupStatus, JointStates, MotionState, RobotDescription, Wrench
+from tandem.skills.ports.hardware import GroupStatus, JointStates, MotionState, Wrench
 from tandem.skills.ports.keys import JOINT_STATES, STOP_STATE, Latest, group_setpoint, group_status, wrench
 from tandem.skills.ports.message import HandName, RobotTime, Vector3
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.robot_description import RobotDescription
 
 LONGEST: Final = 0.05
 """Seconds that count at the most as one period, whatever was missed."""

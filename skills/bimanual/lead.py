@@ -10,9 +10,10 @@ import numpy as np
 from tandem.skills.kinematics.follow import Followed, PoseFollower
 from tandem.skills.kinematics.model import Limits, RobotKinematics
 from tandem.skills.kinematics.transforms import Array
-from tandem.skills.ports.hardware import RobotDescription, SetPoint
+from tandem.skills.ports.hardware import SetPoint
 from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.robot_description import RobotDescription
 
 LIMIT_MARGIN: Final = 0.01
 """Radians that the joints keep from their limits."""

@@ -12,9 +12,10 @@ from tandem.skills.geometry.chain import Chain
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.approach import ApproachPhase, ApproachStatus, approach_status
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.hardware import ArmsCrossing, JointStates, RobotDescription
+from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import HandName, RobotTimer
+from tandem.skills.ports.robot_description import ArmsCrossing, RobotDescription
 
 STILL: Final = 0.02
 """rad/s below which a joint stands."""

@@ -11,8 +11,8 @@ from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.compute import Compute
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.server import ActionServer
 

@@ -25,9 +25,9 @@ from tandem.skills.kinematics.ik import IkSettings, SeedTable, Solver
 from tandem.skills.kinematics.model import Limits
 from tandem.skills.kinematics.transforms import to_se3
 from tandem.skills.ports.actions.bimanual import PAIR, ZoneRow
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import HandName, Quaternion, Vector3
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.robot_description import RobotDescription
 
 T = TypeVar("T")
 Reached = npt.NDArray[np.bool_]

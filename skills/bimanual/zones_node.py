@@ -9,7 +9,7 @@ from tandem.skills.ports.actions.bimanual import ZONES, Zones
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.compute import Compute, Job
-from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.robot_description import RobotDescription
 
 PERIOD: Final = 1.0
 """Robot seconds between two messages."""

@@ -15,8 +15,9 @@ from tandem.skills.ports.actions.gripper import Grip, GripFeedback, GripGoal, Gr
 from tandem.skills.ports.bus import Bus, Pending
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import Answer, EndEffector, GripperCommand, GripperMotion, GripperState
+from tandem.skills.ports.hardware import Answer, GripperCommand, GripperMotion, GripperState
 from tandem.skills.ports.keys import STOP_STATE, Latest, gripper_command, gripper_state
+from tandem.skills.ports.robot_description import EndEffector
 from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, canceled, failed, succeeded
 
 WIDTH_TOLERANCE: Final = 0.012

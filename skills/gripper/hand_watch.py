@@ -8,9 +8,10 @@ from tandem.skills.gripper.commands import Order, order_of
 from tandem.skills.gripper.grip import EMPTY_BELOW, HOLDING_FORCE, WIDTH_TOLERANCE
 from tandem.skills.ports.actions.gripper import HandState, HandStatus, hand_status
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.hardware import EndEffector, GripperMotion, GripperState
+from tandem.skills.ports.hardware import GripperMotion, GripperState
 from tandem.skills.ports.keys import Latest, gripper_state
 from tandem.skills.ports.message import RobotTimer
+from tandem.skills.ports.robot_description import EndEffector
 
 PERIOD: Final = 0.1
 """Robot seconds between two messages while the width or the force changes."""

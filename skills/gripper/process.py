@@ -6,8 +6,8 @@ from tandem.skills.gripper.grip import Gripping
 from tandem.skills.gripper.hand_watch import HandWatch
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.server import ActionServer
 
 

@@ -17,7 +17,7 @@ from tandem.skills.kinematics.collision import Clearance
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.transforms import Array, to_se3
 from tandem.skills.ports.actions.bimanual import PAIR
-from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.robot_description import RobotDescription
 
 AHEAD: Final = (0.0, 0.5, 1.0)
 """Shares of the way to rest at which the clearance is looked at."""

@@ -10,7 +10,7 @@ import numpy as np
 from tandem.skills.kinematics.bodies import Carried
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.model import RobotKinematics
-from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.shapes import solid
 from tandem.skills.ports.world import PlanningScene
 

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from tandem.skills.geometry.chain import Chain
 from tandem.skills.geometry.poses import invert, transform
-from tandem.skills.ports.hardware import JointGroup, RobotDescription
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.robot_description import JointGroup, RobotDescription
 
 HEAD: Final = "head"
 APART: Final = 0.1

@@ -8,9 +8,9 @@ from itertools import pairwise
 
 from tandem.skills.geometry.chain import Chain
 from tandem.skills.geometry.poses import transform
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import HandName, Vector3
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.robot_description import RobotDescription
 
 _BEYOND_TOOL = 0.06
 """Metres beyond the tool frame, for what is held."""

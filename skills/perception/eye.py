@@ -24,10 +24,11 @@ from tandem.skills.ports.actions.perception import LookFeedback
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.compute import Compute, Job
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.hardware import RgbdHeader, RobotDescription
+from tandem.skills.ports.hardware import RgbdHeader
 from tandem.skills.ports.image import decode
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.skill import Command, Slice
 from tandem.skills.ports.world import WORLD, Box, ItemFact, Sighting

@@ -10,10 +10,11 @@ from typing import Final
 from tandem.skills.geometry.chain import Chain
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.keys import JOINT_STATES, Latest
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 
 _KEPT: Final = 256

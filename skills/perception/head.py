@@ -16,8 +16,9 @@ from tandem.skills.perception.session import LookError, Session
 from tandem.skills.ports.actions.perception import LookFeedback
 from tandem.skills.ports.bus import Bus, Pending
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.hardware import CancelMotion, GroupStatus, JointGroup, MotionState, TrajectoryGoal
+from tandem.skills.ports.hardware import CancelMotion, GroupStatus, MotionState, TrajectoryGoal
 from tandem.skills.ports.keys import Latest, group_cancel, group_goal, group_status
+from tandem.skills.ports.robot_description import JointGroup
 from tandem.skills.ports.skill import Command, Slice
 
 SETTLE: Final = 0.05

@@ -28,7 +28,7 @@ from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.compute import Compute, Job
 from tandem.skills.ports.endpoint import Problems, endpoint
-from tandem.skills.ports.hardware import RgbdHeader, RobotDescription
+from tandem.skills.ports.hardware import RgbdHeader
 from tandem.skills.ports.hearing import Heard
 from tandem.skills.ports.image import header_of
 from tandem.skills.ports.keys import Latest, rgbd
@@ -44,6 +44,7 @@ from tandem.skills.ports.occupancy import (
 )
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.problems import in_words
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import OCCUPANCY, OCCUPANCY_EDIT, OCCUPANCY_NOW, PEOPLE, WORLD, Box, WorldState

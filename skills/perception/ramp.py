@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from tandem.skills.ports.hardware import JointLimit, TrajectoryPoint
+from tandem.skills.ports.hardware import TrajectoryPoint
+from tandem.skills.ports.robot_description import JointLimit
 
 
 def rest_to_rest(

@@ -34,9 +34,9 @@ from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.compute import Compute
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import STOP_STATE, Latest
 from tandem.skills.ports.message import Quaternion, RobotTime, RobotTimer, Vector3
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.skill import ActionType, Command, Run, Slice, canceled, failed
 from tandem.skills.ports.world import SIGHTINGS, Sighting, Sightings

@@ -15,8 +15,8 @@ from tandem.skills.ports.actions.perception import TURN_HEAD, LookFeedback, Turn
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import STOP_STATE, Latest
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.skill import ActionType, Command, Run, Slice, canceled, failed, succeeded
 
 WHERE: Final = "perception/turn_head"

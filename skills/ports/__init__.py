@@ -1,7 +1,8 @@
 """The vocabulary that all rooms share: messages, failure kinds, protocols and keys.
 
 What a message is: message, utc, pose, shapes, image, picture_header, problems, documents, sources.
-What is said: hardware, sensors, world, whereabouts, tasks, site, action, failure; goals are in ``actions/``.
+What a robot says it is: robot_description, sensors.
+What is said: hardware, world, whereabouts, tasks, site, action, failure; goals are in ``actions/``.
 Occupied space: occupancy, lattice. Ways: planners.
 The table of keys: keys, match, delivery.
 Protocols: bus, forwarding_bus, clocks, compute, node, skill.

@@ -9,16 +9,9 @@ from collections.abc import Iterable
 from functools import singledispatch
 from typing import Final
 
-from tandem.skills.ports.hardware import (
-    GripperState,
-    GroupStatus,
-    JointStates,
-    RgbdHeader,
-    RobotDescription,
-    SetPoint,
-    Wrench,
-)
+from tandem.skills.ports.hardware import GripperState, GroupStatus, JointStates, RgbdHeader, SetPoint, Wrench
 from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import Bumpers, Cliffs, LaserScan, PoseReading, Ranges, RobotsSeen
 
 LARGEST: Final = 1e6

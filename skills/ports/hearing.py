@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from tandem.skills.ports.bus import Commons
-    from tandem.skills.ports.hardware import RobotDescription
+    from tandem.skills.ports.robot_description import RobotDescription
 
 M = TypeVar("M", bound=Message)
 V = TypeVar("V")

@@ -21,7 +21,6 @@ from tandem.skills.ports.hardware import (
     GroupStatus,
     JointStates,
     Odometry,
-    RobotDescription,
     SetPoint,
     Stop,
     StopRelease,
@@ -33,6 +32,7 @@ from tandem.skills.ports.hearing import Entrance
 from tandem.skills.ports.lease import LeaseAnswer, Leased, LeaseRequest, Leases
 from tandem.skills.ports.limits import SMALL, Limits
 from tandem.skills.ports.message import Message, read_leniently
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import Bumpers, Cliffs, LaserScan, PoseReading, Ranges, RobotsSeen
 
 TOLD: Final = ("task/", "tree/", "world/")

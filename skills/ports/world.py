@@ -7,11 +7,11 @@ from typing import Annotated, Final, Literal
 from pydantic import Field
 
 from tandem.skills.ports.checks import misfit, strange_hands
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import Nothing, Service, Topic
 from tandem.skills.ports.message import Count, HandName, Message, RobotTime
 from tandem.skills.ports.occupancy import EditMap, MapEdited, Occupancy
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.shapes import ShapeName
 
 Size = Annotated[float, Field(ge=0.0)]

@@ -11,8 +11,8 @@ import math
 from dataclasses import dataclass
 
 from tandem.skills.geometry.poses import rotate, wrap
-from tandem.skills.ports.hardware import ArmsCrossing
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.robot_description import ArmsCrossing
 
 
 @dataclass(frozen=True)

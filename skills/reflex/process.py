@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.reflex.node import CrossingReflex
 from tandem.skills.reflex.watch import ArmsWatch

@@ -24,8 +24,8 @@ from tandem.skills.kinematics.ik import SeedTable, Solver
 from tandem.skills.kinematics.model import Limits
 from tandem.skills.kinematics.transforms import Array, to_se3
 from tandem.skills.ports.actions.bimanual import PAIR
-from tandem.skills.ports.hardware import ArmsCrossing, RobotDescription
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.robot_description import ArmsCrossing, RobotDescription
 
 T = TypeVar("T")
 

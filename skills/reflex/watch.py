@@ -13,7 +13,8 @@ from tandem.skills.kinematics.described import carried
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.bimanual import PAIR
-from tandem.skills.ports.hardware import ArmsCrossing, JointStates, RobotDescription
+from tandem.skills.ports.hardware import JointStates
+from tandem.skills.ports.robot_description import ArmsCrossing, RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import PlanningScene, SceneObject
 from tandem.skills.reflex.crossing import arms_crossing

@@ -22,7 +22,8 @@ from tandem.skills.ros.wheels import Wheels
 
 if TYPE_CHECKING:
     from tandem.skills.ports.bus import Bus
-    from tandem.skills.ports.hardware import BaseVelocity, RobotDescription
+    from tandem.skills.ports.hardware import BaseVelocity
+    from tandem.skills.ports.robot_description import RobotDescription
     from tandem.skills.ros.cdr import Codec
     from tandem.skills.ros.link import Link
     from tandem.skills.ros.mapping import RosMap

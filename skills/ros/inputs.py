@@ -25,8 +25,8 @@ from tandem.skills.ros.stamps import Stamps, periods_in
 
 if TYPE_CHECKING:
     from tandem.skills.ports.bus import Bus
-    from tandem.skills.ports.hardware import RobotDescription
     from tandem.skills.ports.message import RobotTime
+    from tandem.skills.ports.robot_description import RobotDescription
     from tandem.skills.ports.sensors import CliffSensor, LaserSensor, RangeSensor
     from tandem.skills.ros.mapping import Input as MappedInput
     from tandem.skills.ros.mapping import RosMap

@@ -9,8 +9,8 @@ from typing import Annotated, Final, Literal
 
 from pydantic import Field
 
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message, PartName
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sources import DocumentError, Source
 from tandem.skills.ros import types
 from tandem.skills.ros.types import Distro

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Final
 from tandem.skills.ros import types
 
 if TYPE_CHECKING:
-    from tandem.skills.ports.hardware import BaseVelocity, Drive
+    from tandem.skills.ports.hardware import BaseVelocity
+    from tandem.skills.ports.robot_description import Drive
     from tandem.skills.ros.cdr import Codec
     from tandem.skills.ros.node import RosPublisher
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tandem.skills.ports.actions.bimanual import PAIR
-from tandem.skills.ports.hardware import (
+from tandem.skills.ports.robot_description import (
     DifferentialDrive,
     EndEffector,
     Gripper,

@@ -18,7 +18,9 @@ from tandem.sim.robots.parallel_gripper import tool_frame
 from tandem.sim.robots.primitives import ball_wheel, frame, wheel
 from tandem.sim.robots.robot import Robot
 from tandem.sim.robots.sensors import bumpers
-from tandem.skills.ports.hardware import (
+from tandem.skills.ports.packages import resolve
+from tandem.skills.ports.reflex_setting import ReflexSetting
+from tandem.skills.ports.robot_description import (
     ArmsCrossing,
     DifferentialDrive,
     EndEffector,
@@ -29,8 +31,6 @@ from tandem.skills.ports.hardware import (
     RobotDescription,
     SkidSteerDrive,
 )
-from tandem.skills.ports.packages import resolve
-from tandem.skills.ports.reflex_setting import ReflexSetting
 from tandem.skills.ports.sensors import (
     Bumper,
     CameraSensor,

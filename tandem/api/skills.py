@@ -7,9 +7,10 @@ from tandem.executive.system.roles.skill_type import SkillType
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import BaseVelocity, Odometry, RobotDescription
+from tandem.skills.ports.hardware import BaseVelocity, Odometry
 from tandem.skills.ports.keys import BASE_VELOCITY, ODOMETRY, Latest, Service, Topic
 from tandem.skills.ports.message import Message, RobotTime
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.skill import (
     ActionType,
     Command,

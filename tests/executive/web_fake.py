@@ -21,7 +21,7 @@ from tandem.sim.robots.registry import robot_model
 from tandem.skills.ports.actions.perception import PICTURE, AskView
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.endpoint import Endpoint, answering
-from tandem.skills.ports.hardware import Clock, RobotDescription, Stop, StopRelease, StopState
+from tandem.skills.ports.hardware import Clock, Stop, StopRelease, StopState
 from tandem.skills.ports.keys import (
     CLOCK,
     DESCRIPTION,
@@ -35,6 +35,7 @@ from tandem.skills.ports.keys import (
 from tandem.skills.ports.message import Message, RobotTime
 from tandem.skills.ports.records import TASK_RECORDS, Records
 from tandem.skills.ports.reflex import ReflexState, ReflexSwitch, reflex_state, reflex_switch
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (

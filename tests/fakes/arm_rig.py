@@ -19,22 +19,24 @@ from tandem.skills.ports.bus import Pending
 from tandem.skills.ports.hardware import (
     Answer,
     CancelMotion,
-    DifferentialDrive,
-    EndEffector,
-    Gripper,
     GroupStatus,
-    JointGroup,
-    JointLimit,
     JointStates,
     MotionState,
-    Posture,
-    RobotDescription,
     TrajectoryGoal,
 )
 from tandem.skills.ports.keys import JOINT_STATES, Latest, group_cancel, group_goal, group_status
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.packages import resolve
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.robot_description import (
+    DifferentialDrive,
+    EndEffector,
+    Gripper,
+    JointGroup,
+    JointLimit,
+    Posture,
+    RobotDescription,
+)
 from tandem.skills.ports.sensors import CameraSensor, LaserSensor
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, Box, PlanningScene, RobotPose, SceneObject
 from tandem.skills.wire.clocks import SteppedClocks

@@ -11,9 +11,9 @@ import numpy as np
 
 from tandem.skills.base.process import Base, assemble
 from tandem.skills.ports.actions.arm import ArmState, ArmStatus, arm_status
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.skill import Command, Outcome, Run, Slice, failed
 from tandem.skills.wire.memory import MemoryBus

@@ -28,7 +28,6 @@ from tandem.skills.ports.hardware import (
     CancelMotion,
     GroupStatus,
     JointStates,
-    RobotDescription,
     SetPoint,
     StopState,
     TrajectoryGoal,
@@ -44,6 +43,7 @@ from tandem.skills.ports.keys import (
 )
 from tandem.skills.ports.message import HandName, Message, RobotTime, Vector3
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.skill import Command
 from tandem.skills.ports.world import (
     ROBOT_POSE,

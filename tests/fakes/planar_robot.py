@@ -16,18 +16,7 @@ import numpy.typing as npt
 from tandem.skills.geometry.chain import Chain
 from tandem.skills.geometry.poses import to_floor, wrap
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.hardware import (
-    BaseVelocity,
-    Clock,
-    DifferentialDrive,
-    EndEffector,
-    Gripper,
-    JointGroup,
-    JointLimit,
-    Odometry,
-    RobotDescription,
-    StopState,
-)
+from tandem.skills.ports.hardware import BaseVelocity, Clock, Odometry, StopState
 from tandem.skills.ports.keys import (
     BASE_VELOCITY,
     BUMPERS,
@@ -40,6 +29,14 @@ from tandem.skills.ports.keys import (
 )
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import (
+    DifferentialDrive,
+    EndEffector,
+    Gripper,
+    JointGroup,
+    JointLimit,
+    RobotDescription,
+)
 from tandem.skills.ports.sensors import Bumpers, CameraSensor, Cliffs, LaserScan, LaserSensor, RangeReading
 from tandem.skills.ports.site import Site, SiteBox
 

@@ -6,15 +6,9 @@ import numpy as np
 import pytest
 
 from tandem.sim.joints import GroupController
-from tandem.skills.ports.hardware import (
-    JointGroup,
-    JointLimit,
-    MotionState,
-    SetPoint,
-    TrajectoryGoal,
-    TrajectoryPoint,
-)
+from tandem.skills.ports.hardware import MotionState, SetPoint, TrajectoryGoal, TrajectoryPoint
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.robot_description import JointGroup, JointLimit
 
 PERIOD = 0.01
 LIMIT = {"lower": -2.0, "upper": 2.0, "velocity": 2.0, "acceleration": 5.0, "jerk": 50.0, "effort": 10.0}

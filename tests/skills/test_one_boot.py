@@ -7,9 +7,9 @@ from tandem.skills.ports.action import GoalState, GoalStatus, SendGoal, goal_ser
 from tandem.skills.ports.actions.base import ROTATE, RotateFeedback, RotateGoal, RotateResult
 from tandem.skills.ports.bus import Bus, Desk, Pending
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import DESCRIPTION, JOINT_STATES, Latest
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.skill import succeeded
 from tandem.skills.server import ActionServer
 from tandem.skills.testing.mock_skill import MockSkill

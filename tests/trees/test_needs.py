@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.testing.mock_description import mock_description
 from tandem.trees.needs import Needs, unable
 from tandem.trees.registry import discover

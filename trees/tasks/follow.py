@@ -9,9 +9,9 @@ from py_trees.composites import Selector, Sequence
 from pydantic import Field
 
 from tandem.skills.ports.actions.base import FollowSource
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Count, Message
 from tandem.skills.ports.problems import Problem
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.trees.behaviours.check import Check
 from tandem.trees.behaviours.each import Each

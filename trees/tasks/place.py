@@ -9,9 +9,9 @@ from py_trees.composites import Selector, Sequence
 from pydantic import Field
 
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Count, HandName, Message
 from tandem.skills.ports.problems import Problem
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import HeldItem
 from tandem.trees.behaviours.decide import Decide

@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from tandem.executive.records.recording import Recorded, Recording
-from tandem.skills.ports.hardware import BaseVelocity, JointStates, RobotDescription, SetPoint
+from tandem.skills.ports.hardware import BaseVelocity, JointStates, SetPoint
 from tandem.skills.ports.keys import BASE_VELOCITY, DESCRIPTION, JOINT_STATES, group_setpoint
 from tandem.skills.ports.message import read_leniently
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 
 Numbers = NDArray[np.float64]

@@ -17,11 +17,11 @@ from tandem.executive.service.tasks.task_book import TaskBook
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.endpoint import AnyDocument, Call, endpoint
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import Service
 from tandem.skills.ports.limits import Limits
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.problems import WHOLE, Problem
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import REQUEST, TASK_ANSWERS, TaskAnswer, by_client

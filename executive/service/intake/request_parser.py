@@ -13,9 +13,9 @@ from pydantic import JsonValue, ValidationError
 from tandem.executive.ledger.sender import BY_FIELD
 from tandem.executive.service.intake.envelope import FIELDS, Envelope
 from tandem.skills.ports.documents import parse
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import PLAIN_TEXT, Message
 from tandem.skills.ports.problems import Problem, problems_of, show
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.utc import iso
 from tandem.trees.task import TaskType

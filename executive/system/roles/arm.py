@@ -7,9 +7,9 @@ from functools import partial
 
 from tandem.executive.config.extras import SKILLS
 from tandem.executive.system.roles.role import Family, Role, Surroundings, skill_rights
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import HandName
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.robot_description import RobotDescription
 
 
 def _nodes(side: HandName, at: Surroundings) -> Sequence[Node]:

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 from tandem.executive.config.extras import SKILLS
 from tandem.executive.system.roles.role import Role, Surroundings, skill_rights
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.robot_description import RobotDescription
 
 
 def _nodes(at: Surroundings) -> Sequence[Node]:

@@ -18,8 +18,8 @@ from tandem.executive.security.role import Part
 from tandem.executive.system import roles
 from tandem.executive.system.roles.role import Family, Kind, Role
 from tandem.executive.system.roles.skill_type import SkillType
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.plugins import NONE, Group, Loaded, installed, load
+from tandem.skills.ports.robot_description import RobotDescription
 
 _PART: Final[Mapping[Kind, Part]] = MappingProxyType(
     {

@@ -17,8 +17,8 @@ from tandem.executive.security.rights import Rights
 from tandem.skills.ports.bus import Bus, Commons
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.compute import Compute
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from tandem.executive.security.rights import Rights
 from tandem.executive.system.roles.role import Role, Stage, process_rights
 
 if TYPE_CHECKING:
-    from tandem.skills.ports.hardware import RobotDescription
+    from tandem.skills.ports.robot_description import RobotDescription
     from tandem.skills.ros.driver import RosHardware
     from tandem.skills.ros.mapping import RosMap
     from tandem.skills.wire.zenoh_bus import ZenohBus

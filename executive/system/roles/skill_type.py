@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import Generic
 
 from tandem.executive.system.roles.role import Role, Surroundings, always, skill_rights
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.node import Node
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.skill import F, G, R, Skill
 from tandem.skills.server import ActionServer
 

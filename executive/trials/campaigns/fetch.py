@@ -17,9 +17,9 @@ from tandem.sim.draw import Draw, draw_fetch
 from tandem.sim.scenario import Scenario
 from tandem.skills.ports.actions.base import ARM_MARGIN
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.site import load
 

@@ -25,9 +25,10 @@ from tandem.skills.grasping.turns import to_grasp
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.actions.base import ARM_MARGIN
-from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.shapes import Solid, extents, solid
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.world import PlanningScene, SceneObject

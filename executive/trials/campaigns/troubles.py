@@ -43,7 +43,7 @@ from tandem.sim.scenario import Scenario, ScenarioError
 from tandem.sim.things import BoxShape
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.testing.faulty_bus import BusFaults
 

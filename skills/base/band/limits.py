@@ -10,8 +10,8 @@ import numpy as np
 from tandem.skills.base.floor import FloatArray
 from tandem.skills.base.people.forecast import HORIZON, STEP, Forecast
 from tandem.skills.base.planner import Clearances
-from tandem.skills.ports.hardware import Drive
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import Drive
 
 FRONT: Final = 1.3
 """Seconds of walking that nobody is to have before them: a base there could not have stood for a second."""

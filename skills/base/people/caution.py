@@ -22,8 +22,8 @@ from tandem.skills.base.people.track import Track
 from tandem.skills.base.people.tracker import RADIUS, STILL_RADIUS, Tracker
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.hardware import Drive
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import Drive
 
 STANDS_FOR: Final = 1.4
 """Seconds for which the base is to have stood: one, and what people who speed up or turn take off it."""

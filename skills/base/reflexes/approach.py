@@ -13,10 +13,10 @@ from typing import Final
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
 from tandem.skills.base.whereabouts import base_in_map
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message, Positive
 from tandem.skills.ports.reflex import BASE
 from tandem.skills.ports.reflex_setting import Threshold
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.reflexes import Act, ReflexType
 
 NAME: Final = "approach"

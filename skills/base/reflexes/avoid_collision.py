@@ -17,10 +17,10 @@ from tandem.skills.base.surround import Echo, Surround
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import Message, Positive
 from tandem.skills.ports.reflex import BASE
 from tandem.skills.ports.reflex_setting import Threshold
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.reflexes import Act, ReflexType
 
 NAME: Final = "avoid_collision"

@@ -8,9 +8,9 @@ from typing import Any, Final
 
 from tandem.skills.base.reflexes import approach, avoid_collision, base_guard, bumper, cliff
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.plugins import NONE, Group, Loaded, installed, load
 from tandem.skills.ports.reflex import BASE
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.reflexes import Chosen, ReflexType, chosen
 

@@ -13,7 +13,7 @@ from tandem.skills.base.wheels import Wheels
 from tandem.skills.base.whereabouts import Whereabouts
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.reflexes import Act
 
 

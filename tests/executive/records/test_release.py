@@ -10,8 +10,8 @@ from tandem.executive.records.known import Known
 from tandem.executive.records.moments import moments
 from tandem.executive.records.player import Player
 from tandem.executive.records.recording import open_recording
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import DESCRIPTION, Nothing
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.tasks import TASK_KINDS, TaskState
 
 FILES = sorted((Path(__file__).parent / "data").iterdir())

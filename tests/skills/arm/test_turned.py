@@ -19,9 +19,10 @@ from tandem.skills.kinematics.described import by_name, home_positions, load_hul
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal, TurnAbout
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.shapes import BoxShape
 from tandem.skills.ports.world import PlanningScene
 from tests.fakes.arm_rig import drive, panda

@@ -9,9 +9,9 @@ import pytest
 from tandem.skills.base.wheels import stopping_speed
 from tandem.skills.ports.actions.base import DriveGoal, DriveResult
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.reflex_setting import Excess
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import CliffSensor
 from tandem.skills.ports.skill import Command, Outcome
 from tandem.skills.site import load

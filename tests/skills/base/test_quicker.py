@@ -8,8 +8,8 @@ import pytest
 from tandem.skills.base.path import Path
 from tandem.skills.base.planner import Clearances
 from tandem.skills.base.quicker import seconds, without_slow_corners
-from tandem.skills.ports.hardware import Drive
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import Drive
 from tandem.skills.site import load
 from tests.fakes.base_rig import make_rig
 

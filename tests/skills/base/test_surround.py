@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from tandem.sim.robots.registry import robot_model
 from tandem.skills.base.surround import Surround
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.keys import ROBOTS_SEEN
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import RobotsSeen, SeenRobot
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus

@@ -19,16 +19,10 @@ from tandem.skills.ports.action import (
 from tandem.skills.ports.actions.gripper import Grip, GripGoal, GripResult
 from tandem.skills.ports.bus import Pending
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.hardware import (
-    Answer,
-    Gripper,
-    GripperCommand,
-    GripperMotion,
-    GripperState,
-    RobotDescription,
-)
+from tandem.skills.ports.hardware import Answer, GripperCommand, GripperMotion, GripperState
 from tandem.skills.ports.keys import Latest, gripper_command, gripper_state
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.robot_description import Gripper, RobotDescription
 from tandem.skills.ports.skill import Command
 from tandem.skills.testing.mock_description import mock_description
 from tandem.skills.wire.clocks import SteppedClocks

@@ -15,7 +15,7 @@ import pytest
 from pydantic import ValidationError
 
 from tandem.skills.kinematics.model import RobotKinematics
-from tandem.skills.ports.hardware import JointGroup, JointLimit
+from tandem.skills.ports.robot_description import JointGroup, JointLimit
 from tandem.skills.ports.urdf_check import UrdfError, parsed
 from tests.fakes.arm_rig import panda
 

@@ -14,13 +14,9 @@ from tandem.skills.geometry.poses import compose, to_pose
 from tandem.skills.ports.hardware import (
     Answer,
     CancelMotion,
-    DifferentialDrive,
     GroupStatus,
-    JointGroup,
-    JointLimit,
     JointStates,
     MotionState,
-    RobotDescription,
     StopState,
     TrajectoryGoal,
 )
@@ -28,6 +24,7 @@ from tandem.skills.ports.image import RgbdImage, encode
 from tandem.skills.ports.keys import JOINT_STATES, STOP_STATE, group_cancel, group_goal, group_status, rgbd
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.robot_description import DifferentialDrive, JointGroup, JointLimit, RobotDescription
 from tandem.skills.ports.sensors import CameraSensor, LaserSensor
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 from tandem.skills.wire.clocks import SteppedClocks

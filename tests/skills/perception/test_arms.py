@@ -9,7 +9,7 @@ import pytest
 
 from tandem.sim.robots.registry import robot_model
 from tandem.skills.perception.arms import Arms
-from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.trees.leaves.look_closely import REACH
 from tests.skills.perception.stage import DESCRIPTION
 

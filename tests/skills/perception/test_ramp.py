@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tandem.skills.perception.ramp import rest_to_rest
-from tandem.skills.ports.hardware import JointLimit
+from tandem.skills.ports.robot_description import JointLimit
 
 
 def limit(velocity: float, acceleration: float, jerk: float) -> JointLimit:

@@ -13,7 +13,6 @@ from tandem.skills.ports.hardware import (
     JointStates,
     MotionState,
     RgbdHeader,
-    RobotDescription,
     SetPoint,
     StopState,
 )
@@ -37,6 +36,7 @@ from tandem.skills.ports.keys import (
 from tandem.skills.ports.message import Message, RobotTime
 from tandem.skills.ports.pose import IDENTITY, FloorPose
 from tandem.skills.ports.refusals import CHANGED_EVERY, REPEATED_EVERY, RefusalTeller
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import (
     Bumpers,
     Cliffs,

@@ -7,9 +7,9 @@ import math
 import pytest
 from pydantic import ValidationError
 
-from tandem.skills.ports.hardware import RobotDescription
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import (
     Bumper,
     PoseReading,

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from tandem.skills.geometry.poses import from_rpy
-from tandem.skills.ports.hardware import ArmsCrossing
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.robot_description import ArmsCrossing
 from tandem.skills.reflex.crossing import arms_crossing, pitch_and_yaw
 
 HOW = ArmsCrossing(k=0.1, gamma=0.05, mu=0.08, clearance=0.03)

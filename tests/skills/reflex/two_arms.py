@@ -7,8 +7,9 @@ from functools import cache
 from tandem.sim.robots.registry import robot_model
 from tandem.skills.kinematics.described import home_positions, load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
-from tandem.skills.ports.hardware import JointStates, RobotDescription
+from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.robot_description import RobotDescription
 
 IN_FRONT = (0.34, 1.49, 1.70, 2.28, -0.72, -0.78, -1.97)
 """The posture "carry": both arms in it are 2.6 cm apart in front of the torso."""

@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import JsonValue
 
 from tandem.sim.robots.registry import robot_model
-from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ros import types
 from tandem.skills.ros.cdr import Codec
 from tandem.skills.ros.driver import RosHardware, Times

@@ -8,7 +8,7 @@ import pytest
 import yaml
 
 from tandem.sim.robots.registry import robot_model
-from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sources import DocumentError
 from tandem.skills.ros.mapping import RosMap, described, load_map
 

@@ -16,7 +16,7 @@ from tandem.sim.faults import Fault, HardwareSilent, ItemMoves, JointStall, Obst
 from tandem.sim.scenario import Scenario, load_scenario
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.actions.base import ARM_MARGIN
-from tandem.skills.ports.hardware import RobotDescription
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.site import load
 

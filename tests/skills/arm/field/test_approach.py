@@ -18,8 +18,9 @@ from tandem.skills.ports.action import GoalState, GoalStatus
 from tandem.skills.ports.actions.approach import ApproachPhase, ApproachResult
 from tandem.skills.ports.actions.bimanual import Order
 from tandem.skills.ports.failure import FailureKind
-from tandem.skills.ports.hardware import RobotDescription, SetPoint
+from tandem.skills.ports.hardware import SetPoint
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.skill import Command
 from tests.fakes.field_rig import FieldRig, block, goal
 
