@@ -20,6 +20,7 @@ from tandem.skills.arm.motion import Ended, GroupDriver
 from tandem.skills.arm.plan_move import MovePlanner, Steps
 from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm, Moment, Plan
+from tandem.skills.arm.pushed import PushedBase
 from tandem.skills.arm.silence import SILENT_AFTER, joints_silent
 from tandem.skills.arm.status import ArmStatusBoard
 from tandem.skills.arm.watch import MotionWatch
@@ -80,6 +81,7 @@ class Move:
         self._scene, self._pose = Latest(bus, SCENE), Latest(bus, ROBOT_POSE)
         self._gate = Gate(bus, clocks, None if arm.hand is None else arm.hand.side)
         self._followed = FollowedItem(bus, self._action.name)
+        self._pushed = PushedBase(self._pose, self._action.name)
         self._way: tuple[Vector3, ...] = ()
 
     @property
@@ -148,6 +150,7 @@ class Move:
             if moment is None or isinstance(moment, Failure):
                 return canceled() if moment is None else failed(moment)
             self._followed.begin(goal)
+            self._pushed.begin(goal, moment.base_in_map)
             rng = np.random.default_rng([self._seed, zlib.crc32(goal_id.encode()), number])
             planned, slices, command = yield from self._sliced(self._planner.plan(goal, moment, rng))
             steps += slices
@@ -212,7 +215,7 @@ class Move:
         changed, command = yield from self._against_newest(goal, moment, plan)
         if command is Command.CANCEL:
             return canceled(), command
-        changed = changed or self._followed.moved()
+        changed = changed or self._followed.moved() or self._pushed.moved()
         if changed is not None and command is not Command.PAUSE:
             return failed(changed), command
         if command is Command.PAUSE or self._gate.order() is not None:
@@ -272,13 +275,13 @@ class Move:
     ) -> Generator[MoveFeedback | Slice, Command, tuple[Ended, Command, bool]]:
         """Wait for the end, and say whether an order or a pause has brought it about.
 
-        A cancel, a pause, an order, an obstacle, an item that has moved or silent joints stop the hardware;
-        its rest is awaited. Who is resumed before that has stopped short all the same.
+        A cancel, a pause, an order, an obstacle, an item that has moved, a pushed base or silent joints stop
+        the hardware; its rest is awaited. Who is resumed before that has stopped short all the same.
         """
         stopping = held = False
         wrong: Failure | None = None
         while True:
-            wrong = wrong or watch.found or self._followed.moved() or self._blind()
+            wrong = wrong or watch.found or self._followed.moved() or self._pushed.moved() or self._blind()
             held = held or command is Command.PAUSE or self._gate.order() is not None
             if (command is Command.CANCEL or held or wrong is not None) and not stopping:
                 self._driver.stop()

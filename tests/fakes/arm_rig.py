@@ -246,12 +246,12 @@ class ArmRig:
         """Tell a scene."""
         SCENE.publish(self.bus, PlanningScene(stamp=self.hardware.stamp, version=version, objects=objects))
 
-    def tell_pose(self, *, localised: bool = True) -> None:
-        """Tell that the robot stands at the map's origin, or believes to."""
+    def tell_pose(self, x: float = 0.0, *, localised: bool = True) -> None:
+        """Tell that the robot stands at the map's origin, or so far before it (m), or believes to."""
         pose = RobotPose(
             stamp=self.hardware.stamp,
             localised=localised,
-            base_in_map=FloorPose(x=0.0, y=0.0, yaw=0.0),
+            base_in_map=FloorPose(x=x, y=0.0, yaw=0.0),
             odom_in_map=FloorPose(x=0.0, y=0.0, yaw=0.0),
             position_sigma=0.0,
             yaw_sigma=0.0,
