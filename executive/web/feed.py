@@ -17,7 +17,7 @@ from tandem.skills.ports.bus import Bus, Commons
 from tandem.skills.ports.hardware import Clock, JointStates
 from tandem.skills.ports.keys import CLOCK, JOINT_STATES, STOP_STATE, Latest, laser
 from tandem.skills.ports.message import Message
-from tandem.skills.ports.reflex import pipeline_state, reflex_state
+from tandem.skills.ports.reflex import before_off, pipeline_state, reflex_state
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import LaserScan
 from tandem.skills.ports.tasks import (
@@ -208,7 +208,8 @@ class Feed:
                 plain.pop("version", None)
                 self._if_new(part, plain, update)
         for reflex in self._reflexes.take():
-            self._if_new_of("reflexes", reflex.reflex, _plain(reflex), update)
+            told = {**_plain(reflex), "asks": before_off(reflex)}
+            self._if_new_of("reflexes", reflex.reflex, told, update)
         for pipeline in self._pipelines.take():
             plain = _plain(pipeline)
             plain.pop("stamp", None)

@@ -63,6 +63,17 @@ class ReflexState(Message):
     """Whom or what from what; empty: nobody, and it may be switched off without a question."""
 
 
+def before_off(state: ReflexState) -> str:
+    """Return what whoever switches a reflex off is told first, and has to confirm; "" when nothing is asked.
+
+    The page and ``tandem reflex off`` ask with these words.
+    """
+    if not state.on or not state.protects:
+        return ""
+    lasts = "It stays off until somebody switches it on, or its process starts anew."
+    return f"It protects {state.protects}. {lasts}"
+
+
 def pipeline_state(resource: str) -> Topic[PipelineState]:
     """Return the topic on which a resource's owner tells who has it."""
     return Topic(f"skill/pipeline/{resource}", PipelineState)

@@ -46,7 +46,7 @@ EXPECTED: Final[dict[str, tuple[list[str], int, set[str]]]] = {
     "release": ([], 0, {"operator"}),
     "reflex list": ([], 0, ALL),
     "reflex on": (["bumper"], 0, {"operator"}),
-    "reflex off": (["base_guard"], 0, {"operator"}),
+    "reflex off": (["base_guard", "--yes"], 0, {"operator"}),
     # The lab's site file switches no map on, so that nobody answers.
     "map show": ([], 3, CLIENTS),
     "map save": ([], 3, {"operator"}),

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tandem.executive.cli.arguments import Json, connects
+from tandem.executive.cli.confirming import confirm
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import BusOptions
@@ -64,7 +65,7 @@ def check(
         _list(SUITE, as_json=as_json)
         return
     if moving and not yes:
-        _confirm()
+        confirm(WARNING, "Go on?")
     wanted = [each for each in SUITE if moving or not each.moving]
     found: list[Finding] = []
     for finding in _findings(wanted, bus, seconds, moving=moving):
@@ -116,13 +117,6 @@ def _require_alone(connection: Connection, bench: Bench) -> None:
         raise CommandError(
             f"{', '.join(others)} command this robot: end them before --moving moves it", ExitCode.REFUSED
         )
-
-
-def _confirm() -> None:
-    if not sys.stdin.isatty():
-        raise CommandError(f"{WARNING} Confirm with --yes.")
-    typer.echo(WARNING, err=True)
-    typer.confirm("Go on?", abort=True, err=True)
 
 
 def _list(clauses: tuple[Clause, ...], *, as_json: bool) -> None:

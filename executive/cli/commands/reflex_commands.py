@@ -10,6 +10,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from tandem.executive.cli.arguments import Json, connects
 from tandem.executive.cli.commands.stop_commands import By, person
+from tandem.executive.cli.confirming import confirm
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.config.run_options import BusOptions
@@ -23,6 +24,9 @@ LISTENS: Final = 1.3
 """Seconds of the host after the first word: each reflex and each resource tells once a robot second."""
 SILENCE: Final = 5.0
 """Seconds of the host without a word after which nobody is there."""
+Yes = Annotated[
+    bool, typer.Option("--yes", help="Switch it off without a question, also if it protects somebody.")
+]
 Name = Annotated[str, typer.Argument(metavar="REFLEX", help="Its name; `tandem reflex list` has them.")]
 
 
@@ -61,9 +65,9 @@ def switch_on(name: Name, *, by: By = "", as_json: Json = False, bus: BusOptions
     _switch(name, bus, by, on=True, as_json=as_json)
 
 
-def switch_off(name: Name, *, by: By = "", as_json: Json = False, bus: BusOptions) -> None:
+def switch_off(name: Name, *, yes: Yes = False, by: By = "", as_json: Json = False, bus: BusOptions) -> None:
     """Switch a reflex off: the robot no longer does what it is for. Ends when its process starts anew."""
-    _switch(name, bus, by, on=False, as_json=as_json)
+    _switch(name, bus, by, on=False, as_json=as_json, asks=not yes)
 
 
 def has(pipeline: PipelineState) -> str:
@@ -81,6 +85,29 @@ def line(reflex: ReflexState) -> str:
     fired = f"fired {reflex.fired} time{'' if reflex.fired == 1 else 's'}"
     takes = ", ".join(reflex.resources)
     return f"  {reflex.reflex}  {state}; rank {reflex.rank}; takes {takes}; {fired}; {reflex.about}"
+
+
+def _ask_first(connection: Connection, name: str) -> None:
+    """Ask whether to switch off what protects somebody, with the page's words."""
+    from tandem.skills.ports.hearing import Heard  # noqa: PLC0415
+    from tandem.skills.ports.reflex import before_off, reflex_state  # noqa: PLC0415
+
+    topic = reflex_state(name)
+    states = Heard(connection.bus, topic.key, topic.decode)
+    end = time.monotonic() + SILENCE
+    while not (told := states.take()) and (left := end - time.monotonic()) > 0.0:
+        connection.bus.waker.wait(left)
+    states.close()
+    if not told:  # whom it protects is not known
+        raise CommandError(
+            f"{connection.nobody(_named(name))}; --yes switches it off unheard", ExitCode.NOBODY_THERE
+        )
+    if words := before_off(told[-1][1]):
+        confirm(words, f"Switch {name} off all the same?")
+
+
+def _named(name: str) -> str:
+    return f"reflex {name!r} (`tandem reflex list`)"
 
 
 def _hear(connection: Connection) -> Reflexes:
@@ -111,7 +138,7 @@ def _hear(connection: Connection) -> Reflexes:
     )
 
 
-def _switch(name: str, options: BusOptions, by: str, *, on: bool, as_json: bool) -> None:
+def _switch(name: str, options: BusOptions, by: str, *, on: bool, as_json: bool, asks: bool = False) -> None:
     from tandem.executive.cli.connection import Connection  # noqa: PLC0415
     from tandem.executive.cli.shapes import print_json  # noqa: PLC0415
     from tandem.skills.ports.reflex import ReflexSwitch, reflex_switch  # noqa: PLC0415
@@ -125,10 +152,11 @@ def _switch(name: str, options: BusOptions, by: str, *, on: bool, as_json: bool)
             "`tandem reflex list` has those there are"
         ) from None
     with Connection(options) as connection:
-        who = by or person(connection.options)
-        state = connection.ask(
-            reflex_switch(name), ReflexSwitch(on=on, by=who), of=f"reflex {name!r} (`tandem reflex list`)"
-        )
+        who, service = by or person(connection.options), reflex_switch(name)
+        connection.require_right(service.key)
+        if asks:
+            _ask_first(connection, name)
+        state = connection.ask(service, ReflexSwitch(on=on, by=who), of=_named(name))
     if state.on is not on:
         raise CommandError(
             f"reflex {name} answered, but is NOT {'on' if on else 'off'}", ExitCode.TASK_FAILED
