@@ -244,7 +244,7 @@ class AsyncClient:
             states: those in one of these; all unless given.
             since: those accepted at or after this moment (UTC seconds).
             before: as ``History.more`` of the answer before: the next page.
-            limit: how many at the most, up to 500.
+            limit: how many at the most, up to 100.
         """
         asked = AskHistory(states=tuple(states), since=since, before=before, limit=limit)
         return await self._drive(self._ask.history(asked))

@@ -1,14 +1,15 @@
 """The ledger's tasks with filters that the executive has not: kind, item, failure, node, label, week, text.
 
-Ended tasks don't change. So they are asked for once, newest first, and kept as long as the server lives; of
-each the document as it was told, and what filters and counts need.
+Ended tasks don't change. So they are asked for once, newest first, and kept; of each the document as it was
+told, and what filters and counts need. As many are kept as a ledger keeps, and no more than fit into
+``ROOM``: a server may live for years.
 """
 
 from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -29,6 +30,10 @@ SHOWN: Final = 50
 """Tasks on a page."""
 LATELY: Final = 20
 """Tasks that are asked for first, once the others are known: most often no more are new."""
+MOST: Final = 20_000
+"""Ended tasks that are kept, the newest: as many as a ledger keeps (``Policy.keep_tasks``)."""
+ROOM: Final = 128 << 20
+"""Characters of documents that are kept: 20,000 have 24 MB (``PAGE``), but one request may have 64 kB."""
 TOLD: Final = 40
 """Rows of each table of counts, and labels that are offered."""
 SUCCEEDED, FAILED = str(TaskState.SUCCEEDED), str(TaskState.FAILED)
@@ -100,9 +105,10 @@ class Known:
 class Past:
     """What is known of the ledger's tasks, newest first."""
 
-    def __init__(self, now: Callable[[], float] = utc) -> None:
-        self._now = now
+    def __init__(self, now: Callable[[], float] = utc, most: int = MOST, room: int = ROOM) -> None:
+        self._now, self._most, self._room = now, most, room
         self._known: dict[str, Known] = {}
+        self._left_out = False  # whether there are older ones
         self._answered: tuple[Filter, list[Known], str] | None = None
 
     async def refresh(self, client: AsyncClient) -> None:
@@ -115,13 +121,29 @@ class Past:
             met = any(each.task in self._known for each in page.tasks)
             found |= {each.task: known(each) for each in page.tasks}
             before, limit = page.more, PAGE
-            if not before or met:
+            if not before or met or len(found) >= self._most:
                 break
+        self._left_out |= bool(before) and not met
         changed |= found
         if any(self._known.get(task) != each for task, each in changed.items()) or not before:
             older = {task: each for task, each in self._known.items() if task not in found} if before else {}
-            self._known = {**found, **older, **{task: changed[task] for task in older if task in changed}}
+            again = {task: changed[task] for task in older if task in changed}
+            self._known = self._newest({**found, **older, **again})
             self._answered = None
+
+    def _newest(self, known: Mapping[str, Known]) -> dict[str, Known]:
+        """Return the newest that ended, as many as there is room for, and all that have not ended."""
+        ended, room = 0, self._room
+        kept = {}
+        for task, each in known.items():
+            room -= len(each.document)
+            if each.terminal:
+                ended += 1
+                if ended > self._most or room < 0:
+                    self._left_out = True
+                    continue
+            kept[task] = each
+        return kept
 
     async def _open_ones(self, client: AsyncClient) -> dict[str, Known]:
         """Ask again how those stand that had not ended."""
@@ -157,7 +179,8 @@ class Past:
         _, passing, counts = self._answered
         start = wanted.page * SHOWN
         tasks = ",".join(each.document for each in passing[start : start + SHOWN])
-        return f'{{"tasks":[{tasks}],{counts[1:]}'
+        older = json.dumps(self._left_out)
+        return f'{{"tasks":[{tasks}],"left_out":{older},{counts[1:]}'
 
 
 def _counts(passing: Sequence[Known]) -> dict[str, JsonValue]:
