@@ -12,7 +12,7 @@ type Kind = { kind: string; count: number; succeeded: number; decided: number; m
 type Week = Kind & { week: string };
 type Node = { failure: string; where: string; count: number };
 type Found = {
-  tasks: TaskStatus[]; count: number; pages: number; states: Record<string, number>; failures: Record<string, number>; kinds: Kind[];
+  tasks: TaskStatus[]; left_out: boolean; count: number; pages: number; states: Record<string, number>; failures: Record<string, number>; kinds: Kind[];
   weeks: Week[]; nodes: Node[]; labels: string[];
 };
 const STATES = Object.keys(STATE_SIGNS);
@@ -119,6 +119,7 @@ function Summary({ found, search }: { found: Found; search: string }) {
     <section class="card" aria-label="Counts">
       <p class="figures-card">
         <span><strong>{found.count}</strong> {found.count === 1 ? "task" : "tasks"}</span>
+        {found.left_out && <span class="quiet">of the newest that the page's server has room for</span>}
         {found.kinds.map((each) => <span key={each.kind}><strong>{each.kind}</strong> {each.count} <Rate of={each} /></span>)}
       </p>
       {found.weeks.length > 0 && (

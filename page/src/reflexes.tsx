@@ -2,8 +2,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { act, may } from "./acting";
 import { ask } from "./api";
-import { useLive } from "./state";
-import type { ReflexState } from "./types";
+import { useLive, type Reflex } from "./state";
 
 export function Overridden() {
   const pipelines = useLive((live) => live.pipelines);
@@ -29,7 +28,7 @@ export function Resources() {
   return (
     <details class="card resources">
       <summary><strong>Resources and reflexes</strong> <span class="quiet">{busy} of {pipelines.length} in use; {reflexes.filter((each) => each.on).length} of {reflexes.length} reflexes on</span></summary>
-      <table>
+      {pipelines.length > 0 && <table>
         <thead><tr><th>Resource</th><th>Has it</th><th>Does</th></tr></thead>
         <tbody>
           {pipelines.map((each) => (
@@ -40,13 +39,13 @@ export function Resources() {
             </tr>
           ))}
         </tbody>
-      </table>
-      <ul class="plain reflexes">{reflexes.map((each) => <li key={each.reflex}><Reflex reflex={each} /></li>)}</ul>
+      </table>}
+      <ul class="plain reflexes">{reflexes.map((each) => <li key={each.reflex}><Switch reflex={each} /></li>)}</ul>
     </details>
   );
 }
 
-function Reflex({ reflex }: { reflex: ReflexState }) {
+function Switch({ reflex }: { reflex: Reflex }) {
   const next = !reflex.on;
   const words = `The reflex ${reflex.reflex} is ${next ? "on" : "off"}.`;
   const [asks, ask_] = useState(false);
@@ -64,10 +63,10 @@ function Reflex({ reflex }: { reflex: ReflexState }) {
         {reflex.by && <span class="quiet"> by {reflex.by}</span>}
         <span class="quiet"> · takes {reflex.resources.join(", ")} · fired {reflex.fired} {reflex.fired === 1 ? "time" : "times"}</span>
         <br /><span class="quiet">{reflex.about}</span>
-        {asks && reflex.on && <Sure reflex={reflex} answered={answered} />}
+        {asks && reflex.asks && <Sure reflex={reflex} answered={answered} />}
       </p>
       {may("reflex") && (
-        <button class="small" ref={press} aria-label={`Switch ${reflex.reflex} ${next ? "on" : "off"}`} onClick={() => (reflex.protects && !next ? ask_(true) : turn())}>
+        <button class="small" ref={press} aria-label={`Switch ${reflex.reflex} ${next ? "on" : "off"}`} onClick={() => (reflex.asks ? ask_(true) : turn())}>
           Switch {next ? "on" : "off"}
         </button>
       )}
@@ -76,12 +75,12 @@ function Reflex({ reflex }: { reflex: ReflexState }) {
 }
 
 // A reflex that protects somebody is not switched off by one press: what it is for is said, and not to do it is at hand.
-function Sure({ reflex, answered }: { reflex: ReflexState; answered: (yes: boolean) => void }) {
+function Sure({ reflex, answered }: { reflex: Reflex; answered: (yes: boolean) => void }) {
   const leave = useRef<HTMLButtonElement>(null);
   useEffect(() => leave.current?.focus(), []);
   return (
     <span class="sure" role="alertdialog" aria-label={`Switch ${reflex.reflex} off?`} onKeyDown={(event) => event.key === "Escape" && answered(false)}>
-      <span>It protects {reflex.protects}. It stays off until somebody switches it on, or its process starts anew.</span>
+      <span>{reflex.asks}</span>
       <button class="small" ref={leave} onClick={() => answered(false)}>Leave it on</button>
       <button class="small danger" onClick={() => answered(true)}>Switch off all the same</button>
     </span>

@@ -1,5 +1,5 @@
 // A request: the kinds that this robot can do, a form of the chosen one, and the same as JSON and as a command.
-import { useEffect, useState } from "preact/hooks";
+import { useLayoutEffect, useMemo, useState } from "preact/hooks";
 import { may, say } from "./acting";
 import { AskError, post } from "./api";
 import { Favourites, Keep, useFavourites, type Favourite } from "./favourites";
@@ -49,7 +49,8 @@ function Form({ name, keep, schema, given, items, site, robot }: Given) {
   const [sending, send] = useState(false);
   const [copied, copy] = useState("");
   const made = make(schema, values);
-  useEffect(() => {
+  const id = useMemo(() => crypto.randomUUID(), [values]); // sent twice, by two clicks or after a lost answer, it is one request
+  useLayoutEffect(() => { // before anything else happens: a page that is loaded anew loses no word
     const filled = Object.entries(values).filter(([, value]) => value);
     go(`/request?${new URLSearchParams({ task: name, ...Object.fromEntries(filled) })}`, true);
   }, [values]);
@@ -58,7 +59,7 @@ function Form({ name, keep, schema, given, items, site, robot }: Given) {
     send(true);
     wrong([]);
     try {
-      const { task } = await post<{ task: string }>("/api/request", { ...made, id: crypto.randomUUID() });
+      const { task } = await post<{ task: string }>("/api/request", { ...made, id });
       say(`${task} was accepted.`);
       go("/");
     } catch (error) {

@@ -14,6 +14,7 @@ export type Other = { at: [number, number, number] | null; task: string; kind: s
 export type Person = [x: number, y: number, vx: number, vy: number, radius: number]; // m and m/s in the map
 export type Occupied = Pick<Occupancy, "origin" | "shape" | "resolution" | "cells">;
 export type Gates = Pick<TreeSnapshot, "breakpoints" | "forced">;
+export type Reflex = ReflexState & { asks: string }; // what is asked before it is switched off
 export type NodeState = [NodeStatus, NodeStatus, string];
 export type Live = {
   connected: boolean;
@@ -42,7 +43,7 @@ export type Live = {
   stop: StopState | null;
   pulse: ExecutivePulse | null;
   now: Now | null;
-  reflexes: Record<string, ReflexState>;
+  reflexes: Record<string, Reflex>;
   pipelines: Record<string, Omit<PipelineState, "stamp">>;
 };
 type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & { whole?: boolean };

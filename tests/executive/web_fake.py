@@ -8,8 +8,9 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from tandem.executive.client.aio import AsyncClient
 from tandem.executive.config.run_options import BusOptions
@@ -20,7 +21,7 @@ from tandem.executive.web.serve import listen, serve_until
 from tandem.sim.robots.registry import robot_model
 from tandem.skills.ports.actions.perception import PICTURE, AskView
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.endpoint import Endpoint, answering
+from tandem.skills.ports.endpoint import AnyDocument, Call, Endpoint, answering, endpoint
 from tandem.skills.ports.hardware import Clock, Stop, StopRelease, StopState
 from tandem.skills.ports.keys import (
     CLOCK,
@@ -39,16 +40,30 @@ from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
+    REQUEST,
+    TASK_ABANDON,
+    TASK_ANSWER,
+    TASK_BREAKPOINT,
+    TASK_CANCEL,
+    TASK_FORCE,
     TASK_HISTORY,
     TASK_INFO,
     TASK_KINDS,
     TASK_LIST,
+    TASK_PAUSE,
+    TASK_REPRIORITISE,
+    TASK_RESUME,
     TASK_SITE,
+    TASK_STATUS,
+    TASK_STEP,
     TASK_TIMELINE,
     TREE_NOW,
+    AnswerQuestion,
     AskHistory,
+    ControlAnswer,
     ExecutiveInfo,
     History,
+    TaskAnswer,
     TaskKinds,
     TaskList,
     TaskStatus,
@@ -62,6 +77,12 @@ from tandem.skills.wire.memory import MemoryHub
 
 M = TypeVar("M", bound=Message)
 CAMERA = Service(PICTURE, AskView, Nothing, reads=True, exact=True)
+ASK = Service(REQUEST, AnyDocument, TaskAnswer)
+VERBS: tuple[Service[Any, ControlAnswer], ...] = (
+    TASK_CANCEL, TASK_PAUSE, TASK_RESUME, TASK_STEP, TASK_ABANDON, TASK_REPRIORITISE, TASK_BREAKPOINT,
+    TASK_FORCE,
+)  # fmt: skip
+"""They change nothing."""
 EMPTY = TreeSnapshot(
     task="", kind="none", tick=0, root=TreeNode(path="none", name="none", kind="action", type="None")
 )
@@ -85,6 +106,10 @@ class FakeRobot:
     viewed: list[str] = field(default_factory=list)
     """Which cameras were asked for."""
     reflexes: dict[str, ReflexState] = field(default_factory=dict)
+    asked: list[tuple[str, dict[str, Any]]] = field(default_factory=list)
+    """What was asked that changes something: the key, and the document."""
+    refuses: str = ""
+    """Why no verb is taken; empty: each is."""
     seconds: float = 1.0
 
     def __post_init__(self) -> None:
@@ -111,6 +136,26 @@ class FakeRobot:
         yield answering(STOP, lambda asked: self.stop(asked, stopped=True))
         yield answering(STOP_RELEASE, lambda asked: self.stop(asked, stopped=False))
         yield answering(reflex_switch("avoid_collision"), self.switch)
+        yield answering(TASK_ANSWER, self.answer)
+        yield endpoint(ASK, self.request)
+        for verb in VERBS:
+            yield answering(verb, partial(self.verb, verb.key))
+
+    def verb(self, key: str, asked: Message) -> ControlAnswer:
+        self.asked.append((key, asked.model_dump(mode="json")))
+        return ControlAnswer(accepted=not self.refuses, reason=self.refuses)
+
+    def request(self, call: Call[AnyDocument]) -> TaskAnswer:
+        self.asked.append((REQUEST, dict(call.fields)))
+        return TaskAnswer(accepted=True, task="new-1", client_id=str(call.fields["id"]))
+
+    def answer(self, asked: AnswerQuestion) -> ControlAnswer:
+        """Take one of the choices; the task asks no more."""
+        for task in self.tasks:
+            if task.task == asked.task and task.question and asked.answer in task.question.choices:
+                TASK_STATUS.publish(self.bus, task.model_copy(update={"question": None}))
+                return self.verb(TASK_ANSWER.key, asked)
+        return ControlAnswer(accepted=False, reason=f"{asked.task} asks nothing of that kind")
 
     def view(self, asked: AskView) -> bytes:
         self.viewed.append(asked.camera)
@@ -121,12 +166,14 @@ class FakeRobot:
         return History(tasks=tuple(named[: asked.limit]))
 
     def stop(self, asked: Stop | StopRelease, *, stopped: bool) -> StopState:
+        self.asked.append((STOP.key if stopped else STOP_RELEASE.key, asked.model_dump(mode="json")))
         state = StopState(stopped=stopped, by=asked.by, reason=asked.reason)
         STOP_STATE.publish(self.bus, state)
         return state
 
     def switch(self, asked: ReflexSwitch) -> ReflexState:
         name = "avoid_collision"
+        self.asked.append((reflex_switch(name).key, asked.model_dump(mode="json")))
         state = self.reflexes[name].model_copy(update={"on": asked.on, "by": asked.by})
         self.reflexes[name] = state
         reflex_state(name).publish(self.bus, state)

@@ -405,7 +405,7 @@ def test_names_of_things_that_stand_close_do_not_lie_on_each_other(page: Page, r
 
 def test_what_is_typed_stays_while_the_robot_goes_on(page: Page, robot: FakeRobot) -> None:
     waiting = TaskStatus(task="go-1", kind="go", request={}, state=TaskState.QUEUED, accepted_at=0.0)
-    robot.tasks = (waiting,)
+    robot.tasks, robot.refuses = (waiting,), "it begins now"
     page.goto("/task/go-1")
     expect(page.locator(".link")).to_contain_text("nothing heard")
     priority = page.get_by_label("priority")
@@ -415,7 +415,7 @@ def test_what_is_typed_stays_while_the_robot_goes_on(page: Page, robot: FakeRobo
     with page.expect_request("**/api/verb/reprioritise") as sent:
         priority.press("Enter")
     assert sent.value.post_data_json["priority"] == 5
-    expect(page.get_by_role("alert")).to_be_visible()  # nobody answers here
+    expect(page.get_by_role("alert")).to_contain_text("it begins now")
     expect(priority).to_have_value("0")
 
 
