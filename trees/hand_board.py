@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from tandem.skills.geometry.poses import compose, invert, to_pose, yaw_of
+from tandem.skills.geometry.poses import compose, invert, to_pose, turned, yaw_of
 from tandem.skills.grasping.hand_grasps import HandGrasp, item_grasps, item_in_tool, side_grasps
 from tandem.skills.grasping.item_frames import standing_in_map, turned_like
 from tandem.skills.grasping.tag_grasps import FINGER_ROOM
+from tandem.skills.grasping.turns import of_every_side
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.message import HandName
 from tandem.skills.ports.pose import Pose
@@ -28,6 +29,8 @@ class HandBoard(HandTask):
     """The ways to take hold that were offered to the last approach, the preferred one first."""
     way: HandGrasp | None = None
     """The one that was taken."""
+    turn: float = 0.0
+    """Radians by which it was turned about the item: an arm of few joints needs that."""
     item_at: Pose | None = None
     """The item's centre in the map when the hand closed around it."""
     frame: Pose | None = None
@@ -106,14 +109,29 @@ class HandBoard(HandTask):
         self.ways = tuple(sorted(ways, key=lambda way: (way.face, way.pitch) in self.avoid))
         return None
 
-    def choose(self, number: int) -> None:
-        """Note which of the ways was taken."""
-        self.way = self.ways[number]
+    def choose(self, number: int, turned: float) -> None:
+        """Note which of the ways was taken, and by how much (rad) it was turned about the item."""
+        self.way, self.turn = self.ways[number], turned
 
     def chosen(self) -> HandGrasp:
         """Return the way that was taken; the approach has chosen it."""
         assert self.way is not None, "the approach chooses the way first"
         return self.way
+
+    def tool_at(self, item: Pose) -> Pose:
+        """Return the tool that takes an item there in the chosen way, in the frame of ``item``.
+
+        An item that the fingers have turned until it lies flat between them is held as if nothing had been
+        turned: ``item_in_tool`` is not.
+        """
+        return turned(compose(item, self.chosen().tool_in_item), item.position, self.turn)
+
+    def most_turn(self, context: TreeContext) -> float:
+        """Return by how much (rad) the ways may be turned about the item."""
+        known, robot = self.site_item(context), context.knowledge.description
+        if known.needs_two or robot is None:
+            return 0.0
+        return of_every_side(solid(known), robot.end_effector(self.side).gripper.max_width)
 
     def open_width(self, context: TreeContext) -> float:
         """Return the metres to which the hand opens: room for the fingers and no more; 0 if it presses."""

@@ -22,7 +22,7 @@ from tandem.skills.arm.trajectory import Trajectory
 from tandem.skills.arm.turned import offers, straight_to
 from tandem.skills.kinematics.collision import CollisionChecker
 from tandem.skills.kinematics.ik import IkAnswer
-from tandem.skills.kinematics.transforms import Array, to_se3
+from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.compute import Compute
 from tandem.skills.ports.failure import Failure, FailureKind
@@ -106,24 +106,24 @@ class MovePlanner:
                 return True
         return False
 
-    def reach(self, goal: MoveGoal, moment: Moment) -> Generator[int, None, tuple[int, Array] | Failure]:
-        """Return the first candidate that has joint positions, with all that follows it, and those (n,).
+    def reach(self, goal: MoveGoal, moment: Moment) -> Generator[int, None, Reached | Failure]:
+        """Return the first candidate that has joint positions, with all that follows it.
 
         How the group gets there is not asked.
         """
         checker = self._arm.checker(moment, goal)
         yield CHECKS_AT_ONCE
         start, motions, hand = self._arm.start(moment), self._motions(checker), self._hand(checker)
-        poses = [to_base(each.pose, goal.frame, moment.base_in_map) for each in goal.candidates]
         refused: list[_Refusal] = []
         for starts in LOOKS:
             refused = []
-            for number, pose in enumerate(poses):
-                answers = yield from hand.solver.solve(hand.chain, [to_se3(pose)], start, starts)
-                ends = yield from self._ends(goal, moment, motions, goal.candidates[number], answers[0])
-                if not isinstance(ends, _Refusal):
-                    return number, ends[0]
-                refused.append(ends)
+            for number, candidate in enumerate(goal.candidates):
+                (turns,) = yield from offers(hand, goal, moment, (candidate,), start, starts)
+                for offer in turns:
+                    ends = yield from self._ends(goal, moment, motions, offer.candidate, offer.answer)
+                    if not isinstance(ends, _Refusal):
+                        return Reached(number, ends[0], offer.turn)
+                    refused.append(ends)
         failures = [self._explain(each, checker) for each in refused]
         return failures[0].model_copy(update={"causes": tuple(failures)})
 
@@ -406,6 +406,15 @@ class MovePlanner:
     def _failure(self, kind: FailureKind, message: str, **evidence: str | float | bool) -> Failure:
         known = {name: value for name, value in evidence.items() if value != ""}
         return Failure(kind=kind, message=message, where=self._where, evidence=known)
+
+
+@dataclass(frozen=True)
+class Reached:
+    """A candidate (its number), joint positions (n,) at it, and the radians by which it was turned."""
+
+    candidate: int
+    q: Array
+    turned: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -64,13 +64,25 @@ def straight_to(
     vertical = _vertical(hand, goal, moment)
     if vertical is None:
         return pose, 0.0
-    solver = hand.solver.turning(hand.chain, vertical)
-    targets = solver.in_root(hand.chain, [to_se3(pose)])
-    q, metres, radians = yield from solver.descend(np.append(start, 0.0)[None, :], targets)
+    found = yield from nearest(hand, goal, moment, candidate, start)
+    return (pose, 0.0) if found is None else (turned(pose, vertical.point, found[1]), found[1])
+
+
+def nearest(
+    hand: Hand, goal: MoveGoal, moment: Moment, candidate: Candidate, start: Array
+) -> Generator[int, None, tuple[Array, float] | None]:
+    """Return the joints (n,) next to ``start`` (n,) that bring the hand to a candidate, and its turn there.
+
+    None when the way downhill from there does not end at it.
+    """
+    vertical = _vertical(hand, goal, moment)
+    solver = hand.solver if vertical is None else hand.solver.turning(hand.chain, vertical)
+    goals = solver.in_root(hand.chain, [to_se3(to_base(candidate.pose, goal.frame, moment.base_in_map))])
+    begin = start if vertical is None else np.append(start, 0.0)
+    q, metres, radians = yield from solver.descend(begin[None, :], goals)
     if not solver.reached(metres, radians)[0]:
-        return pose, 0.0
-    turn = float(q[0, -1])
-    return turned(pose, vertical.point, turn), turn
+        return None
+    return (q[0], 0.0) if vertical is None else (q[0, :-1], float(q[0, -1]))
 
 
 def _vertical(hand: Hand, goal: MoveGoal, moment: Moment) -> Vertical | None:

@@ -13,7 +13,7 @@ from tandem.skills.grasping.tag_grasps import FINGER_ROOM
 from tandem.skills.ports.actions.arm import TurnAbout
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.shapes import RING, Solid, extents, is_round
+from tandem.skills.ports.shapes import RING, BoxShape, Solid, extents, is_round, seen_from, sides
 
 MOST: Final = math.radians(10.0)
 """Radians. A base that stands 6 cm aside (``at_pose.POSITION_TOLERANCE``), 0.5 m from the item, makes 7
@@ -44,6 +44,14 @@ def to_grasp(item_at: Vector3, shape: Solid, widest: float) -> TurnAbout:
     # Turned by a, the box is w cos a + d sin a wide: the diagonal's share across the hand.
     fits = math.atan2(depth, width) - math.acos(min(1.0, opening / diagonal))
     return TurnAbout(point=item_at, most=max(0.0, min(MOST, fits)))
+
+
+def of_every_side(shape: Solid, widest: float) -> float:
+    """Return the radians that a grasp from any side may be turned; arguments as ``to_grasp``."""
+    if is_round(shape):
+        return to_grasp((0.0, 0.0, 0.0), shape, widest).most
+    seen = (BoxShape(seen_from(shape, side)) for side in sides(shape))
+    return min(to_grasp((0.0, 0.0, 0.0), each, widest).most for each in seen)
 
 
 def to_place(slot: Vector3) -> TurnAbout:

@@ -11,8 +11,10 @@ import numpy as np
 from tandem.skills.arm.field.live import Live
 from tandem.skills.arm.field.target import Target
 from tandem.skills.arm.plan_move import MovePlanner
+from tandem.skills.arm.planning.straight import Hand
 from tandem.skills.arm.problem import Arm
-from tandem.skills.kinematics.transforms import Array, to_se3
+from tandem.skills.arm.turned import nearest
+from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.approach import ApproachGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 
@@ -30,11 +32,15 @@ CLEARANCE: Final = 0.01
 
 @dataclass(frozen=True)
 class End:
-    """A grasp (its number), the joints (n,) at its proximity pose, and the target they were found for."""
+    """A grasp (its number), the joints (n,) at its proximity pose, and the target they were found for.
+
+    ``turn``: radians by which an arm of few joints has the grasp turned about the item.
+    """
 
     grasp: int
     q: Array
     target: Target
+    turn: float = 0.0
 
 
 class Ends:
@@ -108,26 +114,33 @@ class Ends:
         if isinstance(reached, Failure) and self._live.in_the_way(reached):
             # Where to go does not depend on who is there now; the guard sees to it that nobody is met.
             reached = yield from self._planner.reach(asked, self._live.moment(q, others_gone=True))
-        return reached if isinstance(reached, Failure) else End(reached[0], reached[1], target)
+        return (
+            reached
+            if isinstance(reached, Failure)
+            else End(reached.candidate, reached.q, target, reached.turned)
+        )
 
     def _follow(self, before: End, target: Target) -> Generator[int, None, End | None]:
         """Return the joints at the same grasp, from the ones before; None when they would not do."""
         solver, hand = self._arm.solver, self._arm.hand
         assert solver is not None  # the skill is for groups with a hand
         assert hand is not None
-        chain = self._arm.hulls.robot.chain(self._arm.group.joints, self._live.moment(before.q).positions)
+        asked, moment = target.as_move(self._goal), self._live.moment(before.q)
+        chain = self._arm.hulls.robot.chain(self._arm.group.joints, moment.positions)
         yield UNITS // 2
-        goals = solver.in_root(chain, [to_se3(target.proximity[before.grasp])])
-        q, metres, radians = yield from solver.descend(before.q[None, :], goals)
-        if not solver.reached(metres, radians)[0] or float(np.abs(q[0] - before.q).max()) > FOLD:
+        found = yield from nearest(
+            Hand(solver, hand.frame, chain), asked, moment, asked.candidates[before.grasp], before.q
+        )
+        if found is None or float(np.abs(found[0] - before.q).max()) > FOLD:
             return None
+        q, turn = found
         near = self._live.proximity
-        if near.hits(self._live.full(q[0]), np.where(near.of_group, 0.002, CLEARANCE)) is not None:
+        if near.hits(self._live.full(q), np.where(near.of_group, 0.002, CLEARANCE)) is not None:
             return None
         # What could be reached in a straight line from there may not be any more where the item is now.
-        moment = self._live.moment(q[0])
-        goes_on = yield from self._planner.goes_on(target.as_move(self._goal), moment, before.grasp, q[0])
-        return End(before.grasp, q[0], target) if goes_on else None
+        turned = target.as_move(self._goal, turn)
+        goes_on = yield from self._planner.goes_on(turned, self._live.moment(q), before.grasp, q)
+        return End(before.grasp, q, target, turn) if goes_on else None
 
 
 def gone(where: str, item: int) -> Failure:

@@ -194,12 +194,13 @@ class Episode:
         assert hand is not None  # the skill is for groups with one
         q = self._live.measured()[0]
         there = arm.hulls.robot.pose(hand.frame, self._live.moment(q).positions)
-        error = ride.distance = distance(there, target.proximity[end.grasp])
+        error = ride.distance = distance(there, target.before(end.grasp, end.turn))
         if error <= self._goal.tolerance:
             return why, ApproachResult(
                 grasp=end.grasp,
                 positions=tuple(map(float, q)),
                 error=error,
+                turned=end.turn,
                 item_in_map=self._parts.tracker.item_in_map,
                 duration=robot_seconds(self._parts.clocks) - began,
                 escapes=self._controller.escapes,
@@ -242,7 +243,7 @@ class Episode:
             if self._planned < PLANS and self._live.in_the_way(plan):
                 return Why.STUCK
             return self._no_way(plan)
-        self._ends.take(End(plan.candidate, plan.trajectory.positions[-1], target))
+        self._ends.take(End(plan.candidate, plan.trajectory.positions[-1], target, plan.turned))
         self._tell_end()
         why = yield from ride.follow(plan.trajectory, Phase.PLANNED, target, None)
         if why is Why.STUCK and self._planned >= PLANS:

@@ -100,7 +100,7 @@ class FieldController:
         state = self._motion.state
         near = self._guard.look(self._live.full(state.q))
         hand, jacobian = self._live.proximity.hand(self._frame)
-        goal = to_se3(target.proximity[end.grasp]).homogeneous
+        goal = to_se3(target.before(end.grasp, end.turn)).homogeneous
         distance = float(np.linalg.norm(goal[:3, 3] - hand[:3, 3]))
         angle = float(np.linalg.norm(rotation_vector(hand[:3, :3], goal[:3, :3])))
         left = end.q - state.q

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from tandem.skills.geometry.poses import angle_between, compose, distance, invert, to_pose
+from tandem.skills.geometry.poses import angle_between, compose, distance, invert, to_pose, turned
 from tandem.skills.grasping.item_frames import standing_in_map, turned_like
 from tandem.skills.ports.actions.approach import ApproachGoal
-from tandem.skills.ports.actions.arm import Candidate, MoveGoal
+from tandem.skills.ports.actions.arm import Candidate, MoveGoal, TurnAbout
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.keys import Latest
@@ -33,18 +33,29 @@ class Target:
         """Return by how many metres and radians the item has moved."""
         return distance(self.item, before.item), angle_between(self.item.orientation, before.item.orientation)
 
-    def as_move(self, goal: ApproachGoal) -> MoveGoal:
-        """Return the goal of a move to the proximity poses, from where the grasps can be reached."""
+    def before(self, grasp: int, turn: float) -> Pose:
+        """Return the proximity pose of a grasp (its number) that is turned by ``turn`` radians."""
+        return self._turned(self.proximity[grasp], turn)
+
+    def as_move(self, goal: ApproachGoal, turn: float = 0.0) -> MoveGoal:
+        """Return the goal of a move to the proximity poses, from where the grasps can be reached.
+
+        ``turn``: radians by which all of them are turned already.
+        """
         return MoveGoal(
             candidates=tuple(
-                Candidate(pose=before, followed_by=(grasp,))
+                Candidate(pose=self._turned(before, turn), followed_by=(self._turned(grasp, turn),))
                 for before, grasp in zip(self.proximity, self.grasps, strict=True)
             ),
+            turn=TurnAbout(point=self.item.position, most=goal.turn) if goal.turn else None,
             frame="base",
             touch_item=goal.item,
             hand_width=goal.hand_width,
             speed=goal.speed,
         )
+
+    def _turned(self, pose: Pose, angle: float) -> Pose:
+        return turned(pose, self.item.position, angle) if angle else pose
 
 
 class TargetTracker:

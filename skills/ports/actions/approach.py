@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from enum import StrEnum
 from typing import Annotated, Final
 
@@ -30,6 +31,9 @@ class ApproachGoal(Message):
     radius: Annotated[float, Field(gt=0.0, le=0.5)] = GOAL_RADIUS
     hand_width: Annotated[float, Field(ge=0.0)] | None = None
     """Metres between the pads to plan with; default: their current width."""
+    turn: Annotated[float, Field(ge=0.0, le=math.pi)] = 0.0
+    """Radians by which an arm of fewer than six joints may turn the grasps, to both sides, about the vertical
+    through the item's centre; see TurnAbout."""
     tolerance: Annotated[float, Field(gt=0.0)] = 0.015
     """Metres from the proximity pose that count as reached."""
     speed: Annotated[float, Field(gt=0.0, le=1.0)] = 1.0
@@ -64,6 +68,8 @@ class ApproachResult(Message):
     grasp: Count
     positions: tuple[float, ...]
     error: float
+    turned: Annotated[float, Field(ge=-math.pi, le=math.pi)] = 0.0
+    """Radians by which the grasp was turned (``ApproachGoal.turn``)."""
     item_in_map: Pose
     """The item's centre frame in which the grasp is told: another of its faces may have been seen since."""
     duration: float

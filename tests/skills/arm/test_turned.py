@@ -74,6 +74,14 @@ def test_a_base_a_little_aside_puts_no_grasp_out_of_reach(cart: Arm) -> None:
     assert not drive(planner.reaches(pre_grasp(None), moment(cart), rng))
 
 
+def test_a_field_has_an_end_to_go_for_and_knows_its_turn(cart: Arm) -> None:
+    planner = MovePlanner(cart, PlannerSettings(), "approach")
+    reached = drive(planner.reach(pre_grasp(TURN), moment(cart)))
+    assert not isinstance(reached, Failure)
+    assert 0.01 < abs(reached.turned) <= TURN.most
+    assert isinstance(drive(planner.reach(pre_grasp(None), moment(cart))), Failure)
+
+
 def test_the_plan_tells_the_turn_and_leads_to_the_turned_pose(cart: Arm) -> None:
     made = plan(cart, pre_grasp(TURN))
     assert isinstance(made, Plan)

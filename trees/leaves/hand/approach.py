@@ -23,10 +23,11 @@ def approach_item(
             item=board.item,
             grasps=tuple(way.tool_in_item for way in board.ways),
             hand_width=board.open_width(context),
+            turn=board.most_turn(context),
         )
 
     def judge(result: ApproachResult) -> Failure | None:
-        board.choose(result.grasp)
+        board.choose(result.grasp, result.turned)
         board.frame = result.item_in_map
         return None
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from tandem.skills.geometry.poses import compose
 from tandem.skills.grasping.hand_grasps import lifted
+from tandem.skills.grasping.turns import to_go_on
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.trees.context import TreeContext
@@ -22,10 +22,11 @@ def lift_item(context: TreeContext, board: HandBoard) -> Move:
     def goal() -> MoveGoal | Failure:
         if board.item_at is None:
             return Failure(kind=FailureKind.INVALID_GOAL, message="nothing was grasped that could be lifted")
-        tool = compose(board.item_at, board.chosen().tool_in_item)
+        tool = board.tool_at(board.item_at)
         return MoveGoal(
             candidates=tuple(Candidate(pose=lifted(tool, away)) for away in AWAYS),
             straight=True,
+            turn=to_go_on(tool),
             touch_item=board.item,
             touch_support=True,
         )

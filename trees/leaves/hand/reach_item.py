@@ -6,8 +6,9 @@ from typing import Final
 
 from tandem.skills.geometry.poses import compose
 from tandem.skills.grasping.hand_grasps import before, lifted
+from tandem.skills.grasping.turns import to_go_on
 from tandem.skills.ports.actions.approach import GOAL_RADIUS
-from tandem.skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
+from tandem.skills.ports.actions.arm import Candidate, MoveGoal, MoveResult, TurnAbout
 from tandem.skills.ports.failure import Failure
 from tandem.trees.context import TreeContext
 from tandem.trees.hand_board import HandBoard
@@ -31,12 +32,13 @@ def reach_item(context: TreeContext, board: HandBoard, what: str = "grasp", *, f
         if isinstance(item, Failure):
             return item
         board.item_at = item
-        tool = compose(item, board.chosen().tool_in_item)
+        tool = board.tool_at(item)
         if board.site_item(context).needs_two:
             tool = before(tool, SHORT)  # the hands close in together
         return MoveGoal(
             candidates=(Candidate(pose=tool),),
             straight=True,
+            turn=to_go_on(tool),
             touch_item=board.item,
             hand_width=board.open_width(context),
             follows_item=board.item if follows else None,
@@ -68,13 +70,14 @@ def plan_before_item(
                 )
                 for tool in tools
             ),
+            turn=TurnAbout(point=item.position, most=board.most_turn(context)),
             touch_item=board.item,
             hand_width=board.open_width(context),
             follows_item=board.item if follows else None,
         )
 
     def judge(result: MoveResult) -> Failure | None:
-        board.choose(result.candidate)
+        board.choose(result.candidate, result.turned)
         return None
 
     return move_hand(what, context, board, goal, judge)

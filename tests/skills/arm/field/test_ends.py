@@ -11,8 +11,8 @@ import pytest
 from tandem.skills.arm.field.ends import FOLD, Ends
 from tandem.skills.arm.field.live import Live
 from tandem.skills.arm.field.target import Target
+from tandem.skills.arm.plan_move import Reached
 from tandem.skills.arm.problem import Arm
-from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.keys import JOINT_STATES
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import Pose
@@ -37,10 +37,10 @@ class Planner:
     def __init__(self, *, goes_on: bool) -> None:
         self.reached, self._goes_on = 0, goes_on
 
-    def reach(self, *_: object) -> Generator[int, None, tuple[int, Array]]:
+    def reach(self, *_: object) -> Generator[int, None, Reached]:
         self.reached += 1
         yield 1
-        return 0, BEFORE_IT
+        return Reached(0, BEFORE_IT)
 
     def goes_on(self, *_: object) -> Generator[int, None, bool]:
         yield 1
