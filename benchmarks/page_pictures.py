@@ -1,9 +1,9 @@
-"""The pictures of the page in the documentation: a fetch in the Demo's room, as a browser shows it.
+"""The picture of the page at work in the documentation: a fetch in the Demo's room, as a browser shows it.
 
 ``python -m benchmarks.page_pictures docs/images`` starts a system with its page, has TIAGo++ fetch item 29,
-and writes ``page-now.png`` while an arm is about to grasp, ``page-task.png`` when the task has ended. It
-needs Chromium and the extra ``dev``. ``page-replay.png`` is left by the tests of the page
-(``TANDEM_PICTURES=FOLDER pytest tests/executive/web/test_replay_views.py``).
+and writes ``page-now.png`` while an arm is about to grasp. It needs Chromium and the extra ``dev``.
+``page-task.png`` (there ``page-moment.png``) and ``page-replay.png`` are left by the tests of the page:
+``TANDEM_PICTURES=FOLDER pytest tests/executive/web/test_replay_views.py``.
 """
 
 from __future__ import annotations
@@ -63,23 +63,19 @@ def system(folder: Path) -> Iterator[tuple[str, str]]:
 
 
 def take(page: Page, endpoint: str, folder: Path) -> None:
-    """Have an item fetched, and take both pictures."""
+    """Have an item fetched, and take the picture."""
     page.goto("/")
     page.wait_for_selector(".canvas[data-robot=loaded]", timeout=1e3 * PATIENCE)
     with Client(endpoint, site=SITE, robot=ROBOT) as client:
-        task = client.submit({"task": "fetch", "item": 29, "to": "depot"})
+        client.submit({"task": "fetch", "item": 29, "to": "depot"})
         page.locator(".node.RUNNING .name", has_text=re.compile(f"^{SHOWS}$")).wait_for(
             timeout=1e3 * PATIENCE
         )
         page.screenshot(path=folder / "page-now.png")
-        client.wait(task, timeout=PATIENCE)
-    page.goto(f"/task/{task}")
-    page.wait_for_selector(".timeline", timeout=1e3 * PATIENCE)
-    page.screenshot(path=folder / "page-task.png")
 
 
 def main() -> int:
-    """Take the pictures."""
+    """Take the picture."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=Path)
     folder: Path = parser.parse_args().folder
