@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from tandem.executive.conformance.clause import Broken, Clause, Skip, Steps
-from tandem.skills.ports.urdf_check import ONE_NUMBER, UrdfError, mimics, parsed
+from tandem.skills.ports.urdf_check import ONE_NUMBER, UrdfError, check_fingers, mimics, parsed
 
 if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
+
     from tandem.executive.conformance.bench import Bench
     from tandem.skills.ports.robot_description import RobotDescription
 
@@ -41,11 +43,20 @@ def _holds_parts(bench: Bench) -> Steps:
             raise Broken(f"joint {joint!r} of the description in the URDF", "no such joint")
         if kinds[joint] not in ONE_NUMBER:
             raise Broken(f"joint {joint!r} to be one of {', '.join(sorted(ONE_NUMBER))}", kinds[joint])
+    _check_joints(robot, root)
+    yield
+
+
+def _check_joints(robot: RobotDescription, root: Element) -> None:
+    """Raise Broken for hands and groups whose joints skills would not take."""
+    try:
+        check_fingers(root, {hand.side: hand.gripper.joints for hand in robot.end_effectors})
+    except UrdfError as error:
+        raise Broken("hands with two fingers that slide", str(error).replace("\n", "; ")) from error
     in_groups = {joint for group in robot.groups for joint in group.joints}
     for follower, mimic in mimics(root).items():
         if both := in_groups & {follower, mimic.source}:
             raise Broken("neither end of a <mimic> in a group", ", ".join(sorted(both)))
-    yield
 
 
 def _frames(robot: RobotDescription) -> list[tuple[str, str]]:

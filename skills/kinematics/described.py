@@ -12,6 +12,7 @@ from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.model import RobotKinematics
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.shapes import solid
+from tandem.skills.ports.urdf_check import check_fingers, parsed
 from tandem.skills.ports.world import PlanningScene
 
 HOME: Final = "home"
@@ -29,7 +30,14 @@ def home_positions(description: RobotDescription) -> Mapping[str, float]:
 
 
 def load_hulls(description: RobotDescription, seed: int = 0) -> RobotHulls:
-    """Return the robot's bodies; takes some 0.2 s. The arms of one process can share them."""
+    """Return the robot's bodies; takes some 0.2 s. The arms of one process can share them.
+
+    Raises:
+        UrdfError: a joint can't be right, or a hand is no parallel gripper.
+    """
+    check_fingers(
+        parsed(description.urdf), {hand.side: hand.gripper.joints for hand in description.end_effectors}
+    )
     robot = RobotKinematics(description.urdf, {group.name: group.joints for group in description.groups})
     home = home_positions(description)
     return RobotHulls(robot, [home] if home else [], np.random.default_rng(seed))

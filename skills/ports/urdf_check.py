@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import xml.etree.ElementTree as ET
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final
@@ -24,6 +24,11 @@ MEASURES: Final[Mapping[str, Mapping[str, int]]] = MappingProxyType(
 )
 """Geometries that all readers know, and how many numbers each of their measures has."""
 INSTEAD: Final[Mapping[str, str]] = MappingProxyType({"capsule": "write it as a cylinder and two spheres"})
+FINGERS: Final = 2
+"""Of a hand that Tandem knows how to grasp with."""
+OTHER_HANDS: Final = (
+    "an arm with another hand is a group without an end effector: its tasks are refused in words"
+)
 KINDS: Final = ONE_NUMBER | SEVERAL_NUMBERS | {"fixed"}
 
 
@@ -63,6 +68,22 @@ def check(root: ET.Element) -> None:
         raise UrdfError("\n".join(found))
 
 
+def check_fingers(root: ET.Element, hands: Mapping[str, Sequence[str]]) -> None:
+    """Raise UrdfError unless each hand, given by its name and fingers, is a parallel gripper.
+
+    The width between the pads is the sum of what two fingers have slid, in metres, and the tool frame lies
+    halfway. A hook, a suction cup or fingers that turn would be planned with wrong bodies.
+    """
+    kinds = {joint.get("name", ""): joint.get("type", "") for joint in root.findall("joint")}
+    wrong = [
+        f"hand {hand!r}: {each}"
+        for hand, fingers in hands.items()
+        for each in _finger_mistakes(fingers, kinds)
+    ]
+    if wrong:
+        raise UrdfError("\n".join((*wrong, OTHER_HANDS)))
+
+
 def mimics(root: ET.Element) -> Mapping[str, Mimic]:
     """Return the joints that follow another one, by name; of a document that was checked."""
     return {
@@ -96,6 +117,16 @@ def _mistakes(root: ET.Element) -> Iterator[str]:
             yield from (f"{who}: {each}" for each in (*_axis(joint), *_limit(joint, kind)))
     yield from _mimic_mistakes(joints)
     yield from _tree_mistakes(joints, known)
+
+
+def _finger_mistakes(fingers: Sequence[str], kinds: Mapping[str, str]) -> Iterator[str]:
+    if len(fingers) != FINGERS:
+        found = ", ".join(map(repr, fingers)) or "none"
+        yield f"expected the joints of two fingers that slide apart, found {found}"
+        return
+    for finger in fingers:
+        if kinds.get(finger) != "prismatic":
+            yield f"expected a prismatic finger, found {finger!r}, which is {kinds.get(finger, 'no joint')}"
 
 
 def _link_mistakes(link: ET.Element) -> Iterator[str]:

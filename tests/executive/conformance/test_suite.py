@@ -8,7 +8,7 @@ from tandem.executive.conformance.clause import State
 from tandem.executive.conformance.suite import SUITE, clause
 from tandem.skills.ports import keys
 from tests.executive.conformance.stands import stand
-from tests.executive.conformance.wrong_drivers import WRONG, Telling
+from tests.executive.conformance.wrong_drivers import WRONG, Answering, Telling, one_finger
 
 LISTENING = frozenset(each.name for each in SUITE if not each.moving and not each.interrupts)
 
@@ -60,6 +60,13 @@ def test_a_base_that_obeys_without_a_lease_is_found_though_it_answers_nothing() 
     with stand("RocsP3dx", driver) as robot:
         (found,) = robot.check([clause("no_lease_refused")])
     assert found.state is State.FAILED, found
+
+
+def test_a_hand_with_one_finger_is_found() -> None:
+    with stand("Bench", Answering(keys.DESCRIPTION.key, one_finger)) as robot:
+        (found,) = robot.check([clause("urdf_holds_parts")])
+    assert found.state is State.FAILED, found
+    assert found.expected == "hands with two fingers that slide"
 
 
 def test_each_clause_has_a_wrong_driver() -> None:

@@ -199,6 +199,12 @@ def blind(description: Document) -> Document:
     return description | {"cameras": [each | {"frame": "nowhere"} for each in description["cameras"]]}
 
 
+def one_finger(description: Document) -> Document:
+    (hand,) = description["end_effectors"]
+    gripper = hand["gripper"] | {"joints": hand["gripper"]["joints"][:1]}
+    return description | {"end_effectors": [hand | {"gripper": gripper}]}
+
+
 def of_first_epoch(answer: Document) -> Document:
     return answer | {"lease": answer["lease"] | {"epoch": 1}}
 

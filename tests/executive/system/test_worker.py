@@ -7,6 +7,7 @@ import pytest
 from tandem.executive.config.process_settings import REFUSED, RefusalError
 from tandem.executive.system.worker import ended
 from tandem.skills.ports.sources import DocumentError
+from tandem.skills.ports.urdf_check import UrdfError
 
 
 @pytest.mark.parametrize(
@@ -14,6 +15,7 @@ from tandem.skills.ports.sources import DocumentError
     [
         (RefusalError("another one has the role"), REFUSED, False),
         (DocumentError("lab.yaml: reflexes.0: no reflex 'avoyd'"), 1, False),
+        (UrdfError("joint 'elbow': a revolute joint needs a <limit>"), 1, False),
         (RuntimeError("a mistake of ours"), 1, True),
     ],
     ids=lambda value: type(value).__name__,

@@ -14,9 +14,10 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
+from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.model import RobotKinematics
 from tandem.skills.ports.robot_description import JointGroup, JointLimit
-from tandem.skills.ports.urdf_check import UrdfError, parsed
+from tandem.skills.ports.urdf_check import UrdfError, check_fingers, parsed
 from tests.fakes.arm_rig import panda
 
 ARM = ("shoulder", "elbow")
@@ -194,3 +195,29 @@ def test_a_shape_that_no_reader_knows_is_refused_with_its_link(shapes: str, erro
 def test_a_primitive_shape_is_taken(shape: str) -> None:
     link = f'<link name="tip"><collision><geometry>{shape}</geometry></collision></link>'
     assert parsed(f'<robot name="odd">{link}</robot>').find("link") is not None
+
+
+@pytest.mark.parametrize(
+    ("fingers", "said"),
+    [
+        ((), "expected the joints of two fingers that slide apart, found none"),
+        (("finger_joint",), "expected the joints of two fingers that slide apart, found 'finger_joint'"),
+        (("elbow", "finger_joint"), "expected a prismatic finger, found 'elbow', which is revolute"),
+        (("finger_joint", "suction"), "expected a prismatic finger, found 'suction', which is no joint"),
+    ],
+)
+def test_a_hand_that_is_no_parallel_gripper_is_refused(fingers: tuple[str, ...], said: str) -> None:
+    with pytest.raises(UrdfError) as caught:
+        check_fingers(parsed(armed("fixed", *FINGERS)), {"single": fingers})
+    assert str(caught.value).startswith(f"hand 'single': {said}\nan arm with another hand is a group without")
+
+
+def test_a_finger_that_mimics_the_other_is_named_too() -> None:
+    check_fingers(parsed(armed("fixed", *FINGERS)), {"single": ("finger_joint", "thumb_joint")})
+
+
+def test_skills_refuse_a_robot_with_a_suction_cup() -> None:
+    gripper = panda().end_effectors[0].gripper.model_copy(update={"joints": ()})
+    hand = panda().end_effectors[0].model_copy(update={"gripper": gripper})
+    with pytest.raises(UrdfError, match=r"^hand '\w+': expected the joints of two fingers"):
+        load_hulls(panda().model_copy(update={"end_effectors": (hand,)}))
