@@ -1,4 +1,7 @@
-"""How a command says that it can't: one exception with words for the user and an exit code."""
+"""How a command says that it can't: one exception with words for the user and an exit code.
+
+``main`` writes the words to standard error, so that standard output holds only what was asked for.
+"""
 
 from __future__ import annotations
 
