@@ -16,7 +16,7 @@ from benchmarks.processes import PREFIX, running
 from benchmarks.rows import Row
 from tandem.skills.ports.bus import Pending
 from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, TASK_INFO, TASK_LIST, AskTasks
-from tandem.skills.wire.pulse import BEAT
+from tandem.skills.wire.beats import key_of
 from tandem.skills.wire.zenoh_bus import ZenohBus, wait_until
 
 TASKS: Final = 990
@@ -62,7 +62,7 @@ def _queued(bus: ZenohBus) -> int:
 
 def _gap(bus: ZenohBus, trouble: Callable[[], bool], seconds: float) -> float:
     """Return the longest time between two beats, from before the trouble until some time after it."""
-    beats = bus.subscribe(BEAT)
+    beats = bus.subscribe(key_of("executive"))
     last, longest, over, done = time.monotonic(), 0.0, time.monotonic() + seconds, False
     while not done or time.monotonic() < over:
         if not done and trouble():

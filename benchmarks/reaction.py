@@ -214,6 +214,10 @@ class Spy:
         """As the bus."""
         return self.bus.awake()
 
+    def goes_on(self, name: str) -> bool:
+        """As the bus."""
+        return self.bus.goes_on(name)
+
     def lease(self) -> Lease | None:
         """Return the lease of this process's role."""
         return self.bus.lease()

@@ -166,8 +166,8 @@ class GroupPart:
         """Follow the goal, the stream, or hold."""
         controller = self.servos.controller
         if controller.keeper:
-            awake, alive = self._bus.awake(), self._bus.alive()
-            controller.keep(awake=controller.keeper in awake, gone=controller.keeper not in alive)
+            awake, gone = self._bus.goes_on(controller.keeper), controller.keeper not in self._bus.alive()
+            controller.keep(awake=awake, gone=gone)
         self.servos.advance(period, self._body.read(self._group.joints))
         for limit in self._group.limits:
             if limit.joint in self.stalled:

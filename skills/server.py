@@ -280,7 +280,7 @@ class ActionServer(Generic[G, F, R]):
         if current is None or not current.client:
             return
         now = self._clocks.monotonic()
-        self._stand_by(current, awake=current.client in self._bus.awake())
+        self._stand_by(current, awake=self._bus.goes_on(current.client))
         if current.client in self._bus.alive():
             current.client_gone_since = None
         elif current.client_gone_since is None:

@@ -346,7 +346,7 @@ class ActionClient(Generic[G, F, R]):
 
     def awake(self) -> bool:
         """Whether that server's process goes on."""
-        return f"skill/{self.action.name}" in self.bus.awake()
+        return self.bus.goes_on(f"skill/{self.action.name}")
 
     def close(self) -> None:
         """End the subscription."""

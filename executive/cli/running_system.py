@@ -124,6 +124,8 @@ def run_up(options: RunOptions, births: Births | None = None) -> ExitCode:
             console.print("press Ctrl-C to stop")
             tasks = _task_lines(system, robots, console)
             if options.report is None:
+                if isinstance(system, ProcessSystem):
+                    system.ignore_clocks()
                 while True:  # nothing is recorded that nobody asked for: weeks of it fill the memory
                     system.advance()
                     for each in tasks:

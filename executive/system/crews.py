@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Final
 
 from tandem.executive.config.run_options import RunOptions, default_data
-from tandem.executive.system.hung_processes import Hung
+from tandem.executive.system.hung_processes import SELDOM_SILENT, Hung
 from tandem.executive.system.roles.observer import NAME as OBSERVER
 from tandem.executive.system.roles.recorder import NAME as RECORDER
 from tandem.executive.system.roles.registry import names
@@ -128,7 +128,7 @@ def crews_of(
     shared = gathered if options.processes == "few" else tuple[str, ...]
     if not scenario.robots_on_the_bus:
         needed = shared(chosen or roles_of(scenario, options.left_out))
-        hung = Hung(time.monotonic, hung_after)
+        hung = Hung(time.monotonic, max(0.0, hung_after - SELDOM_SILENT))
         return (Crew("", options.bus.prefix, needed + recorded + observed + page, options.data, hung),)
     found: list[Crew] = []
     for name in scenario.robots_on_the_bus:
@@ -136,6 +136,6 @@ def crews_of(
         needed += recorded + observed
         own = needed + page if not found else tuple(role for role in needed if role not in ONCE)
         data = data_of(options, name)
-        hung = Hung(time.monotonic, hung_after)
+        hung = Hung(time.monotonic, max(0.0, hung_after - SELDOM_SILENT))
         found.append(Crew(name, f"{options.bus.site}/{name}", own, data, hung))
     return tuple(found)

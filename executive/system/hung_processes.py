@@ -8,6 +8,9 @@ from typing import Final
 
 HUNG_AFTER: Final = 10.0
 """Host seconds without a beat after which a process is killed: far beyond what a loop computes in a turn."""
+SELDOM_SILENT: Final = 1.3
+"""Host seconds without a beat after which a process is silent to a supervisor, which hears beats twice a
+second: two of them may be lost or late. It counts towards ``HUNG_AFTER``."""
 STALLED: Final = 0.5
 """Host seconds between two looks from which on it is the looker who stood: nobody is blamed for that time."""
 
@@ -18,11 +21,11 @@ class Hung:
 
     Args:
         monotonic: the host's monotonic clock, in seconds.
-        after: see ``HUNG_AFTER``.
+        after: host seconds for which a process must be silent.
     """
 
     monotonic: Callable[[], float]
-    after: float = HUNG_AFTER
+    after: float = HUNG_AFTER - SELDOM_SILENT
     _silent_for: dict[str, float] = field(default_factory=dict)
     _looked_at: float = float("-inf")
 

@@ -14,7 +14,9 @@ from tandem.skills.wire.lease_holder import LeaseHolder, Leasing
 from tandem.skills.wire.loop import run
 
 
-def run_leased(stage: Stage, build: Callable[[Bus, Clocks], Node], *, calm: bool = False) -> None:
+def run_leased(
+    stage: Stage, build: Callable[[Bus, Clocks], Node], *, calm: Callable[[], bool] = lambda: False
+) -> None:
     """Settle the lease, build the node, and step it until the process is told to end.
 
     ``calm``: see ``loop.run``.

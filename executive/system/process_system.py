@@ -18,7 +18,7 @@ from tandem.executive.security.identity import Identity
 from tandem.executive.system.births import Births
 from tandem.executive.system.crews import Crew, crews_of
 from tandem.executive.system.free_endpoint import EndpointError, TakenError, require_vacant
-from tandem.executive.system.hung_processes import HUNG_AFTER
+from tandem.executive.system.hung_processes import HUNG_AFTER, SELDOM_SILENT
 from tandem.executive.system.processes import RESTARTED, Death, Supervisor
 from tandem.executive.system.roles.observer import NAME as OBSERVER
 from tandem.executive.system.roles.recorder import NAME as RECORDER
@@ -114,6 +114,13 @@ class ProcessSystem:
         """Robot time as heard, once started."""
         assert self._main.clocks is not None, "start it first"
         return self._main.clocks
+
+    def ignore_clocks(self) -> None:
+        """Hear no robot's clock from now on: who only watches processes need not wake for each tick."""
+        for crew in self._crews:
+            if crew.clocks is not None:
+                crew.clocks.close()
+                crew.clocks = None
 
     def of(self, robot: str) -> RobotSystem:
         """Return the same system as one of several robots has it.
@@ -274,7 +281,15 @@ class ProcessSystem:
             None if bus.keys is None else Identity(bus.keys, crew.holder(self._options)).part("supervisor")
         )
         waker = None if self._main.bus is None else self._main.bus.waker
-        opened = ZenohBus(bus.endpoint, crew.prefix, patience=patience, waker=waker, credentials=shown)
+        opened = ZenohBus(
+            bus.endpoint,
+            crew.prefix,
+            patience=patience,
+            waker=waker,
+            credentials=shown,
+            silent_after=SELDOM_SILENT,
+            seldom=True,
+        )
         opened.waker.calm = CALM
         return opened
 

@@ -48,6 +48,8 @@ def play_skills(stage: Stage, role: Role) -> None:
     try:
         description = _ask_description(stage.bus, stage.stopped)
 
+        live: list[OneBoot] = []
+
         def skills(bus: Bus, clocks: Clocks) -> Node:
             def build(bus: Bus, description: RobotDescription) -> Sequence[Node]:
                 at = Surroundings(
@@ -67,11 +69,19 @@ def play_skills(stage: Stage, role: Role) -> None:
                 _keep_goals(settings, nodes)
                 return nodes
 
-            return OneBoot(settings.role, bus, clocks, build, description)
+            live.append(OneBoot(settings.role, bus, clocks, build, description))
+            return live[0]
 
-        run_leased(stage, skills, calm=role.calm)
+        run_leased(stage, skills, calm=lambda: calm_now(role, live[0].nodes))
     finally:
         compute.close()
+
+
+def calm_now(role: Role, nodes: Sequence[Node]) -> bool:
+    """Say whether these nodes move nothing now."""
+    if role.calm == "between goals":
+        return not any(isinstance(node, ActionServer) and node.busy for node in nodes)
+    return role.calm == "always"
 
 
 def _keep_goals(settings: WorkerSettings, nodes: Sequence[Node]) -> None:

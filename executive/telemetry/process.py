@@ -32,7 +32,7 @@ def observe(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool]
             records.append(_metrics(settings.metrics, open_until_the_end))
         if settings.traces:
             records.append(_traces(settings.traces, settings.prefix, clocks))
-        run("observer", bus, clocks, [Observer(bus, clocks, records)], stopped, calm=True)
+        run("observer", bus, clocks, [Observer(bus, clocks, records)], stopped, calm=lambda: True)
 
 
 def _metrics(address: str, until: ExitStack) -> Record:

@@ -186,6 +186,10 @@ class Bus(Protocol):
         """Return those of them whose process goes on; one that hangs is missed within half a second."""
         ...
 
+    def goes_on(self, name: str) -> bool:
+        """Say whether one name is among those. Who asks after few names need not hear of all the others."""
+        ...
+
     def lease(self) -> Lease | None:
         """Return the lease of this process's role; its commands carry it. None while it holds none."""
         ...

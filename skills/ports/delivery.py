@@ -27,7 +27,7 @@ PACED: Final = (
     "hw/cliffs",
     "world/robot",
     "world/robots/*",
-    "beat",
+    "beat/**",
 )
 """What is told steadily: it wakes nobody. The clock does, which comes after it or in the next tick."""
 PASSING: Final = ("task/*/status",)
@@ -56,7 +56,7 @@ class Delivery(StrEnum):
 
 DELIVERY: Final[tuple[tuple[str, Delivery], ...]] = (
     ("hw/camera/*/rgbd", Delivery.BULK),
-    ("beat", Delivery.CONTROL),
+    ("beat/**", Delivery.CONTROL),
     ("refused", Delivery.STATE),
     ("hw/clock", Delivery.CONTROL),
     ("hw/joints/state", Delivery.CONTROL),

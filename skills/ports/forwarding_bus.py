@@ -55,6 +55,10 @@ class ForwardingBus:
         """Return those of them whose process goes on."""
         return self._inner.awake()
 
+    def goes_on(self, name: str) -> bool:
+        """Say whether one name is among those."""
+        return self._inner.goes_on(name)
+
     def lease(self) -> Lease | None:
         """Return the lease of this process's role."""
         return self._inner.lease()

@@ -34,7 +34,8 @@ class _Mortal:
         self._bus, self._dead, self.ear = bus, False, bus.ear
         self.subscribe, self.serve, self.query = bus.subscribe, bus.serve, bus.query
         self.listened, self.announce = bus.listened, bus.announce
-        self.alive, self.awake, self.lease = bus.alive, bus.awake, bus.lease
+        self.alive, self.awake, self.goes_on = bus.alive, bus.awake, bus.goes_on
+        self.lease = bus.lease
 
     def publish(self, key: str, payload: bytes) -> None:
         """Send, unless it is dead."""

@@ -3,6 +3,6 @@
 zenoh: zenoh_bus, foreign_session, zenoh_ends, subscriptions, direct, threads, configs, credentials,
 endpoints, linger, keyed_queue, kept.
 In memory: memory.
-A process: loop, clocks, workers, forked_worker, waking, pulse.
+A process: loop, clocks, workers, forked_worker, waking, pulse, beats.
 One of each role: presence, lease_holder.
 """

@@ -26,6 +26,10 @@ class ProcessClocks:
             self._timer.read(now)
         return ticks
 
+    def close(self) -> None:
+        """Hear the hardware's clock no longer."""
+        self._clock.close()
+
     def robot(self) -> RobotTime | None:
         """Return the hardware's last time, or None before it was heard."""
         return None if self._clock.value is None else self._clock.value.stamp

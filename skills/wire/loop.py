@@ -48,12 +48,12 @@ def run(
     nodes: Sequence[Node],
     stopped: Callable[[], bool],
     *,
-    calm: bool = False,
+    calm: Callable[[], bool] = lambda: False,
 ) -> None:
     """Step the nodes until ``stopped`` says so, then close them.
 
-    ``calm``: no node moves anything, so that only some ticks of the clock need wake them. Hardware that waits
-    for its followers is followed in each.
+    ``calm``: says whether no node moves anything, so that only some ticks of the clock need wake them. Asked
+    after each turn. Hardware that waits for its followers is followed in each.
     """
     # What was made until now lives as long as the process. Unfrozen, the collector looks through all of it
     # now and then, for 20 ms and more, between a message and its answer.
@@ -61,19 +61,20 @@ def run(
     gc.freeze()
     bus.announce(f"{FOLLOWS}{name}")
     bus.announce(f"process/{name}")
-    more = False
+    more = waits = False
     try:
         while not stopped():
             if not more:
                 bus.waker.wait(IDLE_WAIT)
             bus.beat()
             ticks = clocks.refresh()
-            if ticks and calm:
-                bus.waker.calm = 0.0 if ticks[-1].waits else CALM
+            if ticks:
+                waits = ticks[-1].waits
             more = False
             for node in nodes:
                 more = node.step() or more
-            if ticks and ticks[-1].waits:
+            bus.waker.calm = 0.0 if waits or not calm() else CALM
+            if ticks and waits:
                 FOLLOW.publish(bus, Followed(follower=name, tick=ticks[-1].tick))
     finally:
         for node in reversed(nodes):

@@ -260,6 +260,10 @@ class MemoryBus:
         """Return the same: in one thread nobody hangs alone."""
         return self.alive()
 
+    def goes_on(self, name: str) -> bool:
+        """Say whether one name is among those."""
+        return name in self.awake()
+
     def lease(self) -> Lease | None:
         """Return the lease of this process's role."""
         return self.held

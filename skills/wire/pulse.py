@@ -1,4 +1,4 @@
-"""Who goes on: each process's loop tells "beat" with the names that it is announced as, ten times a second.
+"""Who goes on: each process's loop beats (``beats``) ten times a second, with the names that it announces.
 
 zenoh notices a process that hangs, or a cable that is cut, after ten seconds. A hand would be far by then.
 """
@@ -8,8 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Final
 
-BEAT: Final = "beat"
-"""The key; its payload is a line for each name."""
 BEAT_PERIOD: Final = 0.1
 """Host seconds between two beats."""
 EARLY: Final = 0.03

@@ -18,12 +18,13 @@ from tandem.skills.ports.hearing import Ear
 from tandem.skills.ports.lease import Lease
 from tandem.skills.ports.message import MAX_REQUEST_BYTES
 from tandem.skills.ports.refusals import REFUSALS, RefusalTeller
+from tandem.skills.wire.beats import SELDOM, SELDOM_EVERY, Beats, key_of
 from tandem.skills.wire.configs import client_config
 from tandem.skills.wire.credentials import Credentials
 from tandem.skills.wire.direct import direct
 from tandem.skills.wire.kept import AT_ONCE, Kept
 from tandem.skills.wire.keyed_queue import KeyedQueue
-from tandem.skills.wire.pulse import BEAT, SILENT_AFTER, Pulse
+from tandem.skills.wire.pulse import SILENT_AFTER, Pulse
 from tandem.skills.wire.subscriptions import Subscriptions
 from tandem.skills.wire.zenoh_ends import Waker, ZenohDesk, ZenohPending, ZenohRequest
 
@@ -97,6 +98,7 @@ class ZenohBus:
         credentials: for a router that speaks TLS.
         silent_after: host seconds without a beat after which a process is said not to go on.
         pictures: see ``configs.client_config``.
+        seldom: hear who goes on twice a second instead of ten times; for a ``silent_after`` of some seconds.
 
     Raises:
         BusError: when it does not.
@@ -112,6 +114,7 @@ class ZenohBus:
         credentials: Credentials | None = None,
         silent_after: float = SILENT_AFTER,
         pictures: bool = False,
+        seldom: bool = False,
     ) -> None:
         self.waker = waker or Waker()
         self.ear = Ear(time.monotonic)
@@ -131,7 +134,8 @@ class ZenohBus:
         self.held: Lease | None = None
         """This process's lease, once it is granted."""
         self._pulse = Pulse(time.monotonic, silent_after)
-        self._beats: zenoh.Subscriber[None] | None = None
+        self._beats = Beats(self._session, prefix, self._pulse, seldom=seldom)
+        self._beaten = 0
         self._liveliness = self._session.liveliness().declare_subscriber(
             f"{prefix}/alive/**", direct(self._on_liveliness), history=True
         )
@@ -210,7 +214,7 @@ class ZenohBus:
     def beat(self) -> None:
         """Show that this process goes on, and tell what it refused; called once a turn by its loop alone."""
         if self._pulse.turn():
-            self._publisher(BEAT, Delivery.CONTROL).put("\n".join(self._own))
+            self._beat()
             refused = self._refusals.due(_process(self._own), time.monotonic())
             if refused is not None:
                 REFUSALS.publish(self, refused)
@@ -224,10 +228,15 @@ class ZenohBus:
 
     def awake(self) -> frozenset[str]:
         """Return those of them whose process goes on."""
-        if self._beats is None:  # most processes never ask, and need not hear all others ten times a second
-            self._pulse.listen()
-            self._beats = self._session.declare_subscriber(f"{self._prefix}/{BEAT}", direct(self._on_beat))
+        self._beats.hear_all()
         return self._pulse.awake(self.alive())
+
+    def goes_on(self, name: str) -> bool:
+        """Say whether a name is announced and its process goes on: of the others nothing need be heard."""
+        if name not in self._names:
+            return False
+        self._beats.hear(name)
+        return bool(self._pulse.awake((name,)))
 
     def lease(self) -> Lease | None:
         """Return what this process holds."""
@@ -307,11 +316,17 @@ class ZenohBus:
         else:
             self._names.pop(name, None)
             self._pulse.forget(name)
+            self._beats.forget(name)
         self.waker.wake()
 
-    def _on_beat(self, sample: zenoh.Sample) -> None:
-        # Wakes nobody: who asks for it looks every turn.
-        self._pulse.hear(sample.payload.to_string().split("\n"))
+    def _beat(self) -> None:
+        if not self._own:
+            return  # nobody asks after a process without a name
+        key, names = key_of(_process(self._own)), "\n".join(self._own)
+        self._publisher(key, Delivery.CONTROL).put(names)
+        if self._beaten % SELDOM_EVERY == 0:
+            self._publisher(f"{key}/{SELDOM}", Delivery.CONTROL).put(names)
+        self._beaten += 1
 
 
 @dataclass(frozen=True)

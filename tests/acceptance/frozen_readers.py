@@ -110,7 +110,7 @@ def main(words: Sequence[str]) -> int:
         client(endpoint) as session,
         readers(endpoint, "**", count) as still,
     ):
-        listening = session.declare_subscriber(f"{PREFIX}/beat", beats)
+        listening = session.declare_subscriber(f"{PREFIX}/beat/*", beats)
         until(lambda: len(beats.last) > 1, 10.0)
         for reader in still:
             reader.freeze()

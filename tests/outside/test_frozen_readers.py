@@ -51,7 +51,9 @@ def test_the_robot_goes_on_while_its_readers_stand_still(tmp_path: Path) -> None
         readers(endpoint, "**", 2) as everything,
         readers(endpoint, f"{PREFIX}/hw/camera/head/rgbd", 1) as pictures,
     ):
-        heard = {key: Gaps(session, f"{PREFIX}/{key}") for key in ("hw/clock", "hw/joints/state", "beat")}
+        heard = {
+            key: Gaps(session, f"{PREFIX}/{key}") for key in ("hw/clock", "hw/joints/state", "beat/hardware")
+        }
         seen = Gaps(session, f"{PREFIX}/hw/camera/head/rgbd")
         until(lambda: seen.count > 1, 30.0)
         for reader in (*everything, *pictures):

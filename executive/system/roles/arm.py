@@ -40,6 +40,7 @@ def _role(side: HandName) -> Role:
         kind="skills",
         extra=SKILLS,
         nodes=partial(_nodes, side),
+        calm="between goals",  # the watch over the hand tells what it sees 50 ms later, at the most
         rights=skill_rights(
             tells=("hw/group/*/setpoint",),
             asks=("hw/group/*/goal", "hw/group/*/cancel", "hw/gripper/*/command"),

@@ -121,7 +121,7 @@ def _play(stage: Stage) -> None:
     def service(bus: Bus, clocks: Clocks) -> Node:
         return service_node(stage, bus, clocks, ledger_of(stage.settings))
 
-    run_leased(stage, service, calm=True)
+    run_leased(stage, service, calm=lambda: True)
 
 
 def _load_ahead() -> None:
@@ -134,8 +134,8 @@ def _load_ahead() -> None:
 
 RIGHTS: Final = process_rights(
     Rights(
-        tells=("task/**", "tree/**", "site/**", "sim/follow", "beat", "refused"),
-        hears=("hw/**", "world/**", "skill/**", "task/**", "beat"),
+        tells=("task/**", "tree/**", "site/**", "sim/follow", "beat/**", "refused"),
+        hears=("hw/**", "world/**", "skill/**", "task/**", "beat/**"),
         # Of the hardware it may ask who it is, and set the stop; it can't release it.
         asks=("hw/description", "hw/lease", "hw/stop", "skill/**", "world/**"),
         serves=("task/**", "tree/**", "site/**"),

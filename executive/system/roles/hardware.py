@@ -98,8 +98,8 @@ ROLES = (
         play=_play,
         rights=process_rights(
             Rights(
-                tells=("hw/**", "sim/faults", "beat", "refused"),
-                hears=("hw/**", "sim/**", "beat"),
+                tells=("hw/**", "sim/faults", "beat/**", "refused"),
+                hears=("hw/**", "sim/**", "beat/**"),
                 serves=("hw/**", "sim/**"),
             )
         ),

@@ -20,7 +20,7 @@ ROLES = (
         starts=20,
         kind="skills",
         nodes=_nodes,
-        calm=True,
+        calm="always",
         rights=skill_rights(tells=("world/**",)),
     ),
 )

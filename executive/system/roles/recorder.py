@@ -17,8 +17,8 @@ def _play(stage: Stage) -> None:
 NAME: Final = "recorder"
 RIGHTS: Final = process_rights(
     Rights(
-        tells=("task/recording", "beat", "refused"),
-        hears=("hw/**", "world/**", "skill/**", "task/**", "tree/**", "beat", "refused"),
+        tells=("task/recording", "beat/**", "refused"),
+        hears=("hw/**", "world/**", "skill/**", "task/**", "tree/**", "beat/**", "refused"),
         asks=("hw/description", "task/site", "task/info", "task/kinds", "task/timeline"),
         serves=("task/records",),
     )

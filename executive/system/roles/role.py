@@ -30,6 +30,7 @@ Kind = Literal["router", "hardware", "skills", "executive", "observer", "recorde
 """Whose certificate a role shows, where keys are used: an observer that of the skills, a recorder that of the
 supervisor, which hears everything too."""
 
+Calm = Literal["never", "between goals", "always"]
 Worker = Literal["spawned", "forked", "once"]
 """A worker process beside a process of skills. ``spawned``: with the first work, which hardly ever comes.
 ``forked``: there from the start, for work that comes again and again. ``once``: forked, too, and ended when
@@ -105,8 +106,8 @@ class Role:
     """The router's: it plays before there is a bus."""
     pictures: bool = False
     """Whether it tells or hears camera pictures: on one host they go through shared memory."""
-    calm: bool = False
-    """Skills: whether they move nothing themselves, so that not each tick of the clock need wake them."""
+    calm: Calm = "never"
+    """Skills: when they move nothing themselves, so that not each tick of the clock need wake them."""
     on_request: bool = False
     """Whether it is started only when somebody asks for it."""
     ahead: Callable[[], None] | None = None
@@ -135,8 +136,8 @@ class Family:
 
 _EVERY_PROCESS: Final = Rights(announces=("alive/**", "claim/**"), sees=("alive/**", "claim/**"))
 _EVERY_SKILL: Final = Rights(
-    tells=("skill/**", "sim/follow", "beat", "refused"),
-    hears=("hw/**", "world/**", "skill/**", "beat", "refused"),
+    tells=("skill/**", "sim/follow", "beat/**", "refused"),
+    hears=("hw/**", "world/**", "skill/**", "beat/**", "refused"),
     asks=("hw/description", "hw/lease", "hw/stop"),  # no skill calls another
     serves=("skill/**",),
     hears_site=("world/robots/*",),

@@ -86,8 +86,8 @@ ROLES = (
         on_request=True,
         rights=process_rights(
             Rights(
-                tells=("hw/**", "beat", "refused"),
-                hears=("hw/**", "beat"),
+                tells=("hw/**", "beat/**", "refused"),
+                hears=("hw/**", "beat/**"),
                 serves=("hw/**",),
             )
         ),

@@ -38,7 +38,7 @@ PUTS = [
     ("hw/group/arm_left/setpoint", "hardware", {"hardware", "skills"}),
     ("sim/follow", "hardware", {"skills", "executive"}),
     ("sim/faults", "supervisor", {"hardware"}),
-    ("beat", "skills", {*ROBOT, "supervisor"}),
+    ("beat/base", "skills", {*ROBOT, "supervisor"}),
 ]
 QUERIES = [
     # key, who answers there, who may ask there

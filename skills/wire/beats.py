@@ -1,0 +1,92 @@
+"""The beats that a process hears: of all processes, or of those alone that play the names it asks after.
+
+A beat comes by itself, so that each wakes the thread that receives: with nine processes 90 times a second, in
+everybody who has once run somebody's goal and wants to know whether that one goes on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+import zenoh
+
+from tandem.skills.wire.direct import direct
+from tandem.skills.wire.pulse import Pulse
+
+BEAT: Final = "beat"
+"""``beat/<process>``; the payload is a line for each name of the process."""
+SELDOM: Final = "seldom"
+"""``beat/<process>/seldom``: the same, every ``SELDOM_EVERY``-th time."""
+SELDOM_EVERY: Final = 5
+"""Beats from one that is told there, too, to the next: half a second, for who waits ten until it acts."""
+
+
+def key_of(process: str) -> str:
+    """Return the key of a process's beats; its name may have several parts."""
+    return f"{BEAT}/{process.replace('/', '_')}"
+
+
+class Beats:
+    """Call it from the loop's thread.
+
+    Args:
+        session: it ends with its owner.
+        prefix: put before every key.
+        pulse: notes what is heard.
+        seldom: hear all processes, but twice a second only.
+    """
+
+    def __init__(self, session: zenoh.Session, prefix: str, pulse: Pulse, *, seldom: bool = False) -> None:
+        self._session, self._prefix, self._pulse = session, prefix, pulse
+        self._every = f"{prefix}/{BEAT}/*" + (f"/{SELDOM}" if seldom else "")
+        self._heard: dict[str, zenoh.Subscriber[None]] = {}
+        self._stays = seldom
+        """Whether all are heard for good."""
+        self._found: dict[str, str] = {}
+        """The key of the process that last beat under a name."""
+        self._sought: frozenset[str] = frozenset()
+
+    def hear_all(self) -> None:
+        """Hear all processes from now on."""
+        self._stays = True
+        self._hear(self._every)
+
+    def hear(self, name: str) -> None:
+        """Hear the process that plays a name; until it has beaten, all, as one of them is it."""
+        if self._stays:
+            self._hear(self._every)
+            return
+        key = self._found.get(name)
+        if key is None:
+            self._sought |= {name}
+            self._hear(self._every)
+            return
+        self._hear(key, afresh=False)  # before all others are no longer heard: nothing is missed
+        if self._every in self._heard and not self._sought - self._found.keys():
+            for each in self._sought:
+                self._hear(self._found.get(each, key), afresh=False)
+            self._sought = frozenset()
+            self._heard.pop(self._every).undeclare()  # type: ignore[no-untyped-call]
+
+    def forget(self, name: str) -> None:
+        """Forget a name that is no longer announced: another process may take it. From any thread."""
+        self._found.pop(name, None)
+        self._sought -= {name}
+
+    def _hear(self, expression: str, *, afresh: bool = True) -> None:
+        """Subscribe, unless it is; ``afresh``: who was not heard until now is not silent."""
+        if expression not in self._heard:
+            if afresh:
+                self._pulse.listen()
+            take: Callable[[zenoh.Sample], None] = self._take
+            self._heard[expression] = self._session.declare_subscriber(expression, direct(take))
+
+    def _take(self, sample: zenoh.Sample) -> None:
+        # Wakes nobody: who asks for it looks every turn.
+        names = sample.payload.to_string().split("\n")
+        self._pulse.hear(names)
+        if not self._stays:
+            key = str(sample.key_expr)
+            for name in names:
+                self._found[name] = key
