@@ -1,12 +1,13 @@
 // A running tree as an outline that opens where it runs or fails.
 import type { ComponentChildren } from "preact";
-import { useMemo, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { ask } from "./api";
 import { count, rows, type Row } from "./outline";
 import { ended, useLive, type Gates, type NodeState } from "./state";
 import { act, may } from "./acting";
 import type { NodeStatus, TreeSnapshot } from "./types";
 import { KIND_SIGNS, KIND_WORDS, SIGNS, STATUS_WORDS } from "./words";
+import { type List, useWheel, useZoom, ZoomButtons, zoomKeys } from "./zoom";
 
 export function LiveTree({ failed }: { failed: boolean }) {
   const tree = useLive((live) => live.tree);
@@ -40,7 +41,14 @@ export function Tree({ tree, nodes, kept, gates, failed, at: offers }: Given) {
   const shown = rows(tree.root, { nodes, kept, chosen, search, all, failed });
   const set = gatesByRow(gates, shown.map((row) => row.node.path));
   const total = useMemo(() => count(tree.root), [tree]);
-  const flip = (row: Row, open = !row.open) => row.more && choose({ ...chosen, [row.node.path]: open });
+  const zoom = useZoom(list);
+  const wheel = useWheel(zoom);
+  const [follows, follow] = useFollow(list, shown);
+  const flip = (row: Row, open = !row.open) => {
+    if (!row.more) return;
+    follow(false);
+    choose({ ...chosen, [row.node.path]: open });
+  };
   const focus = (index: number) => {
     const row = shown[Math.max(0, Math.min(shown.length - 1, index))];
     if (!row) return;
@@ -59,8 +67,9 @@ export function Tree({ tree, nodes, kept, gates, failed, at: offers }: Given) {
       ArrowLeft: () => (row.open ? flip(row, false) : focus(shown.findLastIndex((each, i) => i < index && each.depth < row.depth))),
       Enter: () => flip(row),
       " ": () => flip(row),
+      ...zoomKeys(zoom),
     };
-    const step = steps[event.key];
+    const step = event.ctrlKey || event.metaKey || event.altKey ? undefined : steps[event.key];
     if (!step) return;
     event.preventDefault();
     step();
@@ -75,9 +84,10 @@ export function Tree({ tree, nodes, kept, gates, failed, at: offers }: Given) {
         <label class="check">
           <input type="checkbox" checked={all} onChange={(event) => showAll(event.currentTarget.checked)} /> all {total} nodes
         </label>
-        {Object.keys(chosen).length > 0 && <button onClick={() => choose({})}>Follow</button>}
+        <button class="small" aria-pressed={follows} title="Open the tree where it runs, and scroll there" onClick={() => { choose({}); follow(!follows); }}>Follow</button>
+        <ZoomButtons zoom={zoom} />
       </div>
-      <ul role="tree" aria-label={`Tree of ${tree.task || tree.kind}`} ref={list}>
+      <ul role="tree" aria-label={`Tree of ${tree.task || tree.kind}`} ref={list} style={{ zoom: String(zoom.percent / 100) }} onWheel={wheel}>
         {shown.map((row, index) => (
           <li
             key={row.node.path} role="treeitem" aria-level={row.depth + 1} aria-expanded={row.more ? row.open : undefined}
@@ -99,6 +109,21 @@ export function Tree({ tree, nodes, kept, gates, failed, at: offers }: Given) {
       </ul>
     </div>
   );
+}
+
+// Scrolls to the node that began to run last, until the viewer opens or closes one or ends it.
+function useFollow(list: List, shown: Row[]): [boolean, (on: boolean) => void] {
+  const [follows, follow] = useState(false);
+  const before = useRef<string[]>([]);
+  const running = shown.filter((row) => row.status === "RUNNING");
+  const leaves = running.filter((row, i) => (running[i + 1]?.depth ?? 0) <= row.depth); // a node runs only while its parent does
+  const paths = leaves.map((row) => row.node.path);
+  useEffect(() => {
+    const fresh = leaves.find((row) => !before.current.includes(row.node.path)) ?? leaves.at(-1);
+    before.current = paths;
+    if (follows && fresh) list.current?.children[shown.indexOf(fresh)]?.scrollIntoView({ block: "nearest" });
+  }, [follows, paths.join("\n")]);
+  return [follows, follow];
 }
 
 const SIDES = ["before", "after"] as const;
