@@ -193,7 +193,8 @@ class Knowledge:
             latest.close()
 
     def _hear_hardware(self) -> None:
-        ticked, now = self._ticks.take(), self._clocks.robot()
+        last, now = self._ticks.value, self._clocks.robot()
+        ticked = self._ticks.refresh() is not last
         if now is not None and now.boot != self._boot:
             self._restarted, self._boot = self._boot is not None, now.boot
             if self._restarted:  # perhaps as another robot

@@ -84,6 +84,8 @@ class TwoArms:
     def engage(self) -> None:
         """Lead both hands, which stay where they are for now. Only when ``ready``."""
         positions = self._positions()
+        for side in PAIR:
+            self._wrenches[side].refresh()
         for arm in self.arms:
             arm.begin(positions)
         self.aims, self.span, self.middle = self.tools(), None, None
@@ -134,8 +136,9 @@ class TwoArms:
         """With each new message of the joints: press, and tell both arms where to be."""
         joints = self._joints.refresh()
         self._stop.refresh()
-        for side in PAIR:
-            self._wrenches[side].refresh()
+        for told in self._wrenches.values():
+            if self.leading or told.value is None:  # else nobody asks what the wrists feel
+                told.refresh()
         if self._somebody_else():
             self.disengage()
         if joints is None or joints.stamp == self._at:

@@ -19,8 +19,8 @@ from tandem.skills.kinematics.transforms import Array, to_se3
 from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.robot_description import RobotDescription
 
-AHEAD: Final = (0.0, 0.5, 1.0)
-"""Shares of the way to rest at which the clearance is looked at."""
+AHEAD: Final = (0.5, 1.0)
+"""Shares of the way to rest at which the clearance is looked at, besides where the joints are."""
 
 
 class ArmsClearance:
@@ -105,18 +105,19 @@ class ArmsClearance:
         ]
         return np.asarray(np.concatenate(ways) + velocity * late)
 
-    def ahead(self, q: Array, velocity: Array, late: float) -> Clearance:
+    def ahead(self, now: Clearance, q: Array, velocity: Array, late: float) -> Clearance:
         """Return the least clearance on the way to rest, if all joints began to brake after ``late`` seconds.
 
         Args:
+            now: what ``at(q)`` returned: all distances are looked at once for each place.
             q: positions (n,).
             velocity: rad/s (n,).
             late: seconds in which the joints go on as they do.
         """
         way = self.to_rest(velocity, late)
         if float(np.max(np.abs(way))) < 1e-3:  # noqa: PLR2004 - a thousandth of a radian: at rest
-            return self.at(q)
-        return min((self.at(q + share * way) for share in AHEAD), key=lambda each: each.distance)
+            return now
+        return min((now, *(self.at(q + share * way) for share in AHEAD)), key=lambda each: each.distance)
 
 
 def braking_way(velocity: Array, acceleration: Array, jerk: Array) -> Array:

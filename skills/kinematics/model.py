@@ -83,6 +83,8 @@ class RobotKinematics:
         _refuse_groups(document, self._mimics, groups)
         self.urdf = plain_urdf(urdf)
         self.model = pin.buildModelFromXML(self.urdf)
+        self._data: pin.Data | None = None
+        """Of ``poses`` alone; made by the first of them, and by each process anew."""
         self.joints: tuple[str, ...] = tuple(self.model.names)[1:]
         self._index = {name: self._place(name) for name in self.joints}
         self._frames = {frame.name: i for i, frame in enumerate(self.model.frames)}
@@ -156,7 +158,9 @@ class RobotKinematics:
 
     def poses(self, frames: Sequence[str], positions: Mapping[str, float]) -> tuple[Pose, ...]:
         """Return several frames in the base."""
-        data = self.model.createData()
+        if self._data is None:  # making it takes as long as several forward kinematics
+            self._data = self.model.createData()
+        data = self._data
         pin.forwardKinematics(self.model, data, self.configuration(positions))
         return tuple(
             to_pose(pin.updateFramePlacement(self.model, data, self.frame_index(frame))) for frame in frames

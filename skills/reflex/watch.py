@@ -76,8 +76,10 @@ class ArmsWatch:
         left, right = self._hulls.robot.poses(self._frames, positions)
         verdict = arms_crossing(left, right, self._how)
         moving = bool(np.max(np.abs(v)) > STILL)
-        near = clearance.at(q).distance
-        coming = clearance.ahead(q, v, REACTION).distance if moving else near
+        here = clearance.at(q)
+        near, coming = here.distance, here.distance
+        if moving:
+            coming = clearance.ahead(here, q, v, REACTION).distance
         crossing = verdict.risk and not self._in_a_safe_place(q) and not self._together(scene)
         too_near = min(near, coming) < self._how.clearance
         return Seen(

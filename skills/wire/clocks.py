@@ -18,13 +18,13 @@ class ProcessClocks:
         self._clock = Latest(bus, CLOCK, depth=1024)
         self._timer = RobotTimer(0.0)
 
-    def refresh(self) -> list[Clock]:
-        """Take in what the hardware's clock said; return the ticks that are new, oldest first."""
-        ticks = self._clock.take()
-        now = self.robot()
-        if now is not None:
-            self._timer.read(now)
-        return ticks
+    def refresh(self) -> Clock | None:
+        """Take in what the hardware's clock said; return the newest tick if it is new. No other is read."""
+        last, tick = self._clock.value, self._clock.refresh()
+        if tick is None or tick is last:
+            return None
+        self._timer.read(tick.stamp)
+        return tick
 
     def close(self) -> None:
         """Hear the hardware's clock no longer."""

@@ -67,15 +67,15 @@ def run(
             if not more:
                 bus.waker.wait(IDLE_WAIT)
             bus.beat()
-            ticks = clocks.refresh()
-            if ticks:
-                waits = ticks[-1].waits
+            tick = clocks.refresh()
+            if tick is not None:
+                waits = tick.waits
             more = False
             for node in nodes:
                 more = node.step() or more
             bus.waker.calm = 0.0 if waits or not calm() else CALM
-            if ticks and waits:
-                FOLLOW.publish(bus, Followed(follower=name, tick=ticks[-1].tick))
+            if tick is not None and waits:
+                FOLLOW.publish(bus, Followed(follower=name, tick=tick.tick))
     finally:
         for node in reversed(nodes):
             node.close()

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from tandem.skills.kinematics.clearance import ArmsClearance
+from tandem.skills.kinematics.collision import Clearance
+from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Box, PlanningScene, SceneObject
@@ -78,3 +81,18 @@ def test_what_both_hands_hold_is_in_neithers_way(watch: ArmsWatch) -> None:
     """The carton is attached to one hand and touches the other, and both hands stay where they are."""
     seen = look(watch, positions(ASIDE, ASIDE), scene=held(0, (0.3, 0.4, 0.4), 0.2))
     assert not seen.risk
+
+
+def test_each_place_on_the_way_to_rest_is_looked_at_once(
+    watch: ArmsWatch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    places: list[tuple[float, ...]] = []
+    at = ArmsClearance.at
+
+    def noted(bodies: ArmsClearance, q: Array) -> Clearance:
+        places.append(tuple(q))
+        return at(bodies, q)
+
+    monkeypatch.setattr(ArmsClearance, "at", noted)
+    look(watch, positions(IN_FRONT, IN_FRONT), speed=1.0)
+    assert len(places) == len(set(places)) == 3

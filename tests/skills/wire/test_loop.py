@@ -47,7 +47,7 @@ def test_a_process_that_moves_nothing_turns_calmly_unless_the_hardware_waits_for
     *, waits: bool, calm: bool, expected: float
 ) -> None:
     bus, clock = Bus(), Clock(stamp=RobotTime(boot="a", seconds=1.0), tick=1, waits=waits)
-    clocks: Any = type("Clocks", (), {"refresh": lambda _: [clock]})()
+    clocks: Any = type("Clocks", (), {"refresh": lambda _: clock})()
     turns = iter((False, True))
     run("x", cast("ZenohBus", bus), cast("ProcessClocks", clocks), [], lambda: next(turns), calm=lambda: calm)
     assert bus.waker.calm == expected
@@ -55,7 +55,7 @@ def test_a_process_that_moves_nothing_turns_calmly_unless_the_hardware_waits_for
 
 def test_what_begins_to_move_in_a_turn_is_woken_by_the_next_tick() -> None:
     bus, mover, turns = Bus(), Mover(), iter((False, True))
-    clocks: Any = type("Clocks", (), {"refresh": lambda _: []})()
+    clocks: Any = type("Clocks", (), {"refresh": lambda _: None})()
     given = cast("ZenohBus", bus), cast("ProcessClocks", clocks)
     run("x", *given, [mover], lambda: next(turns), calm=lambda: not mover.moves)
     assert bus.waker.calm == 0.0
