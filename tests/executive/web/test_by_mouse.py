@@ -17,6 +17,7 @@ from tandem.skills.ports.reflex import ReflexState, reflex_state, reflex_switch
 from tandem.skills.ports.tasks import (
     REQUEST,
     TASK_ANSWER,
+    TASK_FORCE,
     TREE,
     KindOfTask,
     Question,
@@ -164,6 +165,32 @@ def test_a_viewer_sees_no_verbs_and_can_send_none(browser: Browser, robot: FakeR
         asked = ["/api/request", *(f"/api/verb/{verb}" for verb in VERBS)]
         assert {verb: page.evaluate(send, verb) for verb in asked} == dict.fromkeys(asked, 403)
     assert robot.asked == []
+
+
+@pytest.mark.parametrize("role", PRESSED)
+def test_a_node_of_a_test_run_is_forced_by_an_operator_only(
+    browser: Browser, robot: FakeRobot, role: Role
+) -> None:
+    robot.who = of_role(role)
+    robot.tasks = (task(TaskState.RUNNING, request={"task": "fetch", "item": 29, "test_run": True}),)
+    with served(robot) as address, opened(browser, address) as page:
+        show(page, "/")
+        leaf = page.get_by_role("treeitem").last
+        leaf.click()
+        forces = {
+            "Force ✓": ("SUCCESS", "It will succeed without its work."),
+            "Force ✗": ("FAILURE", "It will fail without its work."),
+        }
+        expect(leaf.get_by_role("button", name="Force")).to_have_count(
+            len(forces) if role == "operator" else 0
+        )
+        for name, (_, words) in forces.items() if role == "operator" else ():
+            leaf.get_by_role("button", name=name).click()
+            expect(page.locator(".said-bar")).to_contain_text(words)
+    wanted = [status for status, _ in forces.values()] if role == "operator" else []
+    assert robot.asked == [
+        (TASK_FORCE.key, {"task": "running", "node": LEAF.path, "status": status}) for status in wanted
+    ]
 
 
 def test_a_question_is_answered_in_one_tab_and_gone_in_the_other(
