@@ -8,12 +8,11 @@ from dataclasses import dataclass
 from typing import Final
 
 from tandem.skills.geometry.floor_plan import box_in_map
-from tandem.skills.geometry.poses import about, distance, rotate
-from tandem.skills.grasping.item_frames import standing_in_map, tag_of_item
+from tandem.skills.geometry.poses import distance
+from tandem.skills.grasping.item_frames import tag_of_item
 from tandem.skills.ports.message import HandName, RobotTime, Vector3
 from tandem.skills.ports.occupancy import Occupancy
 from tandem.skills.ports.pose import Pose
-from tandem.skills.ports.shapes import Shaped
 from tandem.skills.ports.site import Site, SiteItem
 from tandem.skills.ports.world import (
     Box,
@@ -26,9 +25,11 @@ from tandem.skills.ports.world import (
     Sighting,
     WorldState,
 )
-from tandem.skills.world import clutter, occupied, recorder, resting
+from tandem.skills.world import recorder, resting
 from tandem.skills.world.doubles import Doubles, matched
+from tandem.skills.world.item_facts import fact_of, item_box
 from tandem.skills.world.journal import Remembered
+from tandem.skills.world.untagged import Untagged
 
 MOVED: Final = 0.02
 """Metres between two sightings from which on the item has moved, however badly it is seen now."""
@@ -43,8 +44,6 @@ VERSIONS_A_START: Final = 1_000_000_000
 changed scene pass for the one that a plan was checked against."""
 PUT_DOWN_SIGMA: Final = 0.01
 """Metres: how well the place of an item that was put down is known."""
-
-# The tag on the item's face that looks along its x: x_tag = y_item, y_tag = z_item, z_tag = x_item.
 
 
 @dataclass(frozen=True)
@@ -75,11 +74,9 @@ class Beliefs:
         self._placed: dict[int, Placed] = {placed.item: placed for placed in kept.placed}
         self._removed: set[int] = set(kept.removed)
         self._doubles = Doubles(kept.doubles)
-        self._clutter: tuple[tuple[str, Box], ...] = kept.clutter
-        self._clutter_named = 0
+        cells = site.occupancy is not None and site.occupancy.replaces_clutter
+        self._untagged = Untagged(kept.clutter, cells_for_clutter=cells)
         self._boot = kept.boot
-        self._occupied: Occupancy | None = None
-        self._cells_for_clutter = site.occupancy is not None and site.occupancy.replaces_clutter
         self._furniture = tuple(
             SceneObject(name=f"{each.name}_{i}", kind="furniture", box=box_in_map(box))
             for each in site.furniture
@@ -136,10 +133,10 @@ class Beliefs:
         sighting = self._on_top(sighting, item)
         if not self._better(sighting):
             return False
-        self._items = recorder.update(self._items, {sighting.item: _fact(sighting, item)})
+        self._items = recorder.update(self._items, {sighting.item: fact_of(sighting, item)})
         box = item_box(sighting.tag_in_map, item)
         self._removed.discard(sighting.item)
-        self._clutter = clutter.without_item(self._clutter, box)
+        self._untagged.recognise(box)
         if self._left_its_slot(sighting.item, box.pose.position):
             del self._placed[sighting.item]
         self.version += 1
@@ -158,7 +155,7 @@ class Beliefs:
             return self.see(sightings[0])
         sightings = [self._on_top(each, item) for each in sightings]
         if mine is None:
-            mine, doubles = (doubles[0], doubles[1:]) if doubles else (_fact(sightings[0], item), ())
+            mine, doubles = (doubles[0], doubles[1:]) if doubles else (fact_of(sightings[0], item), ())
             self._items[number] = mine
         known = [mine, *doubles]
         places = [item_box(fact.tag_in_map, fact).pose.position for fact in known]
@@ -168,8 +165,8 @@ class Beliefs:
             if which.get(index) == 0:
                 self.see(sighting)
                 continue
-            known.append(_fact(sighting, item))
-            self._clutter = clutter.without_item(self._clutter, item_box(sighting.tag_in_map, item))
+            known.append(fact_of(sighting, item))
+            self._untagged.recognise(item_box(sighting.tag_in_map, item))
         told_anew = set(which.values())
         self._doubles.put(number, [each for at, each in enumerate(known) if at and at not in told_anew])
         self.version += 1
@@ -223,36 +220,20 @@ class Beliefs:
 
     def look(self, seen: Clutter) -> bool:
         """Take in the clutter of a look; say whether it changed anything."""
-        measured: list[tuple[str, Box]] = []
-        standing = [*self._standing().values(), *(box for _, box in self._doubled())]
-        for box in () if self._cells_for_clutter else seen.boxes:
-            if any(clutter.contains(item, box.pose.position, clutter.ITEM_MARGIN) for item in standing):
-                continue
-            measured.append((self._new_name({name for name, _ in (*self._clutter, *measured)}), box))
-        after = clutter.after_look(self._clutter, seen.view, measured)
         doubled = [box for _, box in self._doubled()]
+        changed = self._untagged.look(seen, [*self._standing().values(), *doubled])
         forgotten = self._doubles.looked_through(seen.view, doubled, seen.stamp)
-        if after == self._clutter and not forgotten:
+        if not changed and not forgotten:
             return False
-        self._clutter = after
         self.version += 1
         return True
 
     def occupy(self, told: Occupancy) -> bool:
         """Take in which space is occupied; say whether that changed anything."""
-        before, self._occupied = self._occupied, told
-        if before is not None and _same_cells(before, told):
-            return False
-        self.version += 1
-        return True
-
-    def _new_name(self, taken: set[str]) -> str:
-        """Return a name for a box of clutter; those that a journal gave back are taken."""
-        while True:
-            self._clutter_named += 1
-            name = f"clutter_{self._clutter_named}"
-            if name not in taken:
-                return name
+        changed = self._untagged.occupy(told)
+        if changed:
+            self.version += 1
+        return changed
 
     def wake(self, boot: str) -> tuple[HandName, ...]:
         """Take in which boot of the hardware this is; return the hands that were full before it.
@@ -268,7 +249,8 @@ class Beliefs:
         self._placed.clear()
         self._removed.clear()
         self._doubles = Doubles()
-        self._clutter, self._occupied, self._boot = (), None, boot
+        self._untagged.forget()
+        self._boot = boot
         self.version += 1
         return tuple(sorted(self._held))
 
@@ -337,11 +319,11 @@ class Beliefs:
 
     def scene(self, now: RobotTime) -> PlanningScene:
         """Return what arms must not hit."""
+        standing, doubled = self._standing(), self._doubled()
         things = [
-            SceneObject(name=name, kind="clutter", box=box)
-            for name, box in (*self._clutter, *self._doubled())
+            SceneObject(name=name, kind="clutter", box=box) for name, box in (*self._untagged.boxes, *doubled)
         ]
-        for number, box in self._standing().items():
+        for number, box in standing.items():
             if number not in self._removed:
                 things.append(SceneObject(name=f"item_{number}", kind="item", box=box, item=number))
         for side, held in sorted(self._held.items()):
@@ -353,15 +335,9 @@ class Beliefs:
             stamp=now,
             version=self.version,
             objects=(*self._furniture, *things),
-            occupied=self._still_occupied(),
+            # An item may have been recognised since the cells were measured.
+            occupied=self._untagged.occupied_but_for((*standing.values(), *(box for _, box in doubled))),
         )
-
-    def _still_occupied(self) -> Occupancy | None:
-        """Return the occupied cells that no item explains, be it recognised since they were measured."""
-        if self._occupied is None:
-            return None
-        things = (*self._standing().values(), *(box for _, box in self._doubled()))
-        return occupied.without(self._occupied, things)
 
     @property
     def firm(self) -> tuple[tuple[HeldItem, ...], tuple[Placed, ...]]:
@@ -377,7 +353,7 @@ class Beliefs:
             placed=placed,
             items=tuple(self._items[number] for number in sorted(self._items)),
             removed=tuple(sorted(self._removed)),
-            clutter=self._clutter,
+            clutter=self._untagged.boxes,
             doubles=self._doubles.facts,
             boot=self._boot,
         )
@@ -422,36 +398,3 @@ class Beliefs:
         if item is None:
             raise KeyError(f"no item {number} at site {self.site.name}")
         return item
-
-
-def _fact(sighting: Sighting, item: SiteItem) -> ItemFact:
-    return ItemFact(
-        item=sighting.item,
-        size=item.size,
-        shape=item.shape,
-        tag_in_map=sighting.tag_in_map,
-        seen=sighting.stamp,
-        quality=sighting.quality,
-        position_sigma=sighting.position_sigma,
-    )
-
-
-def item_box(tag_in_map: Pose, thing: Shaped) -> Box:
-    """Return the item behind a tag, with its shape; one that has fallen over is in a cube that holds it."""
-    stands = standing_in_map(tag_in_map, thing)
-    if stands is not None:
-        return Box(size=thing.size, pose=stands, shape=thing.shape)
-    edge = max(thing.size)
-    out = rotate(tag_in_map.orientation, (0.0, 0.0, -edge / 2.0))
-    x, y, z = tag_in_map.position
-    middle = (x + out[0], y + out[1], z + out[2])
-    return Box(size=(edge, edge, edge), pose=Pose(position=middle, orientation=about((0, 0, 1), 0.0)))
-
-
-def _same_cells(one: Occupancy, other: Occupancy) -> bool:
-    return (one.origin, one.shape, one.resolution, one.cells) == (
-        other.origin,
-        other.shape,
-        other.resolution,
-        other.cells,
-    )

@@ -9,7 +9,8 @@ from tandem.skills.geometry.poses import about, multiply, rotate
 from tandem.skills.grasping.item_frames import tag_of_item
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Box, Clutter, Placed
-from tandem.skills.world.beliefs import Beliefs, item_box
+from tandem.skills.world.beliefs import Beliefs
+from tandem.skills.world.item_facts import item_box
 from tests.skills.world.facts import at, cube, sighting, tag
 
 LAB = site.load("lab")

@@ -7,8 +7,9 @@ import pytest
 from tandem.skills import site
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Clutter, ItemFact
-from tandem.skills.world.beliefs import Beliefs, item_box
+from tandem.skills.world.beliefs import Beliefs
 from tandem.skills.world.doubles import A_LOOK, MOST, matched
+from tandem.skills.world.item_facts import item_box
 from tests.skills.world.facts import at, sighting, tag
 
 LAB = site.load("lab")
