@@ -9,13 +9,13 @@ cancelled.
 from __future__ import annotations
 
 import logging
-from collections import OrderedDict
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final, Generic, TypeVar
+from typing import Final, Generic
 
 from pydantic import ValidationError
 
+from tandem.skills.ended_goals import EndedGoals
 from tandem.skills.goal_journal import GoalJournal
 from tandem.skills.pipeline import Pipeline
 from tandem.skills.ports.action import (
@@ -42,10 +42,7 @@ from tandem.skills.ports.serving import Endpoints
 from tandem.skills.ports.skill import Command, F, G, Outcome, R, Run, Skill, Slice
 
 log = logging.getLogger(__name__)
-T = TypeVar("T")
 
-KEPT: Final = 256
-"""Ended goals whose result is remembered; as many rejected ones, and as many that were called off unseen."""
 FEEDBACK_PERIOD: Final = 0.1
 """Robot seconds between two published statuses with new feedback only."""
 COMMANDER: Final = "executive"
@@ -114,11 +111,7 @@ class ActionServer(Generic[G, F, R]):
         self._fence = Listening(bus, COMMANDER)
         self._current: _Current[F, R] | None = None
         self._now: GoalStatus | None = None  # of the goal under way
-        # As JSON, 0.2 to 0.4 kB each: ended goals are seldom asked for, and as objects they take seven times
-        # that. Those of a rare action fill up over weeks.
-        self._over: OrderedDict[str, str] = OrderedDict()
-        self._rejected: OrderedDict[str, str] = OrderedDict()
-        self._called_off: OrderedDict[str, None] = OrderedDict()  # cancelled before they were there
+        self._ended = EndedGoals()
         self._sequence = 0
         self._published_at = float("-inf")
         self._journal: GoalJournal | None = None
@@ -165,7 +158,7 @@ class ActionServer(Generic[G, F, R]):
             return known
         before = self._current
         try:
-            off = sent.goal_id in self._called_off
+            off = self._ended.is_called_off(sent.goal_id)
             status = self._status(sent.goal_id, GoalState.CANCELED) if off else self._start(sent)
         except Exception as error:
             log.exception("a goal's check raised", extra=self._about(sent.goal_id))
@@ -173,8 +166,7 @@ class ActionServer(Generic[G, F, R]):
             crashed = self._failure(FailureKind.SKILL_CRASHED, repr(error))
             status = self._status(sent.goal_id, GoalState.REJECTED, failure=crashed)
         if status.state.terminal:
-            # The same message may come twice, and late: for a client that has given up by then.
-            _keep(self._rejected, sent.goal_id, status.model_dump_json())
+            self._ended.rejected(sent.goal_id, status)
         return status
 
     @property
@@ -185,8 +177,7 @@ class ActionServer(Generic[G, F, R]):
     def _find(self, goal_id: str) -> GoalStatus | None:
         if self._now is not None and self._now.goal_id == goal_id:
             return self._now
-        packed = self._over.get(goal_id) or self._rejected.get(goal_id)
-        return None if packed is None else GoalStatus.model_validate_json(packed)
+        return self._ended.find(goal_id)
 
     def _reject(self, problems: tuple[Problem, ...]) -> GoalStatus:
         failure = self._failure(FailureKind.INVALID_GOAL, in_words(problems))
@@ -240,8 +231,7 @@ class ActionServer(Generic[G, F, R]):
             self._command(self._current, asked.command)
         found = self._find(asked.goal_id)
         if found is None and asked.command is Command.CANCEL:
-            # Messages overtake each other: the goal itself may still be on its way.
-            _keep(self._called_off, asked.goal_id, None)
+            self._ended.call_off(asked.goal_id)
         return found or self._status(asked.goal_id, GoalState.UNKNOWN)
 
     def _fenced(self, command: Leased, goal_id: str) -> GoalStatus | None:
@@ -403,7 +393,7 @@ class ActionServer(Generic[G, F, R]):
         status = self._status(goal_id, state, feedback=feedback, result=result, failure=failure)
         self._now = None if state.terminal else status
         if state.terminal:
-            _keep(self._over, goal_id, status.model_dump_json())
+            self._ended.ended(goal_id, status)
         self._published_at = robot_seconds(self._clocks)
         self._topic.publish(self._bus, status)
         return status
@@ -434,11 +424,3 @@ class ActionServer(Generic[G, F, R]):
 
     def _failure(self, kind: FailureKind, message: str) -> Failure:
         return Failure(kind=kind, message=message, where=self.name)
-
-
-def _keep(kept: OrderedDict[str, T], goal_id: str, value: T) -> None:
-    """Note what is so of a goal; of more than ``KEPT`` goals the oldest is forgotten."""
-    kept[goal_id] = value
-    kept.move_to_end(goal_id)
-    while len(kept) > KEPT:
-        kept.popitem(last=False)
