@@ -9,7 +9,7 @@ from pydantic import ConfigDict
 
 from tandem.executive.ledger.port import SentGoal
 from tandem.executive.service.running.emergency_stop import Halt
-from tandem.executive.service.running.tree_run import REST_WITHIN, SILENCE_ALLOWED, SILENT_AFTER
+from tandem.executive.service.running.time_limits import REST_WITHIN, SILENCE_ALLOWED, SILENT_AFTER
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.message import Message

@@ -27,11 +27,19 @@ from tandem.executive.service.running.endings import (
     unsaid,
 )
 from tandem.executive.service.running.pausing import Hold, Step
-from tandem.executive.service.running.tree_view import TreeView
+from tandem.executive.service.running.shown_tree import ShownTree
+from tandem.executive.service.running.tick_timer import TickTimer
+from tandem.executive.service.running.time_limits import (
+    LOST_AFTER,
+    REST_WITHIN,
+    SILENCE_ALLOWED,
+    SILENT_AFTER,
+    WIND_DOWN_WITHIN,
+)
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure
-from tandem.skills.ports.message import Message, RobotTime
-from tandem.skills.ports.tasks import NodeStatus, Progress, TaskState, TreeNode, TreeSnapshot
+from tandem.skills.ports.message import Message
+from tandem.skills.ports.tasks import NodeStatus, Progress, TaskState, TreeSnapshot
 from tandem.trees.breakpoints import Gates
 from tandem.trees.clients import AnyGoal
 from tandem.trees.context import TreeContext
@@ -40,20 +48,6 @@ from tandem.trees.elapsed import Elapsed
 from tandem.trees.task import TaskType
 from tandem.trees.told_board import told_board
 
-TICK_PERIOD: Final = 0.05
-"""Robot seconds after which the tree is ticked although nothing was heard: its timers."""
-SILENT_PERIOD: Final = 0.25
-"""Host seconds after which it is ticked although the robot's clock stands still."""
-REST_WITHIN: Final = 5.0
-"""Robot seconds in which a goal must have come to rest once told to; then the hardware is stopped."""
-SILENCE_ALLOWED: Final = 10.0
-"""Host seconds that this is waited for while the robot's clock stands still."""
-SILENT_AFTER: Final = 0.4
-"""Host seconds without the hardware's clock after which the tree waits."""
-LOST_AFTER: Final = 15.0
-"""Host seconds without it after which the task ends."""
-WIND_DOWN_WITHIN: Final = 120.0
-"""Robot seconds for what is done after a cancel."""
 WAITS: Final = "waiting for the hardware"
 
 _LOG = logging.getLogger(__name__)
@@ -112,13 +106,9 @@ class Run:
         self._before_winding: Failure | None = None
         self._halted: tuple[AnyGoal, ...] | None = None  # the goals for whose sake the hardware is stopped
         self._waits = False
-        self._ticked_at: RobotTime | None = None
-        self._ticked_on_host = clocks.monotonic()
+        self._timer = TickTimer(clocks)
         self._progress = context.progress  # a task that is taken up again does not fall back
-        self._view = TreeView(root)
-        self._shown: TreeNode | None = None
-        self._gates_shown = 0
-        self._touched = False  # a tree changes only when it is ticked or stopped
+        self._shown = ShownTree(root)
         self.gates = Gates(root, context)
         """Breakpoints and forced nodes."""
         self.yielding = False
@@ -202,7 +192,7 @@ class Run:
 
     def look_again(self) -> None:
         """Tick with the next step, whatever the timers say: something has changed."""
-        self._ticked_at = None
+        self._timer.look_again()
 
     def abandon(self) -> str:
         """Give it up although not all is at rest; return why not, or nothing."""
@@ -228,12 +218,7 @@ class Run:
         why = self.held_up_by()
         if not why and self._hold.free:
             why = "the task is not paused"
-        if not why and self.context.dialogue.question is not None and self.ticks == 0:
-            why = "the task asks whether to continue; answer the question first"
-        if not why:
-            self._go_on_from_gate()
-            self._hold.resume()
-        return why
+        return why or self._leave_pause("")
 
     def step_by(self, step: Step) -> str:
         """Go on until one more leaf has ended or by one tick, and pause again; return why not, or nothing."""
@@ -241,24 +226,19 @@ class Run:
         if not why and self._hold.state is not TaskState.PAUSED:
             pausing = self._hold.state is TaskState.PAUSING
             why = "the skills are still coming to rest" if pausing else "the task is not paused"
-        if not why and self.context.dialogue.question is not None and self.ticks == 0:
-            why = "the task asks whether to continue; answer the question first"
-        if not why:
-            self._go_on_from_gate()
-            self._hold.resume(step)
-        return why
+        return why or self._leave_pause(step)
+
+    def _leave_pause(self, step: Step) -> str:
+        if self.context.dialogue.question is not None and self.ticks == 0:
+            return "the task asks whether to continue; answer the question first"
+        self.gates.release()
+        self.look_again()
+        self._hold.resume(step)
+        return ""
 
     def changed_tree(self) -> TreeSnapshot | None:
         """Return the tree if a status, a message or a gate in it is another than at the last call."""
-        gates, self._gates_shown = self._gates_shown != self.gates.changes, self.gates.changes
-        if not (self._touched or gates):
-            return None
-        self._touched = False
-        now = self._view.look()
-        if now is self._shown and not gates:
-            return None
-        self._shown = now
-        return self.tree()
+        return self.tree() if self._shown.changed(self.gates) else None
 
     def tree(self) -> TreeSnapshot:
         """Return the tree as it is; with its gates for as long as it may come to them."""
@@ -268,15 +248,11 @@ class Run:
             kind=self._kind.name,
             tick=self.ticks,
             stamp=self._clocks.robot(),
-            root=self._view.look(),
+            root=self._shown.view.look(),
             board=told_board(self.context.board),
             breakpoints={} if gates is None else gates.breakpoints(),
             forced={} if gates is None else gates.forced(),
         )
-
-    def _go_on_from_gate(self) -> None:
-        self.gates.release()
-        self.look_again()
 
     def held_up_by(self) -> str:
         """Return why its tree is not to be held or changed any more, or nothing."""
@@ -300,7 +276,12 @@ class Run:
             return
         self._hold.step()
         self._kept = self._waits_for() if self.ticks == 0 and self._ending is None else ""
-        if self._ending is None and self._hold.free and not self._kept and (heard or self._due()):
+        if (
+            self._ending is None
+            and self._hold.free
+            and not self._kept
+            and (heard or self.ticks == 0 or self._timer.due)
+        ):
             self._tick()
         if self._winding is not None:
             self._watch_winding(self._winding)
@@ -309,23 +290,12 @@ class Run:
 
     # The tree.
 
-    def _due(self) -> bool:
-        if self.ticks == 0:
-            return True
-        now = self._clocks.robot()
-        if self._clocks.monotonic() - self._ticked_on_host >= SILENT_PERIOD:
-            return True
-        if now is None or self._ticked_at is None:
-            return now is not None
-        passed = now.since(self._ticked_at)
-        return passed is None or passed >= TICK_PERIOD
-
     def _tick(self) -> None:
-        self._ticked_at, self._ticked_on_host = self._clocks.robot(), self._clocks.monotonic()
+        self._timer.begin()
         self.ticks += 1
-        self._touched = True
+        self._shown.touched = True
         try:
-            ticked = tuple(self._view.heed(self._root.tick()))
+            ticked = tuple(self._shown.view.heed(self._root.tick()))
             self._judge(ticked)
             # Last, and so also when the tree has ended: nothing of it runs any more.
             self.running = tuple(n.name for n in ticked if not n.children and n.status is Status.RUNNING)
@@ -333,7 +303,7 @@ class Run:
             raise  # no goal may be sent that is not written down
         except Exception as error:  # noqa: BLE001 - a tree's mistake costs its task, not the service
             self._crash(error)
-        self._ticked(self._clocks.monotonic() - self._ticked_on_host)
+        self._ticked(self._timer.since_begun)
 
     def _judge(self, ticked: tuple[Behaviour, ...]) -> None:
         status = NodeStatus(self._root.status.name)
@@ -367,7 +337,7 @@ class Run:
             self._end_with(self._as_failed(raised(self._root, error)))
 
     def _stop_tree(self) -> None:
-        self._touched = True
+        self._shown.touched = True
         self.running = ()
         try:
             self._root.stop(Status.INVALID)
@@ -410,9 +380,10 @@ class Run:
         self.winding = "begun"
         self._before_winding = self.context.failures.all[-1] if self.context.failures.all else None
         self._winding, self._ending = Elapsed(self._clocks), None
-        self._root, self._view, self._shown = tree, TreeView(tree), None
+        self._root = tree
+        self._shown.turn_to(tree)
         self.gates = Gates(tree, self.context)
-        self._touched, self._ticked_at = True, None
+        self._timer.look_again()
         return True
 
     def _watch_winding(self, since: Elapsed) -> None:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final
 
-from tandem.executive.service.running.tree_run import SILENT_AFTER
+from tandem.executive.service.running.time_limits import SILENT_AFTER
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.message import Message

@@ -9,7 +9,8 @@ from typing import TypeVar
 import pytest
 from surroundings import NUDGE, Skill, Surroundings
 
-from tandem.executive.service.running.tree_run import REST_WITHIN, TICK_PERIOD
+from tandem.executive.service.running.tick_timer import TICK_PERIOD
+from tandem.executive.service.running.time_limits import REST_WITHIN
 from tandem.executive.service.tasks.task_book import KEPT, MAX_WAITING, TaskBook, start_id
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.failure import FailureKind

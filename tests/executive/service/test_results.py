@@ -11,7 +11,7 @@ from py_trees.behaviour import Behaviour
 from surroundings import WAIT, Surroundings, WaitRequest, build
 
 from tandem.executive.ledger.sqlite import SqliteLedger
-from tandem.executive.service.running.tree_run import LOST_AFTER
+from tandem.executive.service.running.time_limits import LOST_AFTER
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import TaskState, TaskStatus
 from tandem.trees.context import TreeContext

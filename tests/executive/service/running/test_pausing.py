@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from surroundings import Skill, Surroundings
 
-from tandem.executive.service.running.tree_run import REST_WITHIN, WIND_DOWN_WITHIN
+from tandem.executive.service.running.time_limits import REST_WITHIN, WIND_DOWN_WITHIN
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.hardware import StopState

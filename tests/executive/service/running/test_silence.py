@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 from surroundings import Surroundings
 
-from tandem.executive.service.running.tree_run import LOST_AFTER, WAITS
+from tandem.executive.service.running.time_limits import LOST_AFTER
+from tandem.executive.service.running.tree_run import WAITS
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.tasks import TaskState
 

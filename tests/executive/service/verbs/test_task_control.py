@@ -10,7 +10,7 @@ from surroundings import WAIT as KIND
 from surroundings import Skill, Surroundings
 
 from tandem.executive.ledger.sqlite import SqliteLedger
-from tandem.executive.service.running.tree_run import SILENT_AFTER
+from tandem.executive.service.running.time_limits import SILENT_AFTER
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.tasks import (
     TASK_ABANDON,
