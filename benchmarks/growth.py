@@ -20,7 +20,8 @@ from benchmarks.rows import Row, quantile
 from benchmarks.ticks import ITEMS, forget
 from tandem.executive.ledger.port import Entry
 from tandem.executive.ledger.sqlite import SqliteLedger
-from tandem.executive.service.executive import Executive, Policy
+from tandem.executive.service.executive import Executive
+from tandem.executive.service.policy import Policy
 from tandem.skills.ports.tasks import (
     REQUEST,
     TASK_CANCEL,

@@ -8,32 +8,29 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Final
 
-from tandem.executive.config.on_restart import OnRestart
 from tandem.executive.ledger.memory import MemoryLedger
 from tandem.executive.ledger.port import Ledger, LedgerError
 from tandem.executive.service.heartbeat import Pulse
 from tandem.executive.service.intake.client_gateway import cancel_of_own
-from tandem.executive.service.intake.client_limits import Bounds
 from tandem.executive.service.intake.kind_schemas import kinds_offered
 from tandem.executive.service.intake.request_intake import Intake
 from tandem.executive.service.intake.request_parser import Asked
+from tandem.executive.service.policy import Policy
+from tandem.executive.service.publisher import Publisher
 from tandem.executive.service.running.current_task import Turn
 from tandem.executive.service.running.emergency_stop import Halt
 from tandem.executive.service.running.endings import Ending
 from tandem.executive.service.running.failure_pictures import Album, Tries
 from tandem.executive.service.running.orphaned_goals import Leftovers
 from tandem.executive.service.running.sent_goals import LedgerJournal
-from tandem.executive.service.running.timeline import Spans
 from tandem.executive.service.running.tree_run import Run
 from tandem.executive.service.running.uncollected import uncollected
 from tandem.executive.service.tasks.queue_holds import Holds
 from tandem.executive.service.tasks.resuming import Comeback, How, take_up
-from tandem.executive.service.tasks.task_book import KEPT, MAX_WAITING, TURN, TaskBook
-from tandem.executive.service.tasks.task_log import TaskLog
+from tandem.executive.service.tasks.task_book import KEPT, TaskBook
 from tandem.executive.service.tasks.time_left import Expectation
 from tandem.executive.service.tasks.wall_clock import WallClock
 from tandem.executive.service.verbs.task_control import Control
@@ -47,16 +44,9 @@ from tandem.skills.ports.message import Message
 from tandem.skills.ports.problems import in_words
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.tasks import (
-    TASK_STATUS,
-    TREE,
     CancelTask,
     ExecutiveInfo,
     TaskState,
-    TaskStatus,
-    Timeline,
-    TreeNode,
-    TreeSnapshot,
-    task_status,
 )
 from tandem.skills.ports.whereabouts import Neighbours
 from tandem.trees.clients import Clients
@@ -74,23 +64,6 @@ PRUNE_EVERY: Final = 100
 DAY: Final = 86_400.0
 
 _LOG = logging.getLogger(__name__)
-_NO_TREE: Final = TreeNode(path="idle", name="idle", kind="action", type="Nothing")
-
-
-@dataclass(frozen=True)
-class Policy:
-    """How the service treats tasks."""
-
-    on_restart: OnRestart = "resume"
-    """What becomes of a task that was under way, unless its request says so."""
-    waiting: int = MAX_WAITING
-    """Tasks that may wait."""
-    bounds: Bounds = field(default_factory=Bounds)
-    """What one client may ask for."""
-    keep_tasks: int = 20_000
-    """Ended tasks that a lasting ledger keeps ..."""
-    keep_days: float = 180.0
-    """... and for how long."""
 
 
 class Executive:
@@ -144,14 +117,12 @@ class Executive:
         self._bus, self._clocks, self._kinds, self._version = bus, clocks, dict(tasks), version
         self._holds = Holds(clocks, self.knowledge, self.clients)
         self.book.hold = lambda kind: self._holds.why_not(self._kinds[kind])
-        self._told_first: tuple[str, str] = ("", "")  # of those that wait, and what it waits for
         self._turn: Turn | None = None
-        self._spans = Spans()
-        self._last_tree = TreeSnapshot(task="", kind="", tick=0, root=_NO_TREE)
+        self._publisher = Publisher(bus, clocks, self.book, self._ledger)
         self._intake = Intake(
             bus, clocks, self.book, self._kinds, site, robot=lambda: self.knowledge.description, bounds=bounds
         )
-        self._control = Control(self.book, clocks, lambda: self._turn, self._tell)
+        self._control = Control(self.book, clocks, lambda: self._turn, self._publisher.tell)
         self._control.changed = self._changed_by_verb
         own = cancel_of_own(self.book.find, self._control.of_client, self._control.cancel)
         self._verbs = Verbs(bus, clocks, self._control.verbs(), self._keep, (own,))
@@ -162,13 +133,14 @@ class Executive:
             self.book,
             self._ledger,
             info=self._info,
-            tree=self._tree,
+            last=lambda: self._publisher.last,
+            tree=lambda: self._publisher.tree(self._turn),
             kinds=lambda: self._offered,
             site=site,
-            timeline=self._timeline,
+            timeline=lambda task: self._publisher.timeline(task, self._turn),
         )
         self._tries: list[Tries] = []  # of the running task, and of those before whose picture is under way
-        self._pulse, self._task_log = Pulse(bus, clocks), TaskLog()
+        self._pulse = Pulse(bus, clocks)
         self._leftovers = Leftovers(bus, clocks, self.clients, self.knowledge)
         self._ended = 0
         self._closed = False
@@ -197,12 +169,12 @@ class Executive:
             status = self.book.get(task)
             if status is not None and status.state is TaskState.QUEUED:
                 self._holds.asked(status.kind)
-                self._tell(status)
+                self._publisher.tell(status)
         more = self._verbs.step()
         for late in self.book.expire(self._clocks.robot()):
-            self._tell(late)
+            self._publisher.tell(late)
         self._move_on()
-        self._tell_first()
+        self._publisher.tell_first(None if self._turn is not None else next(iter(self.book.queue), None))
         self._note_tries()
         more = self._album.step() or more
         more = self._questions.step() or more
@@ -258,7 +230,7 @@ class Executive:
         )
         self._leftovers.adopt(self._ledger.open_goals())
         for status in found.changed:
-            self._tell(status)
+            self._publisher.tell(status)
         under_way = found.under_way
         if under_way is not None:
             _LOG.info("a task was under way", extra={"task": under_way.task, "taken_up": under_way.how})
@@ -299,24 +271,18 @@ class Executive:
     def _go_on(self, turn: Turn) -> None:
         self._make_room(turn)
         turn.run.step()
-        self._changed(turn)
+        self._publisher.changed(turn)
         if turn.run.ended is None:
             return
         self._turn = None
         self._note_tries()
-        self._keep_spans(turn.task)
+        self._publisher.keep_spans(turn.task)
         self._note_common(turn, turn.run.ended)
-        self._tell(turn.end())
+        self._publisher.tell(turn.end())
         turn.run.dissolve()
         self._ended += 1
         if self._ended % PRUNE_EVERY == 0:
             self._prune()
-
-    def _keep_spans(self, task: str) -> None:
-        """Write down when which node ran, to be committed with the task's end."""
-        memory = self.book.entry(task).memory
-        spans = self._spans.end(self._clocks.robot())
-        self.book.remember(task, memory.model_copy(update={"spans": spans}))
 
     def _note_common(self, turn: Turn, ended: Ending) -> None:
         """Have tasks wait for what failed this one and would fail them; this one too, if it was a try."""
@@ -339,13 +305,13 @@ class Executive:
             run.make_room()
 
     def _begin(self, task: str, asked: Asked, how: How) -> None:
-        self._tell(self.book.begin(task, self._clocks.robot()))
+        self._publisher.tell(self.book.begin(task, self._clocks.robot()))
         # The robot may have said who it is only after the request had been accepted.
         misfits = asked.kind.against(asked.request, self.knowledge.description)
         if misfits:
             told = in_words(misfits)
             failure = Failure(kind=FailureKind.INVALID_GOAL, message=told, where=asked.kind.name)
-            self._tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
+            self._publisher.tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
             return
         try:
             self._turn = self._build(task, asked)
@@ -354,11 +320,11 @@ class Executive:
             what = f"{type(error).__name__}: {error}"
             text = f"building the tree raised {what}; see the executive's log for the traceback"
             failure = Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=asked.kind.name)
-            self._tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
+            self._publisher.tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
             return
-        self._spans = Spans(self.book.entry(task).memory.spans)
+        self._publisher.begin(self._turn)
         self._turn.take_up(how)
-        self._changed(self._turn)
+        self._publisher.changed(self._turn)
 
     def _build(self, task: str, asked: Asked) -> Turn:
         memory = self.book.entry(task).memory
@@ -401,42 +367,10 @@ class Executive:
         self._remember()
         self.book.keep()
 
-    def _tell(self, status: TaskStatus) -> None:
-        """Publish a status once it is on disk."""
-        self.book.keep()
-        status = self.book.explained(status)
-        self._questions.last = status.task
-        self._task_log.note(status)
-        TASK_STATUS.publish(self._bus, status)
-        task_status(status.task).publish(self._bus, status)
-
     def _changed_by_verb(self, turn: Turn) -> None:
         """Tell what a verb has changed, and have it on disk, whichever key it came by: its answer is next."""
-        self._changed(turn)
+        self._publisher.changed(turn)
         self._keep()
-
-    def _changed(self, turn: Turn) -> None:
-        turn.remember()
-        tree = turn.run.changed_tree()
-        if tree is not None:
-            self._last_tree = tree
-            TREE.publish(self._bus, tree)
-            self._spans.see(tree)
-        status = turn.progress()
-        if status is not None:
-            self._tell(status)
-
-    def _tell_first(self) -> None:
-        """Tell what the first of those that wait waits for, when that has changed."""
-        first = None if self._turn is not None else next(iter(self.book.queue), None)
-        now = ("", "") if first is None else (first.task, self.book.waits_for(first).removesuffix(TURN))
-        if now == self._told_first:
-            return
-        (before, was_held), self._told_first = self._told_first, now
-        status = None if first is None else self.book.get(first.task)
-        if status is not None and (now[1] or (was_held and before == status.task)):
-            _LOG.info("a task waits", extra={"task": status.task, "waits_for": now[1]})
-            self._tell(status)
 
     def _note_tries(self) -> None:
         for tries in self._tries:
@@ -444,7 +378,7 @@ class Executive:
                 # An ended task is told once; who asks for the list later sees the picture that came late.
                 status = self.book.tried(tries.context.task, tries.tried)
                 if status is not None and not status.state.terminal:
-                    self._tell(status)
+                    self._publisher.tell(status)
         running = None if self._turn is None else self._turn.run.context
         self._tries = [each for each in self._tries if each.context is running or each.pending]
 
@@ -453,15 +387,6 @@ class Executive:
         robot = self.knowledge.description
         found = {} if robot is None else {n: unable(n, kind.needs, robot) for n, kind in self._kinds.items()}
         return {name: why for name, why in found.items() if why}
-
-    def _tree(self) -> TreeSnapshot:
-        return self._last_tree if self._turn is None else self._turn.run.tree()
-
-    def _timeline(self, task: str) -> Timeline:
-        if self._turn is not None and self._turn.task == task:
-            return Timeline(task=task, spans=self._spans.all())
-        entry = self._ledger.entry(task)
-        return Timeline(task=task, spans=() if entry is None else entry.memory.spans)
 
     @cached_property
     def _offered(self) -> bytes:
@@ -477,5 +402,5 @@ class Executive:
             unable=unable,
             running="" if self._turn is None else self._turn.task,
             queued=len(self.book.queue),
-            waits_for=self._told_first[1],
+            waits_for=self._publisher.waits_for,
         )

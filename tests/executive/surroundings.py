@@ -14,7 +14,8 @@ from pydantic import Field
 
 from tandem.executive.ledger.memory import MemoryLedger
 from tandem.executive.ledger.port import Ledger
-from tandem.executive.service.executive import Executive, Policy
+from tandem.executive.service.executive import Executive
+from tandem.executive.service.policy import Policy
 from tandem.skills.ports.action import (
     GoalCommand,
     GoalState,

@@ -48,6 +48,7 @@ class Questions:
         book: the tasks in memory.
         ledger: all tasks.
         info: tells who serves.
+        last: returns the task that was told of last, or nothing.
         tree: returns the tree as it is.
         kinds: tells what may be asked for, as JSON.
         site: the place that the executive works in.
@@ -62,13 +63,12 @@ class Questions:
         ledger: Ledger,
         *,
         info: Callable[[], ExecutiveInfo],
+        last: Callable[[], str],
         tree: Callable[[], TreeSnapshot],
         kinds: Callable[[], bytes],
         site: Site,
         timeline: Callable[[str], Timeline],
     ) -> None:
-        self.last = ""
-        """The task that was told of last."""
         self._book, self._ledger = book, ledger
         self._written: dict[str, tuple[TaskStatus, str, bytes]] = {}
         self._endpoints = Endpoints(
@@ -82,7 +82,7 @@ class Questions:
                 answering(TASK_TIMELINE, lambda asked: timeline(self._meant(asked.task))),
                 answering(TREE_NOW, lambda _: tree()),
                 answering(LAST_TREE, lambda _: tree()),
-                answering(LAST_STATUS, lambda _: self._find(self.last) if self.last else None),
+                answering(LAST_STATUS, lambda _: self._find(last()) if last() else None),
                 endpoint(ONE_STATUS, lambda call: self._find(call.name), keys=self._keys),
                 answering(TASK_HISTORY, self._history),
             ),

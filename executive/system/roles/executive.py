@@ -61,7 +61,8 @@ def executive_node(
     """
     from importlib.metadata import version  # noqa: PLC0415
 
-    from tandem.executive.service.executive import Executive, Policy  # noqa: PLC0415
+    from tandem.executive.service.executive import Executive  # noqa: PLC0415
+    from tandem.executive.service.policy import Policy  # noqa: PLC0415
     from tandem.trees.registry import discover, shipped  # noqa: PLC0415
 
     return Executive(

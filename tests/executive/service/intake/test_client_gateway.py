@@ -6,8 +6,9 @@ import json
 
 import pytest
 
-from tandem.executive.service.executive import Executive, Policy
+from tandem.executive.service.executive import Executive
 from tandem.executive.service.intake.client_limits import Bounds
+from tandem.executive.service.policy import Policy
 from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask, ControlAnswer, TaskAnswer, by_client
 from tandem.skills.site import load
 from tandem.skills.wire.clocks import SteppedClocks

@@ -13,7 +13,7 @@ from surroundings import Skill, Surroundings
 from tandem.executive.ledger.port import SentGoal
 from tandem.executive.ledger.sqlite import SqliteLedger
 from tandem.executive.render.failure_words import explain
-from tandem.executive.service.executive import Policy
+from tandem.executive.service.policy import Policy
 from tandem.executive.service.tasks.resuming import RESUMES
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.failure import FailureKind

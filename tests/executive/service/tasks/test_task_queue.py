@@ -9,7 +9,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from surroundings import Skill, Surroundings, WaitForWorld
 
-from tandem.executive.service.executive import Policy
+from tandem.executive.service.policy import Policy
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.message import Message

@@ -9,7 +9,7 @@ from surroundings import Surroundings
 
 from tandem.executive.client.pages import listed
 from tandem.executive.ledger.sqlite import SqliteLedger
-from tandem.executive.service.executive import Policy
+from tandem.executive.service.policy import Policy
 from tandem.executive.service.tasks.time_left import Expectation
 from tandem.skills.ports.endpoint import Refusal
 from tandem.skills.ports.tasks import (
