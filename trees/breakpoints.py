@@ -30,7 +30,7 @@ class _Gate:
 
 
 @dataclass(eq=False)
-class Gates:
+class Breakpoints:
     """The gates of one tree. A tree that has come to one must not be ticked until ``release``.
 
     Args:

@@ -13,18 +13,18 @@ from typing import Final
 
 from tandem.executive.ledger.memory import MemoryLedger
 from tandem.executive.ledger.port import Ledger, LedgerError
-from tandem.executive.service.heartbeat import Pulse
+from tandem.executive.service.heartbeat import Heartbeat
 from tandem.executive.service.intake.client_gateway import cancel_of_own
 from tandem.executive.service.intake.kind_schemas import kinds_offered
 from tandem.executive.service.intake.request_intake import Intake
 from tandem.executive.service.intake.request_parser import Asked
 from tandem.executive.service.policy import Policy
 from tandem.executive.service.publisher import Publisher
-from tandem.executive.service.running.current_task import Turn
-from tandem.executive.service.running.emergency_stop import Halt
+from tandem.executive.service.running.current_task import CurrentTask
+from tandem.executive.service.running.emergency_stop import EmergencyStop
 from tandem.executive.service.running.endings import Ending
 from tandem.executive.service.running.failure_pictures import Album, Tries
-from tandem.executive.service.running.orphaned_goals import Leftovers
+from tandem.executive.service.running.orphaned_goals import OrphanedGoals
 from tandem.executive.service.running.sent_goals import LedgerJournal
 from tandem.executive.service.running.tree_run import Run
 from tandem.executive.service.running.uncollected import uncollected
@@ -117,12 +117,12 @@ class Executive:
         self._bus, self._clocks, self._kinds, self._version = bus, clocks, dict(tasks), version
         self._holds = Holds(clocks, self.knowledge, self.clients)
         self.book.hold = lambda kind: self._holds.why_not(self._kinds[kind])
-        self._turn: Turn | None = None
+        self._current: CurrentTask | None = None
         self._publisher = Publisher(bus, clocks, self.book, self._ledger)
         self._intake = Intake(
             bus, clocks, self.book, self._kinds, site, robot=lambda: self.knowledge.description, bounds=bounds
         )
-        self._control = Control(self.book, clocks, lambda: self._turn, self._publisher.tell)
+        self._control = Control(self.book, clocks, lambda: self._current, self._publisher.tell)
         self._control.changed = self._changed_by_verb
         own = cancel_of_own(self.book.find, self._control.of_client, self._control.cancel)
         self._verbs = Verbs(bus, clocks, self._control.verbs(), self._keep, (own,))
@@ -134,14 +134,14 @@ class Executive:
             self._ledger,
             info=self._info,
             last=lambda: self._publisher.last,
-            tree=lambda: self._publisher.tree(self._turn),
+            tree=lambda: self._publisher.tree(self._current),
             kinds=lambda: self._offered,
             site=site,
-            timeline=lambda task: self._publisher.timeline(task, self._turn),
+            timeline=lambda task: self._publisher.timeline(task, self._current),
         )
         self._tries: list[Tries] = []  # of the running task, and of those before whose picture is under way
-        self._pulse = Pulse(bus, clocks)
-        self._leftovers = Leftovers(bus, clocks, self.clients, self.knowledge)
+        self._heartbeat = Heartbeat(bus, clocks)
+        self._orphans = OrphanedGoals(bus, clocks, self.clients, self.knowledge)
         self._ended = 0
         self._closed = False
         self._come_back(died)
@@ -155,12 +155,12 @@ class Executive:
     @property
     def idle(self) -> bool:
         """Whether no task runs or waits."""
-        return self._turn is None and not self.book.queue
+        return self._current is None and not self.book.queue
 
     @property
     def running(self) -> Run | None:
         """The run of the task under way."""
-        return None if self._turn is None else self._turn.run
+        return None if self._current is None else self._current.run
 
     def step(self) -> bool:
         """Answer whoever asks, then move the running task on."""
@@ -174,15 +174,15 @@ class Executive:
         for late in self.book.expire(self._clocks.robot()):
             self._publisher.tell(late)
         self._move_on()
-        self._publisher.tell_first(None if self._turn is not None else next(iter(self.book.queue), None))
+        self._publisher.tell_first(None if self._current is not None else next(iter(self.book.queue), None))
         self._note_tries()
         more = self._album.step() or more
         more = self._questions.step() or more
-        self._pulse.step("" if self._turn is None else self._turn.task, len(self.book.queue))
+        self._heartbeat.step("" if self._current is None else self._current.task, len(self.book.queue))
         if self._whereabouts is not None:
-            running = None if self._turn is None else self.book.get(self._turn.task)
+            running = None if self._current is None else self.book.get(self._current.task)
             self._whereabouts.step(self.knowledge.robot, running)
-        next_one = self._turn is None and self.book.next() is not None and self._leftovers.none
+        next_one = self._current is None and self.book.next() is not None and self._orphans.none
         return self._intake.unread or more or next_one
 
     def close(self) -> None:
@@ -197,18 +197,18 @@ class Executive:
         if not self._ledger.lasting:
             for task in self.book.waiting:
                 self._control.cancel(CancelTask(task=task))
-            if self._turn is not None:
-                self._control.cancel(CancelTask(task=self._turn.task))
-        elif self._turn is not None:
-            self._turn.run.make_room()
-            self._note_order(self._turn)
+            if self._current is not None:
+                self._control.cancel(CancelTask(task=self._current.task))
+        elif self._current is not None:
+            self._current.run.make_room()
+            self._note_order(self._current)
         for end in (self._intake, self._verbs, self._album, self._questions):
             end.close()
         self.clients.close()
         self.knowledge.close()
         self._ledger.close()
 
-    def _note_order(self, turn: Turn) -> None:
+    def _note_order(self, turn: CurrentTask) -> None:
         """Note that the task is left in order: that it is under way at the next start is no crash."""
         try:
             memory = self.book.entry(turn.task).memory
@@ -228,7 +228,7 @@ class Executive:
             self._clocks.robot(),
             died=died,
         )
-        self._leftovers.adopt(self._ledger.open_goals())
+        self._orphans.adopt(self._ledger.open_goals())
         for status in found.changed:
             self._publisher.tell(status)
         under_way = found.under_way
@@ -249,11 +249,11 @@ class Executive:
     # The task under way.
 
     def _move_on(self) -> None:
-        if self._turn is None or not self._leftovers.settled:
-            self._leftovers.step()
-            if not self._leftovers.none:
+        if self._current is None or not self._orphans.settled:
+            self._orphans.step()
+            if not self._orphans.none:
                 return
-        if self._turn is None:
+        if self._current is None:
             turn = self.book.next()
             if turn is None:
                 return
@@ -265,16 +265,16 @@ class Executive:
         self._go_on_if_begun()
 
     def _go_on_if_begun(self) -> None:
-        if self._turn is not None:
-            self._go_on(self._turn)
+        if self._current is not None:
+            self._go_on(self._current)
 
-    def _go_on(self, turn: Turn) -> None:
+    def _go_on(self, turn: CurrentTask) -> None:
         self._make_room(turn)
         turn.run.step()
         self._publisher.changed(turn)
         if turn.run.ended is None:
             return
-        self._turn = None
+        self._current = None
         self._note_tries()
         self._publisher.keep_spans(turn.task)
         self._note_common(turn, turn.run.ended)
@@ -284,7 +284,7 @@ class Executive:
         if self._ended % PRUNE_EVERY == 0:
             self._prune()
 
-    def _note_common(self, turn: Turn, ended: Ending) -> None:
+    def _note_common(self, turn: CurrentTask, ended: Ending) -> None:
         """Have tasks wait for what failed this one and would fail them; this one too, if it was a try."""
         if ended.state not in {TaskState.SUCCEEDED, TaskState.FAILED}:
             return
@@ -294,7 +294,7 @@ class Executive:
             _LOG.warning("task goes back to the queue", extra={"task": turn.task, "why": str(ended.failure)})
             turn.run.ended = Ending(TaskState.QUEUED)
 
-    def _make_room(self, turn: Turn) -> None:
+    def _make_room(self, turn: CurrentTask) -> None:
         """Let a task of a higher priority take over where the tree says that it may."""
         run = turn.run
         if not run.context.interruptible or run.state is not TaskState.RUNNING or run.ending is not None:
@@ -314,7 +314,7 @@ class Executive:
             self._publisher.tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
             return
         try:
-            self._turn = self._build(task, asked)
+            self._current = self._build(task, asked)
         except Exception as error:  # noqa: BLE001 - a builder's mistake costs its task, not the service
             _LOG.exception("could not build a tree", extra={"task": task})
             what = f"{type(error).__name__}: {error}"
@@ -322,11 +322,11 @@ class Executive:
             failure = Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=asked.kind.name)
             self._publisher.tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
             return
-        self._publisher.begin(self._turn)
-        self._turn.take_up(how)
-        self._publisher.changed(self._turn)
+        self._publisher.begin(self._current)
+        self._current.take_up(how)
+        self._publisher.changed(self._current)
 
-    def _build(self, task: str, asked: Asked) -> Turn:
+    def _build(self, task: str, asked: Asked) -> CurrentTask:
         memory = self.book.entry(task).memory
         if self.knowledge.description is None and memory.hands:
             self.knowledge.assume_hands(memory.hands)
@@ -349,25 +349,25 @@ class Executive:
             root,
             asked.kind,
             clocks=self._clocks,
-            halt=Halt(self._bus, self._clocks),
-            ticked=self._pulse.ticked,
+            halt=EmergencyStop(self._bus, self._clocks),
+            ticked=self._heartbeat.ticked,
             waits=lambda: self._holds.robot(asked.kind),
         )
-        return Turn(run, asked, self.book, self._clocks, Expectation(self._ledger.past(asked.kind.name)))
+        return CurrentTask(run, asked, self.book, self._clocks, Expectation(self._ledger.past(asked.kind.name)))
 
     # What is told.
 
     def _remember(self) -> None:
         """Note what a restart must know of the task under way; on disk with what is kept next."""
-        if self._turn is not None:
-            self._turn.remember()
+        if self._current is not None:
+            self._current.remember()
 
     def _keep(self) -> None:
         """Have all that holds now on disk."""
         self._remember()
         self.book.keep()
 
-    def _changed_by_verb(self, turn: Turn) -> None:
+    def _changed_by_verb(self, turn: CurrentTask) -> None:
         """Tell what a verb has changed, and have it on disk, whichever key it came by: its answer is next."""
         self._publisher.changed(turn)
         self._keep()
@@ -379,7 +379,7 @@ class Executive:
                 status = self.book.tried(tries.context.task, tries.tried)
                 if status is not None and not status.state.terminal:
                     self._publisher.tell(status)
-        running = None if self._turn is None else self._turn.run.context
+        running = None if self._current is None else self._current.run.context
         self._tries = [each for each in self._tries if each.context is running or each.pending]
 
     def _unable(self) -> dict[str, str]:
@@ -400,7 +400,7 @@ class Executive:
             version=self._version,
             tasks=tuple(name for name in self._kinds if name not in unable),
             unable=unable,
-            running="" if self._turn is None else self._turn.task,
+            running="" if self._current is None else self._current.task,
             queued=len(self.book.queue),
             waits_for=self._publisher.waits_for,
         )

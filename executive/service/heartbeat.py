@@ -19,7 +19,7 @@ BOUNDS: Final = (0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 
 """Seconds. A tick of the fetch's tree takes tenths of a millisecond; 5 ms is what no step may take."""
 
 
-class Pulse:
+class Heartbeat:
     """Counts ticks, and tells.
 
     Args:

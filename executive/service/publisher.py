@@ -6,7 +6,7 @@ import logging
 from typing import Final
 
 from tandem.executive.ledger.port import Ledger
-from tandem.executive.service.running.current_task import Turn
+from tandem.executive.service.running.current_task import CurrentTask
 from tandem.executive.service.running.timeline import Spans
 from tandem.executive.service.tasks.task_book import TURN, TaskBook
 from tandem.executive.service.tasks.task_log import TaskLog
@@ -56,11 +56,11 @@ class Publisher:
         TASK_STATUS.publish(self._bus, status)
         task_status(status.task).publish(self._bus, status)
 
-    def begin(self, turn: Turn) -> None:
+    def begin(self, turn: CurrentTask) -> None:
         """Go on with the spans of a task whose tree has just been built."""
         self._spans = Spans(self._book.entry(turn.task).memory.spans)
 
-    def changed(self, turn: Turn) -> None:
+    def changed(self, turn: CurrentTask) -> None:
         """Tell of the task under way what has changed: its tree, its progress."""
         turn.remember()
         tree = turn.run.changed_tree()
@@ -90,11 +90,11 @@ class Publisher:
             _LOG.info("a task waits", extra={"task": status.task, "waits_for": self.waits_for})
             self.tell(status)
 
-    def tree(self, turn: Turn | None) -> TreeSnapshot:
+    def tree(self, turn: CurrentTask | None) -> TreeSnapshot:
         """Return the tree of the task under way as it is, or the last one."""
         return self._last_tree if turn is None else turn.run.tree()
 
-    def timeline(self, task: str, turn: Turn | None) -> Timeline:
+    def timeline(self, task: str, turn: CurrentTask | None) -> Timeline:
         """Return when which node of a task ran."""
         if turn is not None and turn.task == task:
             return Timeline(task=task, spans=self._spans.all())

@@ -12,7 +12,7 @@ from py_trees.composites import Selector, Sequence
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.site import load
-from tandem.trees.breakpoints import Gates
+from tandem.trees.breakpoints import Breakpoints
 
 
 class Step(Behaviour):
@@ -37,12 +37,12 @@ def steps() -> dict[str, Step]:
 
 
 @pytest.fixture
-def gates(steps: dict[str, Step]) -> Gates:
+def gates(steps: dict[str, Step]) -> Breakpoints:
     root = Sequence("root", memory=True, children=list(steps.values()))
-    return Gates(root, TreeBench(load("lab"), items={}).context)
+    return Breakpoints(root, TreeBench(load("lab"), items={}).context)
 
 
-def tick(gates: Gates, times: int = 20) -> Status:
+def tick(gates: Breakpoints, times: int = 20) -> Status:
     for _ in range(times):
         gates.root.tick_once()
         if gates.hit or gates.root.status is not Status.RUNNING:
@@ -50,7 +50,7 @@ def tick(gates: Gates, times: int = 20) -> Status:
     return gates.root.status
 
 
-def test_before_a_node_nothing_of_it_has_begun(gates: Gates, steps: dict[str, Step]) -> None:
+def test_before_a_node_nothing_of_it_has_begun(gates: Breakpoints, steps: dict[str, Step]) -> None:
     gates.hold(steps["b"], before=True)
     assert tick(gates) is Status.RUNNING
     assert (gates.hit, steps["a"].status, steps["b"].begun) == ("before b", Status.SUCCESS, 0)
@@ -59,7 +59,7 @@ def test_before_a_node_nothing_of_it_has_begun(gates: Gates, steps: dict[str, St
     assert [step.begun for step in steps.values()] == [1, 1, 1]
 
 
-def test_after_a_node_the_next_has_not_begun(gates: Gates, steps: dict[str, Step]) -> None:
+def test_after_a_node_the_next_has_not_begun(gates: Breakpoints, steps: dict[str, Step]) -> None:
     gates.hold(steps["b"], before=False)
     tick(gates)
     assert (gates.hit, steps["b"].begun, steps["c"].begun) == ("after b", 1, 0)
@@ -68,7 +68,7 @@ def test_after_a_node_the_next_has_not_begun(gates: Gates, steps: dict[str, Step
     assert steps["b"].begun == 1
 
 
-def test_a_node_can_be_held_on_both_sides_each_time(gates: Gates, steps: dict[str, Step]) -> None:
+def test_a_node_can_be_held_on_both_sides_each_time(gates: Breakpoints, steps: dict[str, Step]) -> None:
     gates.hold(steps["b"], before=True)
     gates.hold(steps["b"], before=False)
     seen = []
@@ -80,13 +80,13 @@ def test_a_node_can_be_held_on_both_sides_each_time(gates: Gates, steps: dict[st
     assert seen == ["before b", "after b", ""] * 2
 
 
-def test_a_breakpoint_that_is_taken_away_holds_nobody(gates: Gates, steps: dict[str, Step]) -> None:
+def test_a_breakpoint_that_is_taken_away_holds_nobody(gates: Breakpoints, steps: dict[str, Step]) -> None:
     gates.hold(steps["b"], before=True)
     gates.hold(steps["b"], before=True, on=False)
     assert tick(gates) is Status.SUCCESS
 
 
-def test_what_was_stopped_before_a_breakpoint_begins_anew(gates: Gates, steps: dict[str, Step]) -> None:
+def test_what_was_stopped_before_a_breakpoint_begins_anew(gates: Breakpoints, steps: dict[str, Step]) -> None:
     gates.hold(steps["b"], before=True)
     tick(gates)
     gates.release()
@@ -100,7 +100,7 @@ def test_what_was_stopped_before_a_breakpoint_begins_anew(gates: Gates, steps: d
     ("status", "end"), [(Status.SUCCESS, Status.SUCCESS), (Status.FAILURE, Status.FAILURE)]
 )
 def test_a_forced_node_ends_without_having_worked(
-    gates: Gates, steps: dict[str, Step], status: Status, end: Status
+    gates: Breakpoints, steps: dict[str, Step], status: Status, end: Status
 ) -> None:
     gates.force(steps["b"], status)
     assert tick(gates) is end
@@ -112,14 +112,14 @@ def test_a_forced_node_ends_without_having_worked(
 def test_a_forced_failure_leads_to_the_other_branch() -> None:
     first, other = Step("first"), Step("other")
     root = Selector("root", memory=True, children=[first, other])
-    gates = Gates(root, TreeBench(load("lab"), items={}).context)
+    gates = Breakpoints(root, TreeBench(load("lab"), items={}).context)
     gates.force(first, Status.FAILURE)
     assert tick(gates) is Status.SUCCESS
     assert (first.begun, other.begun) == (0, 1)
 
 
 def test_a_node_that_works_is_stopped_when_it_is_forced_and_works_again_after(
-    gates: Gates, steps: dict[str, Step]
+    gates: Breakpoints, steps: dict[str, Step]
 ) -> None:
     tick(gates, 1)
     gates.force(steps["a"], Status.SUCCESS)
@@ -138,7 +138,7 @@ def test_a_name_that_is_not_clear_is_told() -> None:
             Sequence("right", memory=True, children=[Step("same")]),
         ],
     )
-    gates = Gates(root, TreeBench(load("lab"), items={}).context)
+    gates = Breakpoints(root, TreeBench(load("lab"), items={}).context)
     assert gates.find("none") == "no node 'none' in the tree"
     assert "root/left/same, root/right/same" in str(gates.find("same"))
     assert gates.find("root/right/same") is root.children[1].children[0]

@@ -23,7 +23,7 @@ PROGRESS_STEP: Final = 0.01
 
 
 @dataclass(eq=False)
-class Turn:
+class CurrentTask:
     """One task under way.
 
     Args:

@@ -17,7 +17,7 @@ GIVE_UP_AFTER: Final = 3.0
 """Host seconds without a confirmation."""
 
 
-class Halt:
+class EmergencyStop:
     """Sets ``hw/stop``. An operator releases it.
 
     Args:

@@ -8,7 +8,7 @@ from typing import Final
 from pydantic import ConfigDict
 
 from tandem.executive.ledger.port import SentGoal
-from tandem.executive.service.running.emergency_stop import Halt
+from tandem.executive.service.running.emergency_stop import EmergencyStop
 from tandem.executive.service.running.time_limits import REST_WITHIN, SILENCE_ALLOWED, SILENT_AFTER
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
@@ -26,7 +26,7 @@ class Whatever(Message):
     model_config = ConfigDict(frozen=True, extra="ignore")
 
 
-class Leftovers:
+class OrphanedGoals:
     """Moves such goals on; stops the hardware for those that don't end, and then gives them up.
 
     Args:
@@ -39,7 +39,7 @@ class Leftovers:
     def __init__(self, bus: Bus, clocks: Clocks, clients: Clients, knowledge: Knowledge) -> None:
         self._bus, self._clocks, self._clients, self._knowledge = bus, clocks, clients, knowledge
         self._before = Clients(bus, clocks, OWNER, clients.journal)
-        self._halt: Halt | None = None
+        self._halt: EmergencyStop | None = None
 
     @property
     def none(self) -> bool:
@@ -66,7 +66,7 @@ class Leftovers:
         if not stuck or not self._hardware_there:
             self._halt = None
         elif self._halt is None:
-            self._halt = Halt(self._bus, self._clocks)
+            self._halt = EmergencyStop(self._bus, self._clocks)
             self._halt.set("goals of an ended task did not come to rest")
         elif self._halt.step():
             if self._halt.confirmed:

@@ -18,7 +18,7 @@ Step = Literal["", "leaf", "tick"]
 """How far a paused task goes on: to its end, by one leaf, by one tick of its tree."""
 
 
-class Hold:
+class Pausing:
     """Whether the tree may be ticked, and the way there and back.
 
     Args:

@@ -6,7 +6,7 @@ from py_trees.behaviour import Behaviour
 
 from tandem.executive.service.running.tree_view import TreeView
 from tandem.skills.ports.tasks import TreeNode
-from tandem.trees.breakpoints import Gates
+from tandem.trees.breakpoints import Breakpoints
 
 
 class ShownTree:
@@ -28,7 +28,7 @@ class ShownTree:
         """Show another tree from now on."""
         self.view, self._shown, self.touched = TreeView(root), None, True
 
-    def changed(self, gates: Gates) -> bool:
+    def changed(self, gates: Breakpoints) -> bool:
         """Say whether a status, a message or a gate is another than at the last call."""
         gated, self._gates_shown = self._gates_shown != gates.changes, gates.changes
         if not (self.touched or gated):

@@ -15,7 +15,7 @@ from pydantic import JsonValue
 
 from tandem.executive.ledger.port import LedgerError
 from tandem.executive.ledger.task_memory import Winding
-from tandem.executive.service.running.emergency_stop import Halt
+from tandem.executive.service.running.emergency_stop import EmergencyStop
 from tandem.executive.service.running.endings import (
     Ending,
     abandoned,
@@ -26,7 +26,7 @@ from tandem.executive.service.running.endings import (
     raised,
     unsaid,
 )
-from tandem.executive.service.running.pausing import Hold, Step
+from tandem.executive.service.running.pausing import Pausing, Step
 from tandem.executive.service.running.shown_tree import ShownTree
 from tandem.executive.service.running.tick_timer import TickTimer
 from tandem.executive.service.running.time_limits import (
@@ -40,7 +40,7 @@ from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import NodeStatus, Progress, TaskState, TreeSnapshot
-from tandem.trees.breakpoints import Gates
+from tandem.trees.breakpoints import Breakpoints
 from tandem.trees.clients import AnyGoal
 from tandem.trees.context import TreeContext
 from tandem.trees.dissolve import dissolve
@@ -81,7 +81,7 @@ class Run:
         kind: TaskType[Message],
         *,
         clocks: Clocks,
-        halt: Halt,
+        halt: EmergencyStop,
         ticked: Callable[[float], None] = _nobody,
         waits: Callable[[], str] = _for_nothing,
     ) -> None:
@@ -99,7 +99,7 @@ class Run:
         self.result: dict[str, JsonValue] | None = None
         """What the task tells at its end."""
         self._ticked, self._waits_for, self._kept = ticked, waits, ""
-        self._hold = Hold(context, clocks)
+        self._pausing = Pausing(context, clocks)
         self._ending: Ending | None = None
         self._resting = Elapsed(clocks)  # since the tree's end
         self._winding: Elapsed | None = None  # since the wind-down began
@@ -109,7 +109,7 @@ class Run:
         self._timer = TickTimer(clocks)
         self._progress = context.progress  # a task that is taken up again does not fall back
         self._shown = ShownTree(root)
-        self.gates = Gates(root, context)
+        self.gates = Breakpoints(root, context)
         """Breakpoints and forced nodes."""
         self.yielding = False
         """Whether it makes room for another task."""
@@ -124,7 +124,7 @@ class Run:
     @property
     def state(self) -> TaskState:
         """Where it stands, until it has ended."""
-        return TaskState.CANCELING if self.canceling else self._hold.state
+        return TaskState.CANCELING if self.canceling else self._pausing.state
 
     @property
     def progress(self) -> Progress:
@@ -156,7 +156,7 @@ class Run:
             self.winding = "left"
         if self._ending is None or self.yielding:
             self.canceling, self.yielding = True, False
-            self._hold.resume()
+            self._pausing.resume()
             self._stop_tree()
             self._end_with(Ending(TaskState.CANCELED))
 
@@ -177,16 +177,16 @@ class Run:
 
     def step_on(self, step: Step) -> None:
         """Go on, just built, until one more leaf has ended or by one tick, and pause then."""
-        self._hold.resume(step)
+        self._pausing.resume(step)
 
     @property
     def stepping(self) -> Step:
         """How far it goes on before it is paused again."""
-        return self._hold.stepping
+        return self._pausing.stepping
 
     def interrupt(self, failure: Failure) -> None:
         """Stop the tree: the task ends as INTERRUPTED when all is at rest."""
-        self._hold.resume()
+        self._pausing.resume()
         self._stop_tree()
         self._end_with(Ending(TaskState.INTERRUPTED, failure))
 
@@ -210,21 +210,21 @@ class Run:
         """Have all come to rest and the tree stay where it is; return why not, or nothing."""
         why = self.held_up_by()
         if not why:
-            self._hold.pause()
+            self._pausing.pause()
         return why
 
     def resume(self) -> str:
         """Go on after a pause; return why not, or nothing."""
         why = self.held_up_by()
-        if not why and self._hold.free:
+        if not why and self._pausing.free:
             why = "the task is not paused"
         return why or self._leave_pause("")
 
     def step_by(self, step: Step) -> str:
         """Go on until one more leaf has ended or by one tick, and pause again; return why not, or nothing."""
         why = self.held_up_by()
-        if not why and self._hold.state is not TaskState.PAUSED:
-            pausing = self._hold.state is TaskState.PAUSING
+        if not why and self._pausing.state is not TaskState.PAUSED:
+            pausing = self._pausing.state is TaskState.PAUSING
             why = "the skills are still coming to rest" if pausing else "the task is not paused"
         return why or self._leave_pause(step)
 
@@ -233,7 +233,7 @@ class Run:
             return "the task asks whether to continue; answer the question first"
         self.gates.release()
         self.look_again()
-        self._hold.resume(step)
+        self._pausing.resume(step)
         return ""
 
     def changed_tree(self) -> TreeSnapshot | None:
@@ -274,11 +274,11 @@ class Run:
         if stuck:
             self._stop_hardware(stuck)
             return
-        self._hold.step()
+        self._pausing.step()
         self._kept = self._waits_for() if self.ticks == 0 and self._ending is None else ""
         if (
             self._ending is None
-            and self._hold.free
+            and self._pausing.free
             and not self._kept
             and (heard or self.ticks == 0 or self._timer.due)
         ):
@@ -308,9 +308,9 @@ class Run:
     def _judge(self, ticked: tuple[Behaviour, ...]) -> None:
         status = NodeStatus(self._root.status.name)
         if status is NodeStatus.RUNNING:
-            self._hold.after_tick(ticked)
+            self._pausing.after_tick(ticked)
             if self.gates.hit:
-                self._hold.pause()
+                self._pausing.pause()
         elif status is NodeStatus.SUCCESS:
             # Raises for what the kind does not declare: then the task has not succeeded.
             self.result = self._kind.result_of(self.context, succeeded=not self.canceling)
@@ -382,7 +382,7 @@ class Run:
         self._winding, self._ending = Elapsed(self._clocks), None
         self._root = tree
         self._shown.turn_to(tree)
-        self.gates = Gates(tree, self.context)
+        self.gates = Breakpoints(tree, self.context)
         self._timer.look_again()
         return True
 

@@ -7,7 +7,7 @@ from typing import Final, Protocol, TypeVar, cast
 
 from py_trees.common import Status
 
-from tandem.executive.service.running.current_task import Turn
+from tandem.executive.service.running.current_task import CurrentTask
 from tandem.executive.service.running.endings import not_taken_up
 from tandem.executive.service.running.tree_run import Run
 from tandem.executive.service.tasks.resuming import GO_ON, QUESTION
@@ -63,11 +63,11 @@ class Control:
         self,
         book: TaskBook,
         clocks: Clocks,
-        turn: Callable[[], Turn | None],
+        turn: Callable[[], CurrentTask | None],
         tell: Callable[[TaskStatus], None],
     ) -> None:
-        self._book, self._clocks, self._turn, self._tell = book, clocks, turn, tell
-        self.changed: Callable[[Turn], None] = lambda _: None
+        self._book, self._clocks, self._current, self._tell = book, clocks, turn, tell
+        self.changed: Callable[[CurrentTask], None] = lambda _: None
         """Called after a verb has changed the task under way."""
 
     def verbs(self) -> tuple[Verb[Message], ...]:
@@ -191,9 +191,9 @@ class Control:
         self.changed(turn)
         return ControlAnswer(accepted=not why, reason=why)
 
-    def _under_way(self, task: str) -> Turn | ControlAnswer:
+    def _under_way(self, task: str) -> CurrentTask | ControlAnswer:
         """Return the task's turn, or why it has none."""
-        turn = self._turn()
+        turn = self._current()
         if turn is not None and turn.task == task and turn.run.ended is None:
             return turn
         status = self._book.find(task)

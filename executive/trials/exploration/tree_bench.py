@@ -22,7 +22,7 @@ from tandem.skills.ports.site import Site
 from tandem.skills.testing.mock_robot import MockRobot
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus, MemoryHub
-from tandem.trees.breakpoints import Gates
+from tandem.trees.breakpoints import Breakpoints
 from tandem.trees.clients import Clients
 from tandem.trees.context import TreeContext
 from tandem.trees.knowledge import Knowledge
@@ -69,7 +69,7 @@ class TreeBench:
         self.context = self._new_context()
         self.kind: TaskType[Message] | None = None
         self.root: Behaviour | None = None
-        self.gates = Gates(Sequence("no task", memory=True), self.context)
+        self.gates = Breakpoints(Sequence("no task", memory=True), self.context)
         """Breakpoints and forced nodes of the tree that was started last."""
         self.visited: list[tuple[str, Status]] = []
         """What each node became when it was ticked, in order: RUNNING once, INVALID when interrupted."""
@@ -90,7 +90,7 @@ class TreeBench:
         self.visited, self._running = [], {}
         asked = kind.request.model_validate({**named, **request}, context=self._site)
         self.root = kind.build(asked, self.context)
-        self.gates = Gates(self.root, self.context)
+        self.gates = Breakpoints(self.root, self.context)
         return self.root
 
     def hold(self, node: str, *, before: bool = True) -> None:
