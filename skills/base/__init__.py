@@ -3,7 +3,7 @@
 Skills: drive, rotate, localise, process.
 Where the robot is: whereabouts; localiser, matcher, search, scan, odometry, odometry_drift, map, field,
 floor; fixed.
-The way: planner, quicker, path, journey, course, leg, headway, obstacles, occupied, cliffs, ranger;
+The way: planner, quicker, path, journey, journey_context, leg, headway, obstacles, occupied, cliffs, ranger;
 ``people/`` has who walks about, ``band/`` how the path is left for them.
 Where nothing is mapped: tracker, surround, macros, go, follow_robot, sights, way_back.
 Driving it: with_wheels, ride, follow, ending, wheels, guard, watch, status; ``reflexes/`` take the wheels

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tandem.skills.base.course import Course, Progress
 from tandem.skills.base.journey import Journey
+from tandem.skills.base.journey_context import JourneyContext, Progress
 from tandem.skills.base.ride import Ride
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.wheels import Wheels
@@ -25,7 +25,7 @@ class Drive:
         board: who has the wheels.
     """
 
-    def __init__(self, bus: Bus, clocks: Clocks, course: Course, board: BaseStatusBoard) -> None:
+    def __init__(self, bus: Bus, clocks: Clocks, course: JourneyContext, board: BaseStatusBoard) -> None:
         self._clocks, self.course, self._guard, self._board = clocks, course, course.guard, board
         self._wheels = Wheels(bus, clocks, course.drive, lambda: board.pipeline.normal(DRIVE.name))
 

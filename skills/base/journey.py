@@ -6,9 +6,9 @@ import itertools
 import math
 from typing import Final
 
-from tandem.skills.base.course import Course, Progress
 from tandem.skills.base.ending import laid_aside
 from tandem.skills.base.follow import Follower
+from tandem.skills.base.journey_context import JourneyContext, Progress
 from tandem.skills.base.leg import Leg
 from tandem.skills.base.path import Path
 from tandem.skills.base.planner import Clearances, Planner
@@ -56,7 +56,7 @@ class Journey:
     """
 
     def __init__(
-        self, course: Course, ride: Ride[DriveFeedback], progress: Progress, goal: DriveGoal
+        self, course: JourneyContext, ride: Ride[DriveFeedback], progress: Progress, goal: DriveGoal
     ) -> None:
         self._course, self._ride, self._progress, self._goal = course, ride, progress, goal
         self._watch = course.watch()

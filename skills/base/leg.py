@@ -7,10 +7,10 @@ from collections.abc import Generator
 from typing import Final
 
 from tandem.skills.base.band.bend import Bend
-from tandem.skills.base.course import Course, Progress
 from tandem.skills.base.ending import ARRIVED
 from tandem.skills.base.follow import Follower
 from tandem.skills.base.headway import Headway
+from tandem.skills.base.journey_context import JourneyContext, Progress
 from tandem.skills.base.ride import Motion, Ride
 from tandem.skills.base.watch import Block, Watch
 from tandem.skills.geometry.poses import wrap
@@ -48,7 +48,12 @@ class Leg:
     """
 
     def __init__(
-        self, course: Course, ride: Ride[DriveFeedback], watch: Watch, progress: Progress, follower: Follower
+        self,
+        course: JourneyContext,
+        ride: Ride[DriveFeedback],
+        watch: Watch,
+        progress: Progress,
+        follower: Follower,
     ) -> None:
         self._course, self._ride, self._watch, self._progress = course, ride, watch, progress
         self._follower = follower

@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from tandem.skills.base.cliffs import Cliffs
-from tandem.skills.base.course import Course
 from tandem.skills.base.drive import Drive
 from tandem.skills.base.fixed import FixedBase
 from tandem.skills.base.follow_robot import Follow
 from tandem.skills.base.go import Go
 from tandem.skills.base.guard import Guard
+from tandem.skills.base.journey_context import JourneyContext
 from tandem.skills.base.localise import Localise
 from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.map import build_map
@@ -83,7 +83,7 @@ def assemble(
     drive, radius = description.driven, description.footprint_radius
     caution = None if people is None else Caution(people, site_map.plan, drive, radius, clocks)
     bends = site.local_planner == "band"
-    course = Course(site_map, obstacles, localiser, drive, radius, guard, caution, bends, cliffs)
+    course = JourneyContext(site_map, obstacles, localiser, drive, radius, guard, caution, bends, cliffs)
     around = BaseSurroundings(bus, clocks, description, localiser, guard, board, cliffs=cliffs)
     return Base(
         localiser=localiser,

@@ -1,7 +1,7 @@
 """Both arms at once: workspace zones, coordination, two hands.
 
 Zones: zones, zones_node.
-Coordination: coordinate, coordination, coordinator, observer, announced, way, alone.
+Coordination: coordinate, coordination, coordinator, observer, announced, way, uncoordinated_stop.
 Two hands on one thing: two_hands, object_frame, ready, glide, hold, squeeze,
 supervision, landing, trial, lead.
 All of it: process.

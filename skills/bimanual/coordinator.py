@@ -9,10 +9,10 @@ from typing import Final
 
 import numpy as np
 
-from tandem.skills.bimanual.alone import Alone
 from tandem.skills.bimanual.announced import CREEP, NEXT, Announced
 from tandem.skills.bimanual.coordination import FIELD_ROOM, Coordination, Mode, Situation, Stage
 from tandem.skills.bimanual.observer import ArmObserver
+from tandem.skills.bimanual.uncoordinated_stop import UncoordinatedStop
 from tandem.skills.bimanual.way import MARGIN, clear
 from tandem.skills.kinematics.clearance import ArmsClearance
 from tandem.skills.kinematics.described import by_name, carried
@@ -64,7 +64,7 @@ class Coordinator:
         self._arms: dict[HandName, ArmObserver] = {
             side: ArmObserver(bus, description, how, side) for side in PAIR
         }
-        self._alone, self.coordination, self._phi = Alone(), Coordination(), how.phi
+        self._uncoordinated, self.coordination, self._phi = UncoordinatedStop(), Coordination(), how.phi
         self.coordinating = False
         """Whether somebody has asked for it."""
         self.seen: Situation | None = None
@@ -89,15 +89,15 @@ class Coordinator:
             mode: see the state machine. Eager, it is the true clearance alone that stops the arms.
             phi: robot seconds by which the follower goes back at each risk; those of a sample unless given.
         """
-        episode = max(self._alone.episode, self.coordination.episode)
+        episode = max(self._uncoordinated.episode, self.coordination.episode)
         stride = 1 if phi is None else max(1, round(phi / self._phi))
         self.coordination = Coordination(mode=mode, episode=episode, stride=stride)
         self.coordinating = True
 
     def end(self) -> None:
         """Leave both arms to themselves."""
-        episode = max(self._alone.episode, self.coordination.episode)
-        self._alone, self.coordinating = Alone(episode=episode), False
+        episode = max(self._uncoordinated.episode, self.coordination.episode)
+        self._uncoordinated, self.coordinating = UncoordinatedStop(episode=episode), False
 
     def step(self) -> bool:
         """With each new message of the joints: see, rule, tell."""
@@ -120,8 +120,8 @@ class Coordinator:
         if self.coordinating:
             self.coordination = self.coordination.after(self.seen)
         else:
-            was, self._alone = self._alone, self._alone.after(self.seen)
-            if self._alone.stopping and not was.stopping:
+            was, self._uncoordinated = self._uncoordinated, self._uncoordinated.after(self.seen)
+            if self._uncoordinated.stopping and not was.stopping:
                 self._brake()
         self._tell(joints)
         return False
@@ -140,7 +140,7 @@ class Coordinator:
             group_cancel(arm.group).query(self._bus, CancelMotion())
 
     def _tell(self, joints: JointStates) -> None:
-        state = self.coordination if self.coordinating else self._alone
+        state = self.coordination if self.coordinating else self._uncoordinated
         orders = state.orders
         going = all(order.order is Order.GO for order in orders)
         message = RightOfWay(

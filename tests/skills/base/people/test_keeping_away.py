@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from tandem.skills.base.course import Progress
 from tandem.skills.base.field import DistanceField
 from tandem.skills.base.headway import STUCK_AFTER, Headway
+from tandem.skills.base.journey_context import Progress
 from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.people.cost import costs
 from tandem.skills.base.people.forecast import Forecast, forecast

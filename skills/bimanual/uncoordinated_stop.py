@@ -13,7 +13,7 @@ from tandem.skills.ports.actions.bimanual import PAIR, ArmOrder, Order
 
 
 @dataclass(frozen=True)
-class Alone:
+class UncoordinatedStop:
     """The state: how often both were stopped, whether they are just now, and how near they were then (m)."""
 
     episode: int = 0
@@ -26,7 +26,7 @@ class Alone:
         """What each arm may do, left first."""
         return tuple(ArmOrder(side=side, order=Order.STOP if self.stopping else Order.GO) for side in PAIR)
 
-    def after(self, seen: Situation) -> Alone:
+    def after(self, seen: Situation) -> UncoordinatedStop:
         """Return the state after what is seen."""
         both, still = seen.left.moving and seen.right.moving, not (seen.left.moving or seen.right.moving)
         if self.stopping:

@@ -33,7 +33,7 @@ class Progress:
 
 
 @dataclass(frozen=True)
-class Course:
+class JourneyContext:
     """What a journey knows of the floor and of the robot."""
 
     site_map: SiteMap
