@@ -30,6 +30,17 @@ class KindCondition:
         return failure.reason.kind in self.kinds
 
 
+_ARM_NOT_THERE: Final = frozenset(
+    (
+        FailureKind.NO_IK,
+        FailureKind.NO_PATH,
+        FailureKind.PATH_IN_COLLISION,
+        FailureKind.ARM_STOPPED,
+        FailureKind.ARM_OFF_GOAL,
+    )
+)
+"""The hand can't get to its goal, or did not: the way there failed, not the grasp."""
+
 waiting_helps: Final = KindCondition(
     "wait until it is back",
     frozenset(
@@ -66,19 +77,13 @@ looking_again_helps: Final = KindCondition("look around again", frozenset((Failu
 """Would it help to look around from here? The item is not where it was."""
 another_grasp_helps: Final = KindCondition(
     "draw back, grasp another way",
-    frozenset(
-        (
-            FailureKind.NO_IK,
-            FailureKind.NO_PATH,
-            FailureKind.PATH_IN_COLLISION,
-            FailureKind.ARM_STOPPED,
-            FailureKind.ARM_OFF_GOAL,
-            FailureKind.GRASP_EMPTY,
-            FailureKind.GRASP_LOST,
-            FailureKind.GRIPPER_STUCK,
-            FailureKind.FORCE_MISSING,
-        )
-    ),
+    _ARM_NOT_THERE
+    | {
+        FailureKind.GRASP_EMPTY,
+        FailureKind.GRASP_LOST,
+        FailureKind.GRIPPER_STUCK,
+        FailureKind.FORCE_MISSING,
+    },
 )
 """Would it help to draw back and grasp otherwise? The arm's failures in the order-picking paper, III-A.4."""
 searching_again_helps: Final = KindCondition(
@@ -91,16 +96,7 @@ another_slot_helps: Final = KindCondition("another slot", frozenset((FailureKind
 """Would it help to put the item into another slot?"""
 another_stand_helps: Final = KindCondition(
     "with the item in the hand: another stand, then begin from home",
-    frozenset(
-        (
-            FailureKind.NO_IK,
-            FailureKind.NO_PATH,
-            FailureKind.PATH_IN_COLLISION,
-            FailureKind.ARM_STOPPED,
-            FailureKind.ARM_OFF_GOAL,
-            FailureKind.DESTINATION_UNREACHABLE,
-        )
-    ),
+    _ARM_NOT_THERE | {FailureKind.DESTINATION_UNREACHABLE},
 )
 """Would it help to hold the item out from somewhere else?"""
 fetching_again_helps: Final = KindCondition(
@@ -109,16 +105,7 @@ fetching_again_helps: Final = KindCondition(
 """Would it help to fetch the item from where it fell?"""
 trying_again_helps: Final = KindCondition(
     "when letting go: once more",
-    frozenset(
-        (
-            FailureKind.GRIPPER_STUCK,
-            FailureKind.NO_IK,
-            FailureKind.NO_PATH,
-            FailureKind.PATH_IN_COLLISION,
-            FailureKind.ARM_STOPPED,
-            FailureKind.ARM_OFF_GOAL,
-        )
-    ),
+    _ARM_NOT_THERE | {FailureKind.GRIPPER_STUCK},
 )
 """Would it help to do the same once more?"""
 
