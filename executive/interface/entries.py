@@ -45,12 +45,12 @@ def _called(module: ModuleType, function: Callable[..., object]) -> object:
     if function.__module__ != module.__name__ or not returned.startswith(("Topic", "Service", "ActionType")):
         return None
     names = inspect.signature(function).parameters
-    return function(*(f"<{name}>" for name in names))
+    return function(*(f"<{name.rstrip('_')}>" for name in names))
 
 
 def task_entries() -> list[Entry]:
     """Return the keys of the executive."""
-    return [*entries_of(tasks), *entries_of(records), Topic("task/<id>/status", tasks.TaskStatus)]
+    return [*entries_of(tasks), *entries_of(records)]
 
 
 def _action_modules() -> Iterator[ModuleType]:

@@ -403,6 +403,6 @@ TREE: Final = Topic("tree/snapshot", TreeSnapshot)
 TREE_NOW: Final = Service("tree/now", Nothing, TreeSnapshot, reads=True)
 
 
-def task_status(task: str) -> Topic[TaskStatus]:
+def task_status(id_: str) -> Topic[TaskStatus]:
     """Return the topic of one task's status; queried, it answers with the status of now, or with nothing."""
-    return Topic(f"task/{task}/status", TaskStatus)
+    return Topic(f"task/{id_}/status", TaskStatus)
