@@ -47,7 +47,9 @@ class GiveWay(Decorator):
         child: waits for the base, and moves it.
         enough: told of each such failure; returns why it shall not be tried again, or None.
         settles: whether no repair for what was given up here is tried above.
-        free: whether nothing has the base, so that the child may begin anew.
+        free: whether nothing has the base, so that the child may begin anew. A child that waits by itself,
+            its first time too, needs none (``base_is_free``); a drive that has other ways does not wait
+            before it has tried, and has its base waited for here.
     """
 
     def __init__(
