@@ -22,6 +22,7 @@ from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.steps import run_through
 from tandem.skills.ports.world import Box, PlanningScene, SceneObject
 from tandem.skills.site import load
 
@@ -67,17 +68,11 @@ def picks(world: Room, count: int, seed: int) -> tuple[list[PlannerProblem], Map
         if drawn is None:
             left_out["no room"] += 1
             continue
-        reaching = planner.reach(drawn.pre_grasp, drawn.moment)
-        while True:
-            try:
-                next(reaching)
-            except StopIteration as stop:
-                reached: tuple[int, Array] | Failure = stop.value
-                break
+        reached = run_through(planner.reach(drawn.pre_grasp, drawn.moment))
         if isinstance(reached, Failure):
             left_out["no joint positions"] += 1
             continue
-        goal = MoveGoal(joints=tuple(map(float, reached[1])), hand_width=drawn.width)
+        goal = MoveGoal(joints=tuple(map(float, reached.q)), hand_width=drawn.width)
         problem = PlannerProblem(drawn.moment, goal)
         if _blocked(world.arm, problem):
             found.append(problem)

@@ -28,12 +28,13 @@ import numpy as np
 
 from benchmarks.planner_problems import PlannerProblem, passages, picks, room
 from benchmarks.rows import quantile
-from tandem.skills.arm.plan_move import MovePlanner, Steps
+from tandem.skills.arm.plan_move import MovePlanner
 from tandem.skills.arm.planning.settings import PlannerSettings
-from tandem.skills.arm.problem import Arm, Plan
+from tandem.skills.arm.problem import Arm
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.planners import PlannerName
+from tandem.skills.ports.steps import run_through
 
 COMPARED: Final = (
     PlannerName.RRT_CONNECT,
@@ -73,7 +74,7 @@ class Outcome:
 def solve(arm: Arm, planner: MovePlanner, problem: PlannerProblem, seed: int) -> Outcome:
     """Plan one problem, and measure the motion."""
     began = time.process_time()
-    plan = _run(planner.plan(problem.goal, problem.moment, np.random.default_rng(seed)))
+    plan = run_through(planner.plan(problem.goal, problem.moment, np.random.default_rng(seed)))
     cpu = time.process_time() - began
     if isinstance(plan, Failure):
         return Outcome(solved=False, cpu=cpu, why=f"{plan.kind}: {plan.message}")
@@ -130,15 +131,6 @@ def line(name: PlannerName, outcomes: Sequence[Outcome]) -> tuple[str, ...]:
         median((each.clearance for each in good), ".1f", 1e3),
         median((each.duration for each in good), ".2f"),
     )
-
-
-def _run(steps: Steps) -> Plan | Failure:
-    while True:
-        try:
-            next(steps)
-        except StopIteration as stop:
-            ended: Plan | Failure = stop.value
-            return ended
 
 
 def main(argv: list[str] | None = None) -> None:

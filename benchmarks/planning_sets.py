@@ -24,6 +24,7 @@ from tandem.skills.kinematics.transforms import Array, to_se3
 from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.robot_description import RobotDescription
+from tandem.skills.ports.steps import run_through
 from tandem.skills.ports.world import Box, PlanningScene, SceneObject
 
 Triple = tuple[float, float, float]
@@ -148,13 +149,7 @@ def _end(scene: Scene, of: Stand, moment: Moment, rng: np.random.Generator) -> A
         turn = multiply(about((0, 0, 1), scene.yaw), from_rpy(0.0, place.pitch + pitch, yaw))
         pose = Pose(position=_there(point, scene, of), orientation=multiply(turn, about((1, 0, 0), roll)))
         middle = 0.5 * (of.arm.limits.lower + of.arm.limits.upper)
-        steps = solver.solve(checker.chain, [to_se3(pose)], middle, STARTS)
-        while True:
-            try:
-                next(steps)
-            except StopIteration as stop:
-                answers = stop.value
-                break
+        answers = run_through(solver.solve(checker.chain, [to_se3(pose)], middle, STARTS))
         free = [q for q in answers[0].solutions if checker.free(q)]
         if free:
             chosen: Array = free[int(rng.integers(len(free)))]

@@ -8,7 +8,7 @@ is known of a table.
 from __future__ import annotations
 
 import math
-from collections.abc import Generator, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final, TypeVar
@@ -28,6 +28,7 @@ from tandem.skills.ports.actions.bimanual import PAIR, ZoneRow
 from tandem.skills.ports.message import HandName, Quaternion, Vector3
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.robot_description import RobotDescription
+from tandem.skills.ports.steps import run_through
 
 T = TypeVar("T")
 Reached = npt.NDArray[np.bool_]
@@ -137,7 +138,7 @@ def _reached(
         for k in range(0, len(cells), BATCH):
             part = cells[k : k + BATCH]
             poses = [to_se3(Pose(position=grid.point(i, j), orientation=way)) for i, j in part]
-            answers = _ended(solver.solve(checker.chain, poses, home, STARTS))
+            answers = run_through(solver.solve(checker.chain, poses, home, STARTS))
             for cell, answer in zip(part, answers, strict=True):
                 if any(checker.free(q) for q in answer.solutions):
                     yield cell
@@ -165,12 +166,3 @@ def _edge(found: Reached, known: Reached) -> list[tuple[int, int]]:
         for j in (0, 1, 2):
             beside |= wide[i : i + rows, j : j + columns]
     return [(int(i), int(j)) for i, j in np.argwhere(beside & ~known)]
-
-
-def _ended(steps: Generator[int, None, T]) -> T:
-    while True:
-        try:
-            next(steps)
-        except StopIteration as stop:
-            ended: T = stop.value
-            return ended

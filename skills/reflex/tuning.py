@@ -7,7 +7,7 @@ least for which no dangerous pair is missed; taken is what raises the fewest fal
 
 from __future__ import annotations
 
-from collections.abc import Generator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final, TypeVar
 
@@ -26,6 +26,7 @@ from tandem.skills.kinematics.transforms import Array, to_se3
 from tandem.skills.ports.actions.bimanual import PAIR
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.robot_description import ArmsCrossing, RobotDescription
+from tandem.skills.ports.steps import run_through
 
 T = TypeVar("T")
 
@@ -142,18 +143,9 @@ def _over_the_table(
         place = rng.uniform(NEAR, FAR)
         x, y, z = map(float, place)
         target = to_se3(Pose(position=(x, y, z), orientation=from_rpy(0.0, pitch, yaw)))
-        (answer,) = _ended(solver.solve(checker.chain, [target], home, STARTS))
+        (answer,) = run_through(solver.solve(checker.chain, [target], home, STARTS))
         free = [q for q in answer.solutions if checker.free(q)]
         if free:
             found.append(free[0])
             tools.append((y, pitch, yaw))
     return np.array(found), np.array(tools)
-
-
-def _ended(steps: Generator[int, None, T]) -> T:
-    while True:
-        try:
-            next(steps)
-        except StopIteration as stop:
-            ended: T = stop.value
-            return ended

@@ -8,7 +8,7 @@ free of collisions that goes on to grasp and retraction? Where there is none, no
 from __future__ import annotations
 
 import math
-from collections.abc import Generator, Mapping
+from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
@@ -31,6 +31,7 @@ from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.shapes import Solid, extents, solid
 from tandem.skills.ports.site import Site
+from tandem.skills.ports.steps import run_through
 from tandem.skills.ports.world import PlanningScene, SceneObject
 
 FACES: Final = (0, 1, 2, -1)
@@ -102,19 +103,11 @@ class Reachable:
 
     def _from(self, stand: FloorPose, side: HandName, goal: MoveGoal, scene: PlanningScene) -> bool:
         moment = Moment(self._joints, scene, stand)
-        return _result(self._planners[side].reaches(goal, moment, np.random.default_rng(0)))
+        return run_through(self._planners[side].reaches(goal, moment, np.random.default_rng(0)))
 
     def _room(self, stand: FloorPose) -> bool:
         radius = self._description.footprint_radius + ARM_MARGIN
         return self._floor.has_room(stand.x, stand.y, radius)
-
-
-def _result(steps: Generator[int, None, bool]) -> bool:
-    while True:
-        try:
-            next(steps)
-        except StopIteration as stop:
-            return bool(stop.value)
 
 
 def _object(body: SceneBody) -> SceneObject:
