@@ -353,7 +353,9 @@ class Executive:
             ticked=self._heartbeat.ticked,
             waits=lambda: self._holds.robot(asked.kind),
         )
-        return CurrentTask(run, asked, self.book, self._clocks, Expectation(self._ledger.past(asked.kind.name)))
+        return CurrentTask(
+            run, asked, self.book, self._clocks, Expectation(self._ledger.past(asked.kind.name))
+        )
 
     # What is told.
 
