@@ -12,11 +12,13 @@ from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.model import RobotKinematics
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.shapes import solid
-from tandem.skills.ports.urdf_check import check_fingers, parsed
+from tandem.skills.ports.urdf_check import UrdfError, check_fingers, parsed
 from tandem.skills.ports.world import PlanningScene
 
 HOME: Final = "home"
-"""The postures of this name are known to be free of collisions."""
+"""The postures of this name are free of collisions: what touches there is taken to do so without harm."""
+DEEP: Final = 0.01
+"""Metres by which links may be in each other at home, by their convex hulls. No shipped robot has any."""
 
 
 def home_positions(description: RobotDescription) -> Mapping[str, float]:
@@ -33,14 +35,21 @@ def load_hulls(description: RobotDescription, seed: int = 0) -> RobotHulls:
     """Return the robot's bodies; takes some 0.2 s. The arms of one process can share them.
 
     Raises:
-        UrdfError: a joint can't be right, or a hand is no parallel gripper.
+        UrdfError: a joint can't be right, a hand is no parallel gripper, or links are in each other at home.
     """
     check_fingers(
         parsed(description.urdf), {hand.side: hand.gripper.joints for hand in description.end_effectors}
     )
     robot = RobotKinematics(description.urdf, {group.name: group.joints for group in description.groups})
     home = home_positions(description)
-    return RobotHulls(robot, [home] if home else [], np.random.default_rng(seed))
+    hulls = RobotHulls(robot, [home] if home else [], np.random.default_rng(seed))
+    for depth, one, other in hulls.overlapping(home) if home else ():
+        if depth > DEEP:
+            raise UrdfError(
+                f"posture {HOME!r}: {one!r} and {other!r} are {depth:.3f} m in each other; expected a posture"
+                " in which no links touch that are more than two joints apart"
+            )
+    return hulls
 
 
 def carried(scene: PlanningScene, description: RobotDescription) -> tuple[Carried, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 
 ALWAYS = 0.95
 """A pair in contact in this share of random configurations is so by construction."""
+APART = 2
+"""Joints between two links up to which hulls may overlap that don't touch: of wrists whose axes meet."""
 
 
 class RobotHulls:
@@ -63,6 +66,29 @@ class RobotHulls:
         """Which neighbours touch at which angles."""
         self._balls: dict[bytes, SphereModel] = {}
         self._of_body: dict[int, SphereModel] = {}
+
+    def overlapping(self, positions: Mapping[str, float]) -> list[tuple[float, str, str]]:
+        """Return which links are in each other, and how deep (m), deepest first.
+
+        Args:
+            positions: by joint name. Links are looked at that are more than ``APART`` joints apart.
+        """
+        model = self.robot.model
+        data, placed = model.createData(), self.geometry.createData()
+        pin.updateGeometryPlacements(model, data, self.geometry, placed, self.robot.configuration(positions))
+        bodies = self.geometry.geometryObjects
+        carrying = [set(model.supports[body.parentJoint]) for body in bodies]
+        found = []
+        for i, j in itertools.combinations(range(len(bodies)), 2):
+            if len(carrying[i] ^ carrying[j]) > APART:
+                told = coal.DistanceResult()
+                wanted = coal.DistanceRequest()
+                gap = coal.distance(
+                    bodies[i].geometry, placed.oMg[i], bodies[j].geometry, placed.oMg[j], wanted, told
+                )
+                if gap < 0.0:
+                    found.append((-float(gap), self.links[i], self.links[j]))
+        return sorted(found, reverse=True)
 
     def balls(self, body: int) -> SphereModel:
         """Return the balls that stand for a body, in its own frame; found at the first time."""

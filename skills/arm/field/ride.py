@@ -13,7 +13,7 @@ from tandem.skills.arm.field.ends import gone
 from tandem.skills.arm.field.guard import PLANNED, Guard
 from tandem.skills.arm.field.motion import PERIOD, STRAY, Motion
 from tandem.skills.arm.field.parts import Parts
-from tandem.skills.arm.field.reference import Stepper, along
+from tandem.skills.arm.field.reference import Stepper, along, with_headroom
 from tandem.skills.arm.field.target import Target
 from tandem.skills.arm.trajectory import Trajectory
 from tandem.skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachPhase
@@ -131,6 +131,7 @@ class Ride:
         With a target, until that has moved (DONE: the field takes over); with an order, until there is
         another one. STUCK when it is not free, or when the arm has left it because the process was late.
         """
+        trajectory = with_headroom(trajectory, self.parts.arm.motion_limits)
         at, parts, begun = 0.0, self.parts, self.motion.begun
         while at < trajectory.duration or not self.motion.state.still:
             at += PERIOD * (yield from self.next(phase))

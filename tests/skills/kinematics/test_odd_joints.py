@@ -221,3 +221,13 @@ def test_skills_refuse_a_robot_with_a_suction_cup() -> None:
     hand = panda().end_effectors[0].model_copy(update={"gripper": gripper})
     with pytest.raises(UrdfError, match=r"^hand '\w+': expected the joints of two fingers"):
         load_hulls(panda().model_copy(update={"end_effectors": (hand,)}))
+
+
+def test_a_home_with_the_hand_in_the_arm_is_refused_with_both_links() -> None:
+    """Such a pair would never be checked again, since what touches at home is taken to be harmless."""
+    folded = (0.0, 1.7, 0.0, -3.0, 0.0, 0.5, 0.785)
+    posture = panda().postures[0].model_copy(update={"positions": folded})
+    with pytest.raises(
+        UrdfError, match=r"posture 'home': 'panda_\w+' and 'panda_\w+' are 0\.\d+ m in each other"
+    ):
+        load_hulls(panda().model_copy(update={"postures": (posture,)}))
