@@ -14,7 +14,7 @@ from tandem.skills.kinematics.clearance import ArmsClearance
 from tandem.skills.kinematics.described import home_positions, load_hulls
 from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.message import RobotTime
-from tandem.skills.reflex.watch import ArmsWatch
+from tandem.skills.reflex.crossing_watch import ArmsWatch
 from tandem.skills.site import load
 
 COUNT, QUICK = 3000, 100

@@ -20,8 +20,8 @@ from tandem.skills.base.band.elastic import Elastic
 from tandem.skills.base.band.limits import Begin, Surroundings, Task
 from tandem.skills.base.field import DistanceField
 from tandem.skills.base.people.forecast import forecast
+from tandem.skills.base.people.person_track import Track
 from tandem.skills.base.people.segments import Candidate
-from tandem.skills.base.people.track import Track
 from tandem.skills.base.planner import Clearances
 from tandem.skills.ports.pose import FloorPose
 

@@ -11,17 +11,17 @@ import time
 
 from benchmarks.rows import Row, spread
 from tandem.sim.robots.registry import robot_model
+from tandem.skills.arm.field.approach_context import Parts
+from tandem.skills.arm.field.approach_steps import Ride
 from tandem.skills.arm.field.ends import End, Ends
 from tandem.skills.arm.field.field_controller import FieldController
 from tandem.skills.arm.field.live import Live
-from tandem.skills.arm.field.parts import Parts
-from tandem.skills.arm.field.ride import Ride
 from tandem.skills.arm.field.target import TargetTracker
 from tandem.skills.arm.field.teller import Teller
-from tandem.skills.arm.gate import Gate
 from tandem.skills.arm.plan_move import MovePlanner
 from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm
+from tandem.skills.arm.right_of_way import Gate
 from tandem.skills.grasping.item_frames import tag_of_item
 from tandem.skills.grasping.tag_grasps import tool_orientation
 from tandem.skills.kinematics.described import load_hulls

@@ -20,8 +20,8 @@ from tandem.sim.scene import build_scene
 from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.geometry.poses import compose, to_pose
 from tandem.skills.kinematics.bodies import CellsShape, geometry
+from tandem.skills.perception.camera_frames import CameraMount
 from tandem.skills.perception.clutter import HEIGHTS, Known
-from tandem.skills.perception.frames import CameraMount
 from tandem.skills.perception.jobs import Shot
 from tandem.skills.perception.occupancy import MapJob, read_picture
 from tandem.skills.ports.lattice import Lattice

@@ -18,7 +18,7 @@ from typing import Final
 ROOT: Final = Path(__file__).parents[1]
 COMMON: Final = (
     "skills/base/go.py",
-    "skills/base/tracker.py",
+    "skills/base/pose_filter.py",
     "skills/base/surround.py",
     "skills/base/reflexes/avoid_collision.py",
     "trees/tasks/go_to.py",

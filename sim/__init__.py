@@ -5,7 +5,8 @@ The robot: robot, model, urdf, meshes, postures, footprint, body.
 Controllers: joints, motors, gripper, base, spline.
 Sensors: camera, render, render_world, pixels, lens, laser, wrench, range_sensor, cliff_sensor, pose_sensor,
 robot_sensor, sensor_nodes, sensing.
-The room: scenario, demonstration, starts, wanderer, scene, world, room, things, tags, placing, plan, draw.
+The room: scenario, demonstration, starts, wanderer, scene, world, room, things, tags, placing,
+floor_plan, draw.
 People: people, crowd, walker, walker_body.
 Physics and truth: physics, diverging, truth, disturbances.
 Faults: faults, trouble, events, defects, faulty_link.

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
 
-from tandem.sim.plan import Plan, gap, plan_of
+from tandem.sim.floor_plan import Plan, gap, plan_of
 from tandem.sim.scenario import Scenario, ScenarioError, SpawnSurface
 from tandem.sim.scene import SceneBody, build_scene, furniture_bodies, item_body, item_name
 from tandem.sim.things import FLOOR, TrueItem

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Final, Literal
 
 from pydantic import Field
 
-from tandem.sim.plan import Plan, gap, plan_of
+from tandem.sim.floor_plan import Plan, gap, plan_of
 from tandem.sim.things import Coordinate, Name
 from tandem.skills.ports.message import Message
 

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
-from tandem.sim.plan import Plan, gap, plan_of
+from tandem.sim.floor_plan import Plan, gap, plan_of
 from tandem.sim.things import BoxShape, CylinderShape
 
 if TYPE_CHECKING:

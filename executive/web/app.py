@@ -35,7 +35,7 @@ from tandem.executive.web.audience import Audience, FullError
 from tandem.executive.web.camera import Camera
 from tandem.executive.web.gate import CLOSED, Gate, cookie_of
 from tandem.executive.web.history import Filter, Past
-from tandem.executive.web.kept import Kept, UnreadableError
+from tandem.executive.web.kept_records import Kept, UnreadableError
 from tandem.executive.web.meshes import MEDIA, mesh, named_in
 from tandem.executive.web.replay import Move, Replay
 from tandem.executive.web.robot import REPLAY, Robot, Who

@@ -14,16 +14,16 @@ from typing import Final
 import numpy as np
 
 from tandem.skills.arm.followed import FollowedItem
-from tandem.skills.arm.gate import Gate
 from tandem.skills.arm.hand_way import hand_way
 from tandem.skills.arm.motion import Ended, GroupDriver
+from tandem.skills.arm.motion_watch import MotionWatch
 from tandem.skills.arm.plan_move import MovePlanner, Steps
 from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm, Moment, Plan
 from tandem.skills.arm.pushed import PushedBase
+from tandem.skills.arm.right_of_way import Gate
 from tandem.skills.arm.silence import SILENT_AFTER, joints_silent
 from tandem.skills.arm.status import ArmStatusBoard
-from tandem.skills.arm.watch import MotionWatch
 from tandem.skills.geometry.poses import distance
 from tandem.skills.ports.actions.arm import ArmState, MoveFeedback, MoveGoal, MovePhase, MoveResult, move
 from tandem.skills.ports.bus import Bus

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from tandem.skills.base.journey import Journey
 from tandem.skills.base.journey_context import JourneyContext, Progress
-from tandem.skills.base.ride import Ride
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.wheels import Wheels
+from tandem.skills.base.wheels_run import Ride
 from tandem.skills.base.with_wheels import with_wheels
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback, DriveGoal, DriveResult
 from tandem.skills.ports.bus import Bus

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from tandem.skills.base.ride import PATIENCE
+from tandem.skills.base.wheels_run import PATIENCE
 
 NEARER: Final = 0.004
 """Metres that are getting on."""

@@ -7,14 +7,14 @@ import math
 from typing import Final
 
 from tandem.skills.base.ending import laid_aside
-from tandem.skills.base.follow import Follower
 from tandem.skills.base.journey_context import JourneyContext, Progress
 from tandem.skills.base.leg import Leg
 from tandem.skills.base.path import Path
+from tandem.skills.base.path_follower import Follower
 from tandem.skills.base.planner import Clearances, Planner
 from tandem.skills.base.quicker import without_slow_corners
-from tandem.skills.base.ride import Motion, Ride
-from tandem.skills.base.watch import Block
+from tandem.skills.base.way_watch import Block
+from tandem.skills.base.wheels_run import Motion, Ride
 from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback, DriveGoal, DriveResult
 from tandem.skills.ports.failure import Failure, FailureKind

@@ -15,7 +15,7 @@ from tandem.skills.base.map import SiteMap
 from tandem.skills.base.obstacles import Obstacles
 from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.people.tracker import STILL_RADIUS
-from tandem.skills.base.watch import Watch
+from tandem.skills.base.way_watch import Watch
 from tandem.skills.ports.robot_description import Drive
 
 BERTH: Final = 0.75

@@ -8,11 +8,11 @@ from typing import Final
 
 from tandem.skills.base.band.bend import Bend
 from tandem.skills.base.ending import ARRIVED
-from tandem.skills.base.follow import Follower
 from tandem.skills.base.headway import Headway
 from tandem.skills.base.journey_context import JourneyContext, Progress
-from tandem.skills.base.ride import Motion, Ride
-from tandem.skills.base.watch import Block, Watch
+from tandem.skills.base.path_follower import Follower
+from tandem.skills.base.way_watch import Block, Watch
+from tandem.skills.base.wheels_run import Motion, Ride
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.actions.base import DriveFeedback
 from tandem.skills.ports.failure import FailureKind

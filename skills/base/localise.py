@@ -12,11 +12,11 @@ from tandem.skills.base.floor import FloatArray, compose, invert, points_in
 from tandem.skills.base.guard import Guard
 from tandem.skills.base.localiser import Localiser
 from tandem.skills.base.map import SiteMap
-from tandem.skills.base.ride import Ride
 from tandem.skills.base.scan import ScanPoints
 from tandem.skills.base.search import Found, Search, near, whole_floor
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.wheels import Wheels
+from tandem.skills.base.wheels_run import Ride
 from tandem.skills.ports.actions.base import (
     LOCALISE,
     BaseState,

@@ -19,13 +19,13 @@ from tandem.skills.base.obstacles import Obstacles
 from tandem.skills.base.occupied import OccupiedFloor
 from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.people.tracker import Tracker
+from tandem.skills.base.pose_filter import PoseTracker
 from tandem.skills.base.reflexes.registry import SHIPPED, BaseReflex, chosen_for, reflexes
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
 from tandem.skills.base.rotate import Rotate
 from tandem.skills.base.sights import Sights
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.surround import Surround
-from tandem.skills.base.tracker import PoseTracker
 from tandem.skills.base.way_back import WayBack
 from tandem.skills.base.wheels import Wheels
 from tandem.skills.base.whereabouts import Whereabouts

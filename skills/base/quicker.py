@@ -13,8 +13,8 @@ from typing import Final
 import numpy as np
 
 from tandem.skills.base.floor import FloatArray
-from tandem.skills.base.follow import corner_speed, tight_speeds
 from tandem.skills.base.path import Path
+from tandem.skills.base.path_follower import corner_speed, tight_speeds
 from tandem.skills.base.planner import SLACK, Clearances
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.pose import FloorPose

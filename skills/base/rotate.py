@@ -6,9 +6,9 @@ from typing import Final
 
 from tandem.skills.base.guard import Guard
 from tandem.skills.base.people.caution import Caution
-from tandem.skills.base.ride import Ride
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.wheels import Wheels
+from tandem.skills.base.wheels_run import Ride
 from tandem.skills.base.whereabouts import Whereabouts
 from tandem.skills.base.with_wheels import with_wheels
 from tandem.skills.geometry.poses import wrap

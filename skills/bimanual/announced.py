@@ -15,7 +15,7 @@ from tandem.skills.bimanual.observer import ArmObserver
 from tandem.skills.bimanual.way import joined, straight, thinned
 from tandem.skills.geometry.poses import transform
 from tandem.skills.kinematics.described import by_name
-from tandem.skills.kinematics.follow import PoseFollower
+from tandem.skills.kinematics.hand_following import PoseFollower
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.actions.approach import GOAL_RADIUS

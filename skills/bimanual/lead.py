@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 
-from tandem.skills.kinematics.follow import Followed, PoseFollower
+from tandem.skills.kinematics.hand_following import Followed, PoseFollower
 from tandem.skills.kinematics.model import Limits, RobotKinematics
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.hardware import SetPoint

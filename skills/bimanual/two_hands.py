@@ -18,7 +18,7 @@ from tandem.skills.bimanual.object_frame import HandsApartError, tilt
 from tandem.skills.bimanual.ready import STRAIGHT, between, ready_tools, swing, ways_back
 from tandem.skills.bimanual.squeeze import agree
 from tandem.skills.bimanual.supervision import trouble
-from tandem.skills.bimanual.trial import SLICE, OutOfReach, try_way
+from tandem.skills.bimanual.way_trial import SLICE, OutOfReach, try_way
 from tandem.skills.geometry.poses import compose, invert, to_pose
 from tandem.skills.grasping.item_frames import standing_in_map
 from tandem.skills.ports.actions.bimanual import (

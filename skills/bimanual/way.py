@@ -13,7 +13,7 @@ import numpy as np
 
 from tandem.skills.geometry.poses import add, length, scale, subtract
 from tandem.skills.kinematics.clearance import ArmsClearance
-from tandem.skills.kinematics.follow import PoseFollower
+from tandem.skills.kinematics.hand_following import PoseFollower
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.pose import Pose

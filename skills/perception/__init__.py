@@ -2,7 +2,7 @@
 
 Skills: look, track, turn_head, snapshot, process.
 Occupied space: mapper, occupancy.
-A run: session, eye, camera, frames, head, head_view, ramp, blind.
+A run: session, eye, camera, camera_frames, head, head_view, ramp, blind.
 Where to look: aim, cover, gaze.
 Reading a picture: jobs, detectors, tags, corners, tag_pose, depth, clutter, arms, open_view, merge, rigid.
 """

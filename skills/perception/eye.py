@@ -15,9 +15,9 @@ from tandem.skills.grasping.item_frames import standing_in_map
 from tandem.skills.perception import tags
 from tandem.skills.perception.blind import BlindCheck
 from tandem.skills.perception.camera import Camera
+from tandem.skills.perception.camera_frames import CameraMount, JointHistory, RobotPoseHistory
 from tandem.skills.perception.detectors import Detector
 from tandem.skills.perception.detectors import detectors as builtin
-from tandem.skills.perception.frames import CameraMount, JointHistory, RobotPoseHistory
 from tandem.skills.perception.jobs import Shot, TagJob, TagsFound, find_tags
 from tandem.skills.perception.session import LookError, Session
 from tandem.skills.ports.actions.perception import LookFeedback

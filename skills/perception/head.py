@@ -10,7 +10,7 @@ from typing import Final
 from pydantic import ValidationError
 
 from tandem.skills.perception.aim import HEAD
-from tandem.skills.perception.frames import JointHistory
+from tandem.skills.perception.camera_frames import JointHistory
 from tandem.skills.perception.ramp import rest_to_rest
 from tandem.skills.perception.session import LookError, Session
 from tandem.skills.ports.actions.perception import LookFeedback

@@ -14,10 +14,10 @@ from tandem.skills.perception import clutter, cover
 from tandem.skills.perception.aim import Aim
 from tandem.skills.perception.arms import Arms
 from tandem.skills.perception.camera import Camera
+from tandem.skills.perception.camera_frames import JointHistory, RobotPoseHistory
 from tandem.skills.perception.cover import ViewsJob, further_views
 from tandem.skills.perception.detectors import Detector
 from tandem.skills.perception.eye import WORK_AFTER, Eye, Steps
-from tandem.skills.perception.frames import JointHistory, RobotPoseHistory
 from tandem.skills.perception.head import SETTLE, Head
 from tandem.skills.perception.head_view import HeadView
 from tandem.skills.perception.jobs import ClutterJob, Shot, TagsFound, find_clutter

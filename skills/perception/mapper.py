@@ -20,8 +20,8 @@ from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.geometry.poses import angle_between, compose, to_pose
 from tandem.skills.grasping.item_frames import standing_in_map
 from tandem.skills.perception.arms import Arms
+from tandem.skills.perception.camera_frames import CameraMount, JointHistory, RobotPoseHistory
 from tandem.skills.perception.clutter import Known
-from tandem.skills.perception.frames import CameraMount, JointHistory, RobotPoseHistory
 from tandem.skills.perception.jobs import Shot
 from tandem.skills.perception.occupancy import COST, MapJob, Mapped, read_picture
 from tandem.skills.ports.bus import Bus

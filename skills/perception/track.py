@@ -20,9 +20,9 @@ from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.geometry.poses import angle_between, compose, to_pose
 from tandem.skills.perception.aim import Aim
 from tandem.skills.perception.camera import Camera
+from tandem.skills.perception.camera_frames import JointHistory, RobotPoseHistory
 from tandem.skills.perception.detectors import Detector
 from tandem.skills.perception.eye import Eye, Steps
-from tandem.skills.perception.frames import JointHistory, RobotPoseHistory
 from tandem.skills.perception.gaze import Gaze
 from tandem.skills.perception.head import SETTLE, Head
 from tandem.skills.perception.head_view import HeadView

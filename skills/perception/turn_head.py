@@ -7,8 +7,8 @@ from typing import Final
 
 from tandem.skills.geometry.poses import invert, to_pose, transform
 from tandem.skills.perception.aim import Aim
+from tandem.skills.perception.camera_frames import JointHistory
 from tandem.skills.perception.eye import POSE_AFTER
-from tandem.skills.perception.frames import JointHistory
 from tandem.skills.perception.head import Head
 from tandem.skills.perception.session import Canceled, LookError, Session
 from tandem.skills.ports.actions.perception import TURN_HEAD, LookFeedback, TurnHeadGoal, TurnHeadResult

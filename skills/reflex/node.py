@@ -11,7 +11,7 @@ from tandem.skills.ports.hardware import JointStates
 from tandem.skills.ports.keys import JOINT_STATES, Latest
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.world import SCENE, PlanningScene
-from tandem.skills.reflex.watch import STILL, ArmsWatch, Seen
+from tandem.skills.reflex.crossing_watch import STILL, ArmsWatch, Seen
 
 MOVING_PERIOD: Final = 0.02
 """Robot seconds between two messages while an arm moves."""

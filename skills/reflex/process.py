@@ -7,8 +7,8 @@ from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.node import Node
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
+from tandem.skills.reflex.crossing_watch import ArmsWatch
 from tandem.skills.reflex.node import CrossingReflex
-from tandem.skills.reflex.watch import ArmsWatch
 
 
 def nodes(bus: Bus, description: RobotDescription, site: Site, hulls: RobotHulls) -> tuple[Node, ...]:

@@ -22,7 +22,7 @@ from tandem.skills.wire.beats import SELDOM, SELDOM_EVERY, Beats, key_of
 from tandem.skills.wire.configs import client_config
 from tandem.skills.wire.credentials import Credentials
 from tandem.skills.wire.direct import direct
-from tandem.skills.wire.kept import AT_ONCE, Kept
+from tandem.skills.wire.kept_states import AT_ONCE, Kept
 from tandem.skills.wire.keyed_queue import KeyedQueue
 from tandem.skills.wire.pulse import SILENT_AFTER, Pulse
 from tandem.skills.wire.subscriptions import Subscriptions

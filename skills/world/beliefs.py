@@ -25,7 +25,7 @@ from tandem.skills.ports.world import (
     Sighting,
     WorldState,
 )
-from tandem.skills.world import recorder, resting
+from tandem.skills.world import object_recorder, resting
 from tandem.skills.world.doubles import Doubles, matched
 from tandem.skills.world.item_facts import fact_of, item_box
 from tandem.skills.world.journal import Remembered
@@ -133,7 +133,7 @@ class Beliefs:
         sighting = self._on_top(sighting, item)
         if not self._better(sighting):
             return False
-        self._items = recorder.update(self._items, {sighting.item: fact_of(sighting, item)})
+        self._items = object_recorder.update(self._items, {sighting.item: fact_of(sighting, item)})
         box = item_box(sighting.tag_in_map, item)
         self._removed.discard(sighting.item)
         self._untagged.recognise(box)
@@ -383,7 +383,7 @@ class Beliefs:
     def _standing(self) -> dict[int, Box]:
         """Return the boxes of the items that stand somewhere, by item (two-arm thesis, Algorithm 1)."""
         held = {each.item for each in self._held.values()}
-        facts = recorder.scene(self._items, held)
+        facts = object_recorder.scene(self._items, held)
         return {number: item_box(fact.tag_in_map, fact) for number, fact in facts.items()}
 
     def _doubled(self) -> list[tuple[str, Box]]:

@@ -8,8 +8,8 @@ from typing import Final, TypeVar
 
 import numpy as np
 
+from tandem.sim.floor_plan import Plan, gap, plan_of
 from tandem.sim.people import RADIUS, Person
-from tandem.sim.plan import Plan, gap, plan_of
 from tandem.sim.scenario import Scenario, load_scenario
 from tandem.sim.scene import furniture_bodies, obstacle_body
 from tandem.sim.things import CylinderShape, Obstacle

@@ -11,15 +11,15 @@ import zlib
 
 import numpy as np
 
+from tandem.skills.arm.field.approach_context import Parts
 from tandem.skills.arm.field.episode import Episode
 from tandem.skills.arm.field.live import Live
-from tandem.skills.arm.field.parts import Parts
 from tandem.skills.arm.field.target import TargetTracker
 from tandem.skills.arm.field.teller import Teller
-from tandem.skills.arm.gate import Gate
 from tandem.skills.arm.plan_move import MovePlanner
 from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm
+from tandem.skills.arm.right_of_way import Gate
 from tandem.skills.arm.status import ArmStatusBoard
 from tandem.skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachResult, approach
 from tandem.skills.ports.actions.arm import ArmState

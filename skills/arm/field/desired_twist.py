@@ -8,8 +8,8 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from tandem.skills.arm.field.around import OTHER_GOAL, Around
 from tandem.skills.arm.field.escape import HAND_RADIUS, Pole, choose, way_length
+from tandem.skills.arm.field.hand_surroundings import OTHER_GOAL, Around
 from tandem.skills.arm.field.potential import Gains, pull, push
 from tandem.skills.kinematics.proximity import Nearby
 from tandem.skills.kinematics.transforms import Array, rotation_vector

@@ -8,10 +8,10 @@ from typing import Final
 import numpy as np
 
 from tandem.skills.arm.curve import through
+from tandem.skills.arm.field.approach_context import Parts
+from tandem.skills.arm.field.approach_steps import LEFT, Ride, Steps, Why
 from tandem.skills.arm.field.ends import End, Ends
 from tandem.skills.arm.field.field_controller import FieldController
-from tandem.skills.arm.field.parts import Parts
-from tandem.skills.arm.field.ride import LEFT, Ride, Steps, Why
 from tandem.skills.arm.field.target import HIDDEN_FOR, Target
 from tandem.skills.arm.problem import Plan
 from tandem.skills.arm.timing import time_curve

@@ -27,7 +27,7 @@ from typing import Final
 
 import numpy as np
 
-from tandem.skills.arm.field.around import Around, Post
+from tandem.skills.arm.field.hand_surroundings import Around, Post
 from tandem.skills.kinematics.transforms import Array
 
 HAND_RADIUS: Final = 0.05

@@ -16,12 +16,12 @@ from tandem.skills.arm.field.desired_twist import (
     with_other_goal,
 )
 from tandem.skills.arm.field.ends import End
-from tandem.skills.arm.field.guard import DAMPED, FIELD, Guard
 from tandem.skills.arm.field.live import Live
-from tandem.skills.arm.field.motion import Make, Motion
 from tandem.skills.arm.field.potential import Gains
 from tandem.skills.arm.field.progress import Progress
 from tandem.skills.arm.field.reference import State
+from tandem.skills.arm.field.setpoint_guard import DAMPED, FIELD, Guard
+from tandem.skills.arm.field.setpoints import Make, Motion
 from tandem.skills.arm.field.target import Target
 from tandem.skills.arm.field.velocities import Dampers, VelocitySolver
 from tandem.skills.arm.problem import Arm

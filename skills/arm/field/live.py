@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 
-from tandem.skills.arm.field.around import Around, split
+from tandem.skills.arm.field.hand_surroundings import Around, split
 from tandem.skills.arm.problem import Arm, Moment
 from tandem.skills.arm.silence import joints_silent
 from tandem.skills.geometry.poses import floor_distance

@@ -6,7 +6,6 @@ from collections.abc import Generator, Sequence
 
 import numpy as np
 
-from tandem.skills.arm.optimising.around import around
 from tandem.skills.arm.optimising.chomp import Chomp
 from tandem.skills.arm.optimising.first_guess import near
 from tandem.skills.arm.optimising.limits import Bounds
@@ -15,6 +14,7 @@ from tandem.skills.arm.optimising.optimised import optimise
 from tandem.skills.arm.optimising.settings import OptimiserSettings
 from tandem.skills.arm.optimising.smoothness import Smoothness, smoothness
 from tandem.skills.arm.optimising.stomp import Stomp
+from tandem.skills.arm.optimising.surroundings_cost import around
 from tandem.skills.arm.planning.motions import Motions
 from tandem.skills.arm.planning.ompl_planner import search
 from tandem.skills.arm.planning.settings import PlannerSettings

@@ -17,11 +17,11 @@ from tandem.skills.base.band.elastic import Elastic, Route
 from tandem.skills.base.band.limits import Begin, Surroundings, Task
 from tandem.skills.base.band.timed import motion
 from tandem.skills.base.floor import FloatArray
-from tandem.skills.base.follow import Follower
 from tandem.skills.base.path import Path
+from tandem.skills.base.path_follower import Follower
 from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.people.tracker import RADIUS
-from tandem.skills.base.watch import Watch
+from tandem.skills.base.way_watch import Watch
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.pose import FloorPose
 

@@ -18,7 +18,7 @@ from tandem.skills.base.floor import FloatArray
 from tandem.skills.base.path import Path
 from tandem.skills.base.people.cost import costs
 from tandem.skills.base.people.forecast import STEP, Forecast, forecast
-from tandem.skills.base.people.track import Track
+from tandem.skills.base.people.person_track import Track
 from tandem.skills.base.people.tracker import RADIUS, STILL_RADIUS, Tracker
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.clocks import Clocks

@@ -14,7 +14,7 @@ import numpy as np
 
 from tandem.skills.base.field import DistanceField
 from tandem.skills.base.floor import FloatArray
-from tandem.skills.base.people.track import STANDS, Track
+from tandem.skills.base.people.person_track import STANDS, Track
 
 HORIZON: Final = 4.0
 """Seconds: a base at 0.7 m/s stands after 1.7 s, and has stood for one after 2.7 s; the rest is room."""

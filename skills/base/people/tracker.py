@@ -16,9 +16,9 @@ import numpy as np
 from tandem.skills.base.floor import BoolArray, FloatArray, compose, invert, points_in
 from tandem.skills.base.localiser import Localiser, PlacedScan
 from tandem.skills.base.map import SiteMap
+from tandem.skills.base.people.person_track import STANDS, Track
 from tandem.skills.base.people.segments import Candidate, candidates
 from tandem.skills.base.people.still import StillPlaces
-from tandem.skills.base.people.track import STANDS, Track
 from tandem.skills.base.scan import ScanGeometry
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.message import RobotTime

@@ -6,8 +6,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from tandem.skills.base.follow import Follower
 from tandem.skills.base.path import Path
+from tandem.skills.base.path_follower import Follower
 from tandem.skills.base.planner import Clearances
 from tandem.skills.base.wheels import stopping_speed
 from tandem.skills.geometry.poses import floor_distance, wrap

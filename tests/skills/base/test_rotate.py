@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from tandem.skills.base.ride import Ride
 from tandem.skills.base.wheels import Wheels
+from tandem.skills.base.wheels_run import Ride
 from tandem.skills.geometry.poses import wrap
 from tandem.skills.ports.actions.base import RotateFeedback, RotateGoal
 from tandem.skills.ports.pose import FloorPose

@@ -11,7 +11,7 @@ import pytest
 from tandem.skills.bimanual.way import APART, AT_ONCE, MARGIN, STRIDE, clear, joined, straight, thinned
 from tandem.skills.geometry.poses import add
 from tandem.skills.kinematics.clearance import ArmsClearance
-from tandem.skills.kinematics.follow import PoseFollower
+from tandem.skills.kinematics.hand_following import PoseFollower
 from tandem.skills.kinematics.transforms import Array
 from tests.skills.reflex.two_arms import ASIDE, IN_FRONT, positions, robot
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from tandem.sim.robots.registry import robot_model
+from tandem.skills.arm.field.approach_steps import Why
 from tandem.skills.arm.field.episode import Episode
-from tandem.skills.arm.field.ride import Why
 from tandem.skills.geometry.poses import compose, distance
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tandem.skills.arm.field.around import Around, Block, Post, split
 from tandem.skills.arm.field.escape import SAFE, Pole, choose, cost, escape_points
+from tandem.skills.arm.field.hand_surroundings import Around, Block, Post, split
 from tandem.skills.ports.pose import Pose
 
 HAND, GOAL = np.array([0.2, 0.0, 0.8]), np.array([0.8, 0.0, 0.8])

@@ -11,7 +11,7 @@ from tandem.sim.robots.locobot import DRIVE
 from tandem.skills.base.band.limits import Begin, Surroundings, Task
 from tandem.skills.base.field import DistanceField
 from tandem.skills.base.people.forecast import forecast
-from tandem.skills.base.people.track import Track
+from tandem.skills.base.people.person_track import Track
 from tandem.skills.base.planner import Clearances
 from tandem.skills.ports.pose import FloorPose
 from tests.skills.base.people.test_keeping_away import OPEN

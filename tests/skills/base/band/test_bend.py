@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from tandem.skills.base.band.bend import LOST, STALE, Bend
-from tandem.skills.base.follow import Follower
 from tandem.skills.base.path import Path
+from tandem.skills.base.path_follower import Follower
 from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.people.forecast import forecast
-from tandem.skills.base.people.track import Track
+from tandem.skills.base.people.person_track import Track
 from tandem.skills.base.planner import Clearances
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.site import load

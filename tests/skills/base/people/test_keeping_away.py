@@ -13,9 +13,9 @@ from tandem.skills.base.journey_context import Progress
 from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.people.cost import costs
 from tandem.skills.base.people.forecast import Forecast, forecast
+from tandem.skills.base.people.person_track import Track
 from tandem.skills.base.people.segments import Candidate
-from tandem.skills.base.people.track import Track
-from tandem.skills.base.ride import PATIENCE
+from tandem.skills.base.wheels_run import PATIENCE
 from tandem.skills.ports.actions.base import DriveGoal, DriveResult
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.pose import FloorPose

@@ -7,9 +7,9 @@ from collections.abc import Callable
 
 import pytest
 
+from tandem.skills.base.people.person_track import Track, goes
 from tandem.skills.base.people.segments import Candidate
 from tandem.skills.base.people.still import HITS, StillPlaces
-from tandem.skills.base.people.track import Track, goes
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import SiteBox

@@ -3,7 +3,7 @@
 import pytest
 
 from tandem.skills import site
-from tandem.skills.world import recorder
+from tandem.skills.world import object_recorder
 from tandem.skills.world.beliefs import Beliefs
 from tests.skills.world.facts import at, sighting, tag
 
@@ -28,7 +28,7 @@ from tests.skills.world.facts import at, sighting, tag
 def test_the_scene(
     why: str, recorded: dict[int, str], picked: set[int], detected: dict[int, str], shown: dict[int, str]
 ) -> None:
-    found = recorder.scene(recorder.update(recorded, detected), picked, detected)
+    found = object_recorder.scene(object_recorder.update(recorded, detected), picked, detected)
     assert found == shown, why
     assert list(found) == sorted(shown)
 

@@ -8,10 +8,10 @@ from typing import Final
 
 import numpy as np
 
-from tandem.skills.arm.field.guard import Floors, Guard
-from tandem.skills.arm.field.parts import Parts
+from tandem.skills.arm.field.approach_context import Parts
 from tandem.skills.arm.field.record import Record
 from tandem.skills.arm.field.reference import State, Stepper, standing
+from tandem.skills.arm.field.setpoint_guard import Floors, Guard
 from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.clocks import robot_seconds
 from tandem.skills.ports.hardware import CancelMotion, SetPoint

@@ -9,11 +9,11 @@ from collections.abc import Generator
 from enum import StrEnum
 from typing import Final
 
+from tandem.skills.arm.field.approach_context import Parts
 from tandem.skills.arm.field.ends import gone
-from tandem.skills.arm.field.guard import PLANNED, Guard
-from tandem.skills.arm.field.motion import PERIOD, STRAY, Motion
-from tandem.skills.arm.field.parts import Parts
 from tandem.skills.arm.field.reference import Stepper, along, with_headroom
+from tandem.skills.arm.field.setpoint_guard import PLANNED, Guard
+from tandem.skills.arm.field.setpoints import PERIOD, STRAY, Motion
 from tandem.skills.arm.field.target import Target
 from tandem.skills.arm.trajectory import Trajectory
 from tandem.skills.ports.actions.approach import ApproachFeedback, ApproachGoal, ApproachPhase

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.skills.arm.gate import Gate
+from tandem.skills.arm.right_of_way import Gate
 from tandem.skills.ports.actions.bimanual import ORDER_LOST_AFTER, RIGHT_OF_WAY, ArmOrder, Order, RightOfWay
 from tandem.skills.ports.message import HandName, RobotTime
 from tandem.skills.wire.clocks import SteppedClocks

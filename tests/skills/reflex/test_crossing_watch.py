@@ -10,7 +10,7 @@ from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.world import Box, PlanningScene, SceneObject
-from tandem.skills.reflex.watch import ArmsWatch, Seen
+from tandem.skills.reflex.crossing_watch import ArmsWatch, Seen
 from tandem.skills.site import load
 from tests.skills.reflex.two_arms import ASIDE, IN_FRONT, joint_states, positions, robot
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from tandem.skills.arm.field.live import Live
 from tandem.skills.arm.field.target import TargetTracker
 from tandem.skills.arm.field.teller import Teller
-from tandem.skills.arm.gate import Gate
 from tandem.skills.arm.plan_move import MovePlanner
 from tandem.skills.arm.problem import Arm
+from tandem.skills.arm.right_of_way import Gate
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 

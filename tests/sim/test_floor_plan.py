@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from tandem.sim.plan import Plan, gap
+from tandem.sim.floor_plan import Plan, gap
 
 SQUARE = Plan(((1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)))
 

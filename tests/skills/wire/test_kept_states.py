@@ -15,7 +15,7 @@ from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.world import WORLD, WorldState
 from tandem.skills.wire.configs import client_config, router_config
-from tandem.skills.wire.kept import AT_ONCE, Kept
+from tandem.skills.wire.kept_states import AT_ONCE, Kept
 from tandem.skills.wire.memory import MemoryBus, MemoryHub
 from tandem.skills.wire.zenoh_bus import ZenohBus, open_session
 from tests.fakes.ports import free_endpoint
