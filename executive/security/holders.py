@@ -15,6 +15,7 @@ from pydantic import ValidationError
 
 from tandem.executive.security.role import ROLES, Part, Role
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.problems import in_words, problems_of
 
 NAME: Final = re.compile(r"[a-z0-9][a-z0-9_-]{0,31}")
 """A name is one part of a key and of a certificate's common name."""
@@ -86,7 +87,7 @@ def read_holders(folder: Path) -> Holders:
             f"{path}: no such file; make the folder with `tandem keys init --folder {folder}`"
         ) from None
     except ValidationError as error:
-        raise KeysError(f"{path}: not a list of keys: {error.errors()[0]['msg']}") from error
+        raise KeysError(f"{path}: not a list of keys: {in_words(problems_of(error, most=1))}") from error
 
 
 def write_holders(folder: Path, holders: Holders) -> None:
