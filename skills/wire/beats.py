@@ -15,7 +15,8 @@ from tandem.skills.wire.direct import direct
 from tandem.skills.wire.pulse import Pulse
 
 BEAT: Final = "beat"
-"""``beat/<process>``; the payload is a line for each name of the process."""
+"""``beat/<process>``; the payload is a line for each name of the process. ``beat`` alone has those of all
+processes, as it always had, for programs of others: it is told only while somebody listens there."""
 SELDOM: Final = "seldom"
 """``beat/<process>/seldom``: the same, every ``SELDOM_EVERY``-th time."""
 SELDOM_EVERY: Final = 5

@@ -18,7 +18,7 @@ from tandem.skills.ports.hearing import Ear
 from tandem.skills.ports.lease import Lease
 from tandem.skills.ports.message import MAX_REQUEST_BYTES
 from tandem.skills.ports.refusals import REFUSALS, RefusalTeller
-from tandem.skills.wire.beats import SELDOM, SELDOM_EVERY, Beats, key_of
+from tandem.skills.wire.beats import BEAT, SELDOM, SELDOM_EVERY, Beats, key_of
 from tandem.skills.wire.configs import client_config
 from tandem.skills.wire.credentials import Credentials
 from tandem.skills.wire.direct import direct
@@ -326,6 +326,8 @@ class ZenohBus:
         self._publisher(key, Delivery.CONTROL).put(names)
         if self._beaten % SELDOM_EVERY == 0:
             self._publisher(f"{key}/{SELDOM}", Delivery.CONTROL).put(names)
+        if self.listened(BEAT):
+            self._publisher(BEAT, Delivery.CONTROL).put(names)
         self._beaten += 1
 
 

@@ -155,4 +155,4 @@ def test_a_pose_that_few_starts_do_not_lead_to_is_looked_for_from_many(
     there = Candidate(pose=hulls.robot.pose("panda_hand_tcp", HOME))
     reached = drive(planner.reach(MoveGoal(candidates=(there,), frame="base"), rig.moment()))
     assert not isinstance(reached, Failure)
-    assert reached[0] == 0
+    assert reached.candidate == 0
