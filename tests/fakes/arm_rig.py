@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
 from dataclasses import dataclass, field
-from typing import TypeVar
 
 import numpy as np
 
@@ -41,8 +39,6 @@ from tandem.skills.ports.sensors import CameraSensor, LaserSensor
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, Box, PlanningScene, RobotPose, SceneObject
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus
-
-T = TypeVar("T")
 
 PANDA_HOME = (0.0, -0.785, 0.0, -2.356, 0.0, 1.571, 0.785)
 PANDA = "package://example-robot-data/robots/panda_description/urdf/panda.urdf"
@@ -304,13 +300,3 @@ class ArmRig:
         """Return the result of a goal that succeeded."""
         assert status.result is not None, status
         return move(self.group.name).result.model_validate(status.result)
-
-
-def drive(steps: Generator[int, None, T]) -> T:
-    """Run a computation in slices to its end."""
-    while True:
-        try:
-            next(steps)
-        except StopIteration as stop:
-            ended: T = stop.value
-            return ended

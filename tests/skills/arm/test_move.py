@@ -30,10 +30,11 @@ from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.planners import PlannerName
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.skill import Command, Slice
+from tandem.skills.ports.steps import run_through
 from tandem.skills.ports.world import SceneObject
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.workers import InlineCompute
-from tests.fakes.arm_rig import PANDA_HOME, ArmRig, box, drive, panda
+from tests.fakes.arm_rig import PANDA_HOME, ArmRig, box, panda
 
 DOWN = from_rpy(np.pi, 0.0, 0.0)
 SIDE = tuple(q + d for q, d in zip(PANDA_HOME, (0.6, 0.2, 0, 0, 0, 0, 0), strict=True))
@@ -150,11 +151,13 @@ def test_what_enters_the_scene_after_planning_is_found_by_the_last_check(hulls: 
     rig = ArmRig(panda(), "arm", hulls=hulls)
     goal = MoveGoal(joints=SIDE)
     moment = rig.moment()
-    plan = drive(planner.plan(goal, moment, np.random.default_rng(0)))
+    plan = run_through(planner.plan(goal, moment, np.random.default_rng(0)))
     assert isinstance(plan, Plan)
-    assert drive(planner.recheck(plan.trajectory, goal, moment)) is None
+    assert run_through(planner.recheck(plan.trajectory, goal, moment)) is None
     tool = hulls.robot.pose("panda_hand_tcp", dict(zip(rig.group.joints, SIDE, strict=True))).position
-    found = drive(planner.recheck(plan.trajectory, goal, rig.moment(box("late", (0.1, 0.1, 0.1), tool))))
+    found = run_through(
+        planner.recheck(plan.trajectory, goal, rig.moment(box("late", (0.1, 0.1, 0.1), tool)))
+    )
     assert isinstance(found, Failure)
     assert found.kind is FailureKind.PATH_IN_COLLISION
     assert "late" in str(found.evidence["contact"])

@@ -27,7 +27,8 @@ from tandem.skills.ports.actions.arm import Candidate, MoveGoal
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.planners import PlannerName
 from tandem.skills.ports.pose import Pose
-from tests.fakes.arm_rig import PANDA_HOME, ArmRig, box, drive, panda
+from tandem.skills.ports.steps import run_through
+from tests.fakes.arm_rig import PANDA_HOME, ArmRig, box, panda
 
 JOINTS = panda().group("arm").joints
 HOME = dict(zip(JOINTS, PANDA_HOME, strict=True))
@@ -55,7 +56,7 @@ def test_a_motion_is_checked_middle_first_and_wholly() -> None:
 
 def test_the_path_leads_around_the_wall_and_is_free_where_it_was_checked(hulls: RobotHulls) -> None:
     assert not motions(hulls, 0.01).free(START, END)
-    path = drive(find_path(motions(hulls), START, [END], np.random.default_rng(1), PlannerSettings()))
+    path = run_through(find_path(motions(hulls), START, [END], np.random.default_rng(1), PlannerSettings()))
     assert path is not None
     assert np.allclose(path[0], START)
     assert np.allclose(path[-1], END)
@@ -70,7 +71,7 @@ def test_what_is_planned_is_free_between_the_checked_states_too(hulls: RobotHull
     planner = MovePlanner(Arm(hulls, panda(), "arm"), PlannerSettings(), "arm/move")
     goal, checker = MoveGoal(joints=tuple(map(float, END))), motions(hulls).checker
     for seed in range(4):
-        plan = drive(planner.plan(goal, rig.moment(wall), np.random.default_rng(seed)))
+        plan = run_through(planner.plan(goal, rig.moment(wall), np.random.default_rng(seed)))
         assert isinstance(plan, Plan)
         dense = plan.trajectory.sample(np.linspace(0.0, plan.trajectory.duration, 1500))
         assert checker.first_contact(dense) is None
@@ -82,7 +83,7 @@ def test_a_seed_gives_one_path_whatever_was_planned_between(hulls: RobotHulls) -
         one = search(motions(hulls), START, [END], np.random.default_rng(4), PlannerSettings())
         other = search(motions(hulls), END, [START], np.random.default_rng(len(paths)), PlannerSettings())
         next(other)
-        path = drive(one)
+        path = run_through(one)
         assert path is not None
         paths.append(path)
     assert np.array_equal(paths[0], paths[1])
@@ -104,7 +105,7 @@ def test_slices_are_bounded_by_checks(hulls: RobotHulls) -> None:
 @pytest.mark.parametrize("name", [PlannerName.RRT_STAR, PlannerName.BIT_STAR, PlannerName.AORRTC])
 def test_the_other_planners_find_a_path_too(hulls: RobotHulls, name: PlannerName) -> None:
     settings = PlannerSettings(planner=name, improving_checks=4000)
-    path = drive(find_path(motions(hulls), START, [END], np.random.default_rng(3), settings))
+    path = run_through(find_path(motions(hulls), START, [END], np.random.default_rng(3), settings))
     assert path is not None
     same = motions(hulls)
     assert all(same.free(a, b) for a, b in itertools.pairwise(path))
@@ -121,7 +122,7 @@ def test_a_straight_line_is_straight(hulls: RobotHulls) -> None:
     here = checker.chain.pose(q, "panda_hand_tcp")
     x, y, z = here.position
     there = here.model_copy(update={"position": (x, y + 0.1, z - 0.05)})
-    line = drive(follow(hand(hulls), checker, q, there))
+    line = run_through(follow(hand(hulls), checker, q, there))
     assert line.broken is None
     points = np.array([checker.chain.pose(each, "panda_hand_tcp").position for each in line.path])
     along = np.array([0.0, 0.1, -0.05])
@@ -133,7 +134,7 @@ def test_a_straight_line_into_the_wall_ends_there(hulls: RobotHulls) -> None:
     checker = CollisionChecker(hulls, JOINTS, HOME, [WALL])
     here = checker.chain.pose(START, "panda_hand_tcp")
     there = here.model_copy(update={"position": (0.6, 0.0, 0.35)})
-    line = drive(follow(hand(hulls), checker, START, there))
+    line = run_through(follow(hand(hulls), checker, START, there))
     assert line.broken is Broken.IN_COLLISION
     assert 0.0 < line.travelled < 1.0
 
@@ -153,6 +154,6 @@ def test_a_pose_that_few_starts_do_not_lead_to_is_looked_for_from_many(
     rig = ArmRig(panda(), "arm", hulls=hulls)
     planner = MovePlanner(Arm(hulls, panda(), "arm"), PlannerSettings(), "arm/move")
     there = Candidate(pose=hulls.robot.pose("panda_hand_tcp", HOME))
-    reached = drive(planner.reach(MoveGoal(candidates=(there,), frame="base"), rig.moment()))
+    reached = run_through(planner.reach(MoveGoal(candidates=(there,), frame="base"), rig.moment()))
     assert not isinstance(reached, Failure)
     assert reached.candidate == 0

@@ -9,7 +9,7 @@ from tandem.sim.robots.registry import robot_model
 from tandem.skills.arm.planning.straight import JUMP, Hand, _on_the_line, follow
 from tandem.skills.arm.problem import Arm
 from tandem.skills.kinematics.described import home_positions, load_hulls
-from tests.fakes.arm_rig import drive
+from tandem.skills.ports.steps import run_through
 
 ABOVE = np.array((-0.00267, 0.18613, 0.02826, 0.00851, 0.30924, -0.00966))
 """A LoCoBot's arm above a slot: on the way down its wrist is stretched, and both rolls turn by 0.26 rad."""
@@ -29,7 +29,7 @@ def hand() -> Hand:
 def test_a_hand_goes_down_through_a_stretched_wrist(hand: Hand) -> None:
     here = hand.chain.pose(ABOVE, hand.frame)
     x, y, z = here.position
-    down = drive(follow(hand, None, ABOVE, here.model_copy(update={"position": (x, y, z - 0.10)})))
+    down = run_through(follow(hand, None, ABOVE, here.model_copy(update={"position": (x, y, z - 0.10)})))
     assert down.broken is None
     assert np.abs(np.diff(down.path, axis=0)).max() > JUMP
 

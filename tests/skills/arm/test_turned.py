@@ -24,8 +24,9 @@ from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.shapes import BoxShape
+from tandem.skills.ports.steps import run_through
 from tandem.skills.ports.world import PlanningScene
-from tests.fakes.arm_rig import drive, panda
+from tests.fakes.arm_rig import panda
 from tests.fakes.examples import example_cart
 
 BOX = BoxShape((0.06, 0.06, 0.06))
@@ -60,7 +61,7 @@ def moment(arm: Arm, q: np.ndarray | None = None) -> Moment:
 
 def plan(arm: Arm, goal: MoveGoal, q: np.ndarray | None = None) -> Plan | Failure:
     planner = MovePlanner(arm, PlannerSettings(), "move")
-    return drive(planner.plan(goal, moment(arm, q), np.random.default_rng(1)))
+    return run_through(planner.plan(goal, moment(arm, q), np.random.default_rng(1)))
 
 
 def pre_grasp(turn: TurnAbout | None) -> MoveGoal:
@@ -70,16 +71,16 @@ def pre_grasp(turn: TurnAbout | None) -> MoveGoal:
 
 def test_a_base_a_little_aside_puts_no_grasp_out_of_reach(cart: Arm) -> None:
     planner, rng = MovePlanner(cart, PlannerSettings(), "survey"), np.random.default_rng(1)
-    assert drive(planner.reaches(pre_grasp(TURN), moment(cart), rng))
-    assert not drive(planner.reaches(pre_grasp(None), moment(cart), rng))
+    assert run_through(planner.reaches(pre_grasp(TURN), moment(cart), rng))
+    assert not run_through(planner.reaches(pre_grasp(None), moment(cart), rng))
 
 
 def test_a_field_has_an_end_to_go_for_and_knows_its_turn(cart: Arm) -> None:
     planner = MovePlanner(cart, PlannerSettings(), "approach")
-    reached = drive(planner.reach(pre_grasp(TURN), moment(cart)))
+    reached = run_through(planner.reach(pre_grasp(TURN), moment(cart)))
     assert not isinstance(reached, Failure)
     assert 0.01 < abs(reached.turned) <= TURN.most
-    assert isinstance(drive(planner.reach(pre_grasp(None), moment(cart))), Failure)
+    assert isinstance(run_through(planner.reach(pre_grasp(None), moment(cart))), Failure)
 
 
 def test_the_plan_tells_the_turn_and_leads_to_the_turned_pose(cart: Arm) -> None:

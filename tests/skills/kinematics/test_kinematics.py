@@ -20,7 +20,8 @@ from tandem.skills.kinematics.ik import SeedTable, Solver
 from tandem.skills.kinematics.model import RobotKinematics, UnknownNameError
 from tandem.skills.kinematics.transforms import to_se3
 from tandem.skills.ports.pose import Pose
-from tests.fakes.arm_rig import PANDA_HOME, drive, panda
+from tandem.skills.ports.steps import run_through
+from tests.fakes.arm_rig import PANDA_HOME, panda
 
 JOINTS = panda().group("arm").joints
 TOOL = "panda_hand_tcp"
@@ -193,7 +194,7 @@ def test_inverse_kinematics_reaches_the_poses_and_alike_each_time(hulls: RobotHu
         Pose(position=(0.45, y, 0.35), orientation=from_rpy(math.pi, 0.0, 0.3)) for y in (-0.3, 0.0, 0.3)
     ]
     found = [
-        drive(solver(hulls).solve(chain, [to_se3(each) for each in poses], np.array(PANDA_HOME), 8))
+        run_through(solver(hulls).solve(chain, [to_se3(each) for each in poses], np.array(PANDA_HOME), 8))
         for _ in range(2)
     ]
     for pose, one, other in zip(poses, *found, strict=True):
@@ -208,7 +209,7 @@ def test_inverse_kinematics_reaches_the_poses_and_alike_each_time(hulls: RobotHu
 def test_what_is_out_of_reach_tells_how_far(hulls: RobotHulls) -> None:
     chain = hulls.robot.chain(JOINTS, HOME)
     far = to_se3(Pose(position=(2.0, 0.0, 0.4), orientation=from_rpy(math.pi, 0.0, 0.0)))
-    (answer,) = drive(solver(hulls).solve(chain, [far], np.array(PANDA_HOME), 8))
+    (answer,) = run_through(solver(hulls).solve(chain, [far], np.array(PANDA_HOME), 8))
     assert answer.solutions == ()
     assert 0.8 < answer.distance < 2.0
 

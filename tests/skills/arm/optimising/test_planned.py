@@ -18,7 +18,8 @@ from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.planners import PlannerName
 from tandem.skills.ports.pose import Pose
-from tests.fakes.arm_rig import PANDA_HOME, ArmRig, box, drive, panda
+from tandem.skills.ports.steps import run_through
+from tests.fakes.arm_rig import PANDA_HOME, ArmRig, box, panda
 
 JOINTS = panda().group("arm").joints
 HOME = dict(zip(JOINTS, PANDA_HOME, strict=True))
@@ -42,7 +43,7 @@ def plan(hulls: RobotHulls, settings: PlannerSettings, seed: int = 1, end: Array
     rig.hardware.positions |= dict(zip(JOINTS, map(float, START), strict=True))
     planner = MovePlanner(Arm(hulls, panda(), "arm"), settings, "arm/move")
     goal = MoveGoal(joints=tuple(map(float, end)))
-    return drive(planner.plan(goal, rig.moment(box(*WALL)), np.random.default_rng(seed)))
+    return run_through(planner.plan(goal, rig.moment(box(*WALL)), np.random.default_rng(seed)))
 
 
 @pytest.mark.parametrize("name", OPTIMISING)
