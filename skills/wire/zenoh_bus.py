@@ -98,7 +98,7 @@ class ZenohBus:
         credentials: for a router that speaks TLS.
         silent_after: host seconds without a beat after which a process is said not to go on.
         pictures: see ``configs.client_config``.
-        seldom: hear who goes on twice a second instead of ten times; for a ``silent_after`` of some seconds.
+        seldom: hear who goes on once a second instead of ten times; for a ``silent_after`` of some seconds.
 
     Raises:
         BusError: when it does not.
@@ -215,6 +215,7 @@ class ZenohBus:
         """Show that this process goes on, and tell what it refused; called once a turn by its loop alone."""
         if self._pulse.turn():
             self._beat()
+            self._beats.rest()
             refused = self._refusals.due(_process(self._own), time.monotonic())
             if refused is not None:
                 REFUSALS.publish(self, refused)

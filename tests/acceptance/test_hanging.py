@@ -40,7 +40,7 @@ def test_the_arm_stands_while_it_hangs_and_gets_there_afterwards(live: ProcessSy
 def test_a_process_that_hangs_for_good_is_killed_and_started_again() -> None:
     said: list[str] = []
     with ProcessSystem(
-        RunOptions(bus=own_bus(), scenario="Defaults"), say=said.append, hung_after=1.5
+        RunOptions(bus=own_bus(), scenario="Defaults"), say=said.append, hung_after=3.0
     ) as system:
         hangs = system.pids()["base"]
         os.kill(hangs, signal.SIGSTOP)

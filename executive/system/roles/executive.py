@@ -117,8 +117,6 @@ def service_node(stage: Stage, bus: Bus, clocks: Clocks, ledger: Ledger | None) 
 def _play(stage: Stage) -> None:
     from tandem.executive.system.leased_loop import run_leased  # noqa: PLC0415
 
-    stage.bus.awake()  # it listens from now on: a skill that hangs before the first task is missed in it, too
-
     def service(bus: Bus, clocks: Clocks) -> Node:
         return service_node(stage, bus, clocks, ledger_of(stage.settings))
 

@@ -8,8 +8,8 @@ from typing import Any, cast
 import pytest
 import zenoh
 
-from tandem.skills.wire.beats import Beats
-from tandem.skills.wire.pulse import Pulse
+from tandem.skills.wire.beats import UNASKED, Beats
+from tandem.skills.wire.pulse import SILENT_AFTER, Pulse
 
 
 class Session:
@@ -88,3 +88,37 @@ def test_a_supervisor_hears_all_seldom(session: Session, pulse: Pulse) -> None:
     supervisor = Beats(cast("zenoh.Session", session), "lab/tiago", pulse, seldom=True)
     supervisor.hear_all()
     assert session.heard.keys() == {"lab/tiago/beat/*/seldom"}
+
+
+def test_who_asks_no_more_hears_no_more(session: Session, beats: Beats) -> None:
+    beats.hear("client")
+    session.beat("executive", "client")
+    beats.hear("client")
+    for _ in range(UNASKED - 1):
+        beats.rest()
+    assert session.heard.keys() == {"lab/tiago/beat/executive"}
+    beats.rest()
+    assert not session.heard
+
+
+def test_a_name_that_never_beats_is_not_sought_for_ever(session: Session, beats: Beats) -> None:
+    beats.hear("a driver of its own")
+    for _ in range(UNASKED):
+        beats.rest()
+    assert not session.heard
+
+
+def test_one_that_was_not_heard_meanwhile_is_not_silent_for_that(session: Session) -> None:
+    now = [0.0]
+    pulse = Pulse(lambda: now[0])
+    beats = Beats(cast("zenoh.Session", session), "lab/tiago", pulse)
+    beats.hear("client")
+    session.beat("executive", "client", "process/executive")
+    for _ in range(UNASKED):
+        beats.rest()
+    now[0] = 10.0
+    beats.hear("client")
+    assert pulse.awake(("client", "process/executive")) == {"client", "process/executive"}
+    now[0] += 2.0 * SILENT_AFTER
+    beats.hear("client")
+    assert not pulse.awake(("client",))
