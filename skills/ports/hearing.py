@@ -54,6 +54,8 @@ class Reason(StrEnum):
     """Its stamp lies before that of the last one, of the same boot."""
     FENCED = "fenced"
     """Its sender holds no lease, or has been replaced (``tandem.skills.ports.lease``)."""
+    STRAY = "stray"
+    """It came under no key of its own: put on a wildcard, or a deletion."""
 
 
 class Ear:
@@ -90,19 +92,24 @@ class Ear:
         if len(self.last_read) > KINDS:
             self.last_read.pop(next(iter(self.last_read)))
 
-    def refuse(self, key: str, reason: Reason, text: str) -> None:
-        """Count a message that is not taken in; ``text`` says what was wrong with it."""
+    def refuse(
+        self, key: str, reason: Reason, text: str, count: int = 1, *, error: Exception | None = None
+    ) -> None:
+        """Count messages that are not taken in; ``text`` says what was wrong with them.
+
+        ``error`` is one of ours: a check that raised. The log gets its trace.
+        """
         kind = (key, reason)
         if kind not in self._counts and len(self._counts) >= KINDS:
             kind = ("other", reason)
-        self._counts[kind] += 1
-        self.total += 1
+        self._counts[kind] += count
+        self.total += count
         now = 0.0 if self._monotonic is None else self._monotonic()
         last = self._logged.get(kind)
         if last is None or now - last >= LOG_EVERY:
             self._logged[kind] = now
             about = {"key": kind[0], "reason": str(reason), "why": text, "count": self._counts[kind]}
-            log.warning("message refused", extra=about)
+            log.warning("message refused", extra=about, exc_info=error)
 
 
 class Entrance(Generic[M]):
@@ -131,7 +138,12 @@ class Entrance(Generic[M]):
             known: M = before[2]  # type: ignore[assignment] # what this decode made of it
             self._note_said(key, known, payload)
             return known
-        message = self._checked(key, payload)
+        try:
+            message = self._checked(key, payload)
+        except Exception as error:  # noqa: BLE001 - whatever a stranger found: it costs its message, no process
+            raised = f"the check raised {type(error).__name__}: {error}"
+            self._ear.refuse(key, Reason.MALFORMED, raised, error=error)
+            return None
         if message is not None:
             self._ear.keep(key, self._decode, payload, message)
             self._note_said(key, message, payload)

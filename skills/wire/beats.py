@@ -14,6 +14,7 @@ import zenoh
 
 from tandem.skills.wire.direct import direct
 from tandem.skills.wire.pulse import Pulse
+from tandem.skills.wire.strays import is_stray
 
 BEAT: Final = "beat"
 """``beat/<process>``; the payload is a line for each name of the process. ``beat`` alone has those of all
@@ -110,9 +111,11 @@ class Beats:
 
     def _take(self, sample: zenoh.Sample) -> None:
         # Wakes nobody: who asks for it looks every turn.
+        key = str(sample.key_expr)
+        if is_stray(key, sample):
+            return
         names = sample.payload.to_string().split("\n")
         self._pulse.hear(names)
         if not self._stays:
-            key = str(sample.key_expr)
             for name in names:
                 self._found[name] = key

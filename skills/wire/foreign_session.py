@@ -11,6 +11,7 @@ from tandem.skills.wire.configs import client_config
 from tandem.skills.wire.credentials import Credentials
 from tandem.skills.wire.direct import direct
 from tandem.skills.wire.keyed_queue import KeyedQueue
+from tandem.skills.wire.strays import is_stray
 from tandem.skills.wire.zenoh_bus import open_session
 from tandem.skills.wire.zenoh_ends import Waker
 
@@ -80,6 +81,8 @@ class ForeignSession:
 
         def arrived(sample: zenoh.Sample) -> None:
             key = str(sample.key_expr)
+            if is_stray(key, sample):
+                return
             inbox.waiting.put(key, ForeignSample(key, sample.payload.to_bytes()))
             self._waker.wake()
 

@@ -11,6 +11,7 @@ from tandem.skills.ports.keys import CLOCK
 from tandem.skills.wire.direct import direct
 from tandem.skills.wire.keyed_queue import KeyedQueue
 from tandem.skills.wire.memory import MemorySample
+from tandem.skills.wire.strays import Strays, is_stray
 from tandem.skills.wire.zenoh_ends import Waker, ZenohInbox
 
 
@@ -30,10 +31,11 @@ class Subscriptions:
         session: it ends with its owner.
         prefix: put before every key.
         waker: told when something has arrived that can't wait.
+        strays: counts what is no message.
     """
 
-    def __init__(self, session: zenoh.Session, prefix: str, waker: Waker) -> None:
-        self._session, self._prefix, self._waker = session, prefix, waker
+    def __init__(self, session: zenoh.Session, prefix: str, waker: Waker, strays: Strays) -> None:
+        self._session, self._prefix, self._waker, self._strays = session, prefix, waker, strays
         self._shared: dict[str, _Shared] = {}
 
     def add(self, key: str, depth: int) -> ZenohInbox:
@@ -50,7 +52,11 @@ class Subscriptions:
         wake = self._waker.tick if key == CLOCK.key else None if paced(key) else self._waker.wake
 
         def arrived(sample: zenoh.Sample) -> None:
-            name = str(sample.key_expr)[start:]
+            whole = str(sample.key_expr)
+            if is_stray(whole, sample):
+                self._strays.note(key)
+                return
+            name = whole[start:]
             told = MemorySample(name, sample.payload.to_bytes())
             for inbox in shared.inboxes:
                 inbox.waiting.put(name, told)

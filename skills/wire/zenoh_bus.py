@@ -25,6 +25,7 @@ from tandem.skills.wire.direct import direct
 from tandem.skills.wire.kept_states import AT_ONCE, Kept
 from tandem.skills.wire.keyed_queue import KeyedQueue
 from tandem.skills.wire.pulse import SILENT_AFTER, Pulse
+from tandem.skills.wire.strays import Strays, is_stray
 from tandem.skills.wire.subscriptions import Subscriptions
 from tandem.skills.wire.zenoh_ends import Waker, ZenohDesk, ZenohPending, ZenohRequest
 
@@ -125,7 +126,8 @@ class ZenohBus:
         self._session = open_session(
             client_config(endpoint, patience, credentials, pictures=pictures), endpoint
         )
-        self._subscriptions = Subscriptions(self._session, prefix, self.waker)
+        self._strays = Strays()
+        self._subscriptions = Subscriptions(self._session, prefix, self.waker, self._strays)
         self._publishers: dict[tuple[str, Delivery], zenoh.Publisher] = {}
         self._tokens: list[zenoh.LivelinessToken] = []
         self._names: dict[str, None] = {}
@@ -161,7 +163,10 @@ class ZenohBus:
 
     def commons(self) -> ZenohCommons:
         """Return the end, on the same session, of what all robots of the site share."""
-        return ZenohCommons(self._session, self._prefix.partition("/")[0], self.ear, self.waker)
+        site = self._prefix.partition("/")[0]
+        return ZenohCommons(
+            self._session, site, self.ear, Subscriptions(self._session, site, self.waker, self._strays)
+        )
 
     def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
         """Query the process that serves the key."""
@@ -216,6 +221,7 @@ class ZenohBus:
         if self._pulse.turn():
             self._beat()
             self._beats.rest()
+            self._strays.tell(self.ear)
             refused = self._refusals.due(_process(self._own), time.monotonic())
             if refused is not None:
                 REFUSALS.publish(self, refused)
@@ -357,7 +363,10 @@ class Gathered:
         start = len(prefix) + 1
 
         def arrived(sample: zenoh.Sample) -> None:
-            key = str(sample.key_expr)[start:]
+            whole = str(sample.key_expr)
+            if is_stray(whole, sample):
+                return
+            key = whole[start:]
             self._waiting.put(key, Arrival(key, sample.payload.to_bytes(), time.monotonic_ns()))
 
         self._subscribers = [session.declare_subscriber(f"{prefix}/{key}", direct(arrived)) for key in keys]
@@ -379,12 +388,12 @@ class ZenohCommons:
         session: it ends with its owner.
         site: put before every key.
         ear: of the process.
-        waker: told when something has arrived.
+        subscriptions: on keys of the site.
     """
 
-    def __init__(self, session: zenoh.Session, site: str, ear: Ear, waker: Waker) -> None:
+    def __init__(self, session: zenoh.Session, site: str, ear: Ear, subscriptions: Subscriptions) -> None:
         self._session, self._site = session, site
-        self._subscriptions = Subscriptions(session, site, waker)
+        self._subscriptions = subscriptions
         self.ear = ear
         self._publishers: dict[str, zenoh.Publisher] = {}
 

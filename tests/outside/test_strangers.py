@@ -124,6 +124,22 @@ def test_a_look_around_finds_what_may_be_read(robot: Robot) -> None:
     assert {f"{PREFIX}/{key}" for key in ("hw/description", "sim/truth", "task/list", "task/info")} <= found
 
 
+@pytest.mark.parametrize("key", ["**", f"{SITE}/**", f"{PREFIX}/**", f"{PREFIX}/hw/**", f"{PREFIX}/*/*"])
+def test_what_is_put_on_a_wildcard_is_nobodys_message(robot: Robot, key: str) -> None:
+    """One set-point on ``strangers/**`` ended the hardware, one request there was accepted as a task."""
+    truth, before = robot.ask("sim/truth"), robot.ask("task/info")
+    setpoint = {"stamp": truth["stamp"], "positions": [0.0], "velocities": [0.0]}
+    stop = {"stopped": False, "by": "me", "reason": ""}
+    for document in (FETCH, setpoint, stop, {"by": "me"}, {"linear": 0.5, "angular": 0.0}):
+        robot.session.put(key, json.dumps(document))
+    robot.session.delete(key)
+    robot.beats.clear()
+    until(lambda: len(robot.beats) > 3, 10.0)  # several turns of the executive's loop
+    after = robot.ask("task/info")
+    assert (after["queued"], after["running"]) == (before["queued"], before["running"])
+    assert robot.ask("sim/truth")["stamp"]["boot"] == truth["stamp"]["boot"]
+
+
 def test_a_release_names_who_releases(robot: Robot) -> None:
     for nobody in (None, b"", b"{}", b'{"who": "me"}', b'{"by": ""}'):
         for reply in robot.get(f"{PREFIX}/hw/stop/release", nobody):

@@ -349,3 +349,18 @@ def test_a_bumper_that_the_robot_does_not_have_stops_nobody() -> None:
     BUMPERS.publish(teller, Bumpers(stamp=at(1.0), pressed=("tail",)))
     assert latest.take() == []
     assert bus.ear.refused == {(BUMPERS.key, Reason.MISFIT): 1}
+
+
+def test_a_check_that_raises_costs_its_message_and_the_log_has_the_trace(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    def broken(payload: bytes) -> Clock:
+        return Clock.model_validate_json([payload][1])
+
+    hub = MemoryHub()
+    bus = MemoryBus(hub)
+    heard = Heard(bus, "hw/*", broken)
+    MemoryBus(hub).publish("hw/clock", b"{}")
+    assert heard.take() == []
+    assert bus.ear.refused == {("hw/clock", Reason.MALFORMED): 1}
+    assert "IndexError" in caplog.text

@@ -27,7 +27,7 @@ class Session:
         key = f"lab/tiago/beat/{process}"
         body = SimpleNamespace(to_string=lambda: "\n".join(names))
         for expression in {key, "lab/tiago/beat/*"} & self.heard.keys():
-            self.heard[expression](SimpleNamespace(key_expr=key, payload=body))
+            self.heard[expression](SimpleNamespace(key_expr=key, payload=body, kind=zenoh.SampleKind.PUT))
 
 
 @pytest.fixture
