@@ -355,7 +355,7 @@ def test_a_check_that_raises_costs_its_message_and_the_log_has_the_trace(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     def broken(payload: bytes) -> Clock:
-        return Clock.model_validate_json([payload][1])
+        raise IndexError(payload)
 
     hub = MemoryHub()
     bus = MemoryBus(hub)
