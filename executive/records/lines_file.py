@@ -27,6 +27,7 @@ from pydantic import ValidationError
 from tandem.executive.records.recording import (
     LAYOUT,
     Attachment,
+    BootSpan,
     Encoding,
     Facts,
     Recorded,
@@ -141,6 +142,31 @@ class LinesRecording:
     def pictures(self, since: float = -math.inf, until: float = math.inf) -> Iterator[Recorded]:
         """Yield the pictures between two moments."""
         return (each for each in self._pictures if since <= each.at <= until)
+
+    def known(self, at: float) -> dict[str, Recorded]:
+        """Return the last message of each key up to and with a moment."""
+        last: dict[str, Recorded] = {}
+        for message in self.messages(until=at):
+            last.pop(message.key, None)
+            last[message.key] = message  # the newest stands last
+        return last
+
+    def boots(self) -> tuple[BootSpan, ...]:
+        """Return the boots whose time it has."""
+        found: dict[str, BootSpan] = {}
+        for message in self.messages(self.span.begin):
+            if (stamp := message.stamp) is not None:
+                known = found.get(stamp.boot)
+                begin, offset = (
+                    (stamp.seconds, message.at - stamp.seconds)
+                    if known is None
+                    else (known.begin, known.offset)
+                )
+                found[stamp.boot] = BootSpan(stamp.boot, begin, stamp.seconds, offset)
+        return tuple(found.values())
+
+    def grow(self) -> None:
+        """Do nothing: it is whole."""
 
     def close(self) -> None:
         """Keep nothing open: the file was read whole."""

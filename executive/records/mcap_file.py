@@ -12,7 +12,7 @@ import json
 import math
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO, Final
 
@@ -22,6 +22,7 @@ from tandem.executive.config.extras import RECORD, words_on
 from tandem.executive.records.recording import (
     MCAP,
     Attachment,
+    BootSpan,
     Encoding,
     Facts,
     Recorded,
@@ -34,7 +35,7 @@ from tandem.skills.ports.message import RobotTime, read_leniently
 try:
     from mcap.exceptions import McapError
     from mcap.reader import SeekingReader
-    from mcap.records import Channel, Chunk, ChunkIndex, Message, MetadataIndex
+    from mcap.records import Channel, Chunk, ChunkIndex, McapRecord, Message, MetadataIndex
     from mcap.stream_reader import StreamReader, breakup_chunk
 except ModuleNotFoundError as error:
     raise ModuleNotFoundError(
@@ -47,6 +48,7 @@ BOOT: Final = "boot"
 """Metadata: the ``boot`` of what follows (empty: none heard yet), and ``offset`` in seconds."""
 OURS: Final = "tandem"
 """In a channel's metadata: ``json`` or ``bytes`` for what was put on the bus, ``jpeg`` for pictures."""
+PUBLISHED: Final = ("json", "bytes")
 PACKED: Final = "+gzip"
 """At the end of an attachment's type: MCAP compresses messages, not these."""
 NANO: Final = 1_000_000_000
@@ -57,7 +59,7 @@ _WIDTHS: Final = {1: 8, 5: 4}
 
 
 @dataclass(frozen=True)
-class _Boot:
+class Boot:
     """From where in the file on which boot counts."""
 
     place: int
@@ -66,13 +68,15 @@ class _Boot:
 
 
 @dataclass(frozen=True)
-class _Part:
-    """A chunk: where it is, and from when to when its messages are."""
+class Part:
+    """A chunk: where it is, from when to when its messages are, and of which channels."""
 
     place: int
-    boot: _Boot
+    boot: Boot
     begin: float
     end: float
+    channels: frozenset[int] | None
+    """None: not known yet, it may have any."""
 
 
 class McapRecording:
@@ -101,7 +105,7 @@ class McapRecording:
         if summary is None:
             advice = f"`tandem log recover {self.path}` makes one"
             raise RecordError(self.path, "a summary at its end", "none", advice)
-        self.facts, begin = _facts(self.path, self._metadata(FACTS))
+        self.facts, begin = facts_in(self.path, self._metadata(FACTS))
         self._channels = summary.channels
         self._parts = _parts(summary.chunk_indexes, self._boots(summary.metadata_indexes))
         self.attachments = tuple(
@@ -117,6 +121,41 @@ class McapRecording:
     def pictures(self, since: float = -math.inf, until: float = math.inf) -> Iterator[Recorded]:
         """Yield the pictures between two moments."""
         return (each for each in self._read(since, until, pictures=True) if each.encoding == "jpeg")
+
+    def known(self, at: float) -> dict[str, Recorded]:
+        """Return the last message of each key up to and with a moment: from the chunks that have them."""
+        wanted = {number for number, each in self._channels.items() if each.metadata.get(OURS) in PUBLISHED}
+        found: list[tuple[int, int, Recorded]] = []
+        for part in reversed(self._parts):
+            mine = wanted if part.channels is None else wanted & part.channels
+            if part.begin > at or not mine:
+                continue
+            last: dict[int, tuple[int, int, Recorded]] = {}
+            latest = at if math.isinf(at) else round((at - part.boot.offset) * NANO)
+            for number, message in enumerate(self._chunk(part)):
+                if message.channel_id in mine and message.log_time <= latest:
+                    read = _recorded(message, self._channels[message.channel_id], part.boot)
+                    if read is not None:
+                        last[message.channel_id] = (part.place, number, read)
+            wanted -= last.keys()
+            found += last.values()
+        ordered = [each for _, _, each in sorted(found, key=lambda each: each[:2])]
+        by_key = {each.key: each for each in ordered}  # of a key that had JSON and bytes, the later one
+        return {each.key: each for each in ordered if by_key[each.key] is each}
+
+    def boots(self) -> tuple[BootSpan, ...]:
+        """Return the boots whose time it has."""
+        found: dict[str, BootSpan] = {}
+        for part in self._parts:
+            boot = part.boot
+            if boot.name and part.end >= self.span.begin:
+                first = BootSpan(boot.name, max(part.begin, self.span.begin) - boot.offset, 0.0, boot.offset)
+                known = found.get(boot.name, first)
+                found[boot.name] = replace(known, end=max(known.end, part.end - boot.offset))
+        return tuple(found.values())
+
+    def grow(self) -> None:
+        """Do nothing: it is whole."""
 
     def close(self) -> None:
         """Close the file."""
@@ -134,20 +173,24 @@ class McapRecording:
                 if read is not None and since <= read.at <= until:
                     yield read
 
-    def _chunk(self, part: _Part) -> Iterable[Message]:
-        self._file.seek(part.place)
+    def _chunk(self, part: Part) -> Iterable[Message]:
+        return (each for each in self._records(part.place) if isinstance(each, Message))
+
+    def _records(self, place: int) -> list[McapRecord]:
+        """Return what stands in a chunk."""
+        self._file.seek(place)
         chunk = next(StreamReader(self._file, skip_magic=True, emit_chunks=True).records)
         assert isinstance(chunk, Chunk), "as the index says"
-        return (each for each in breakup_chunk(chunk) if isinstance(each, Message))
+        return breakup_chunk(chunk)
 
     def _metadata(self, name: str) -> dict[str, str]:
         return next((each.metadata for each in self._reader.iter_metadata() if each.name == name), {})
 
-    def _boots(self, indexes: Iterable[MetadataIndex]) -> list[_Boot]:
+    def _boots(self, indexes: Iterable[MetadataIndex]) -> list[Boot]:
         places = [each.offset for each in indexes]
         told = zip(places, self._reader.iter_metadata(), strict=True)
         return [
-            _Boot(place, each.metadata["boot"], float(each.metadata["offset"]))
+            Boot(place, each.metadata["boot"], float(each.metadata["offset"]))
             for place, each in told
             if each.name == BOOT
         ]
@@ -168,7 +211,8 @@ def _require_whole(path: Path) -> None:
     )
 
 
-def _facts(path: Path, told: dict[str, str]) -> tuple[Facts, float]:
+def facts_in(path: Path, told: dict[str, str]) -> tuple[Facts, float]:
+    """Return what a file is of and the begin of its span, out of its metadata; RecordError without them."""
     layout = told.get("layout", "")
     written = told.get("facts", "")
     try:
@@ -180,21 +224,27 @@ def _facts(path: Path, told: dict[str, str]) -> tuple[Facts, float]:
         raise RecordError(path, "facts of a record in its metadata", found, "the file was changed") from error
 
 
-def _parts(indexes: Iterable[ChunkIndex], boots: list[_Boot]) -> tuple[_Part, ...]:
+def _parts(indexes: Iterable[ChunkIndex], boots: list[Boot]) -> tuple[Part, ...]:
     places = [each.place for each in boots]
 
-    def part(index: ChunkIndex) -> _Part:
+    def part(index: ChunkIndex) -> Part:
         boot = boots[bisect_right(places, index.chunk_start_offset) - 1]
-        begin, end = (
-            round(boot.offset + time / NANO, 9) for time in (index.message_start_time, index.message_end_time)
+        begin, end = index.message_start_time, index.message_end_time
+        return part_at(
+            index.chunk_start_offset, boot, (begin, end), frozenset(index.message_index_offsets) or None
         )
-        return _Part(index.chunk_start_offset, boot, begin, end)
 
     found = [part(index) for index in indexes]
     return tuple(sorted(found, key=lambda each: each.place))
 
 
-def _recorded(message: Message, channel: Channel, boot: _Boot) -> Recorded | None:
+def part_at(place: int, boot: Boot, times: tuple[int, int], channels: frozenset[int] | None) -> Part:
+    """Return a chunk of a boot; ``times``: of its first and last message, in nanoseconds of the robot."""
+    begin, end = (round(boot.offset + time / NANO, 9) for time in times)
+    return Part(place, boot, begin, end, channels)
+
+
+def _recorded(message: Message, channel: Channel, boot: Boot) -> Recorded | None:
     """Return a message of ours; None for what only Foxglove draws."""
     kind = channel.metadata.get(OURS, "")
     if kind not in {"json", "bytes", "jpeg"}:

@@ -52,15 +52,9 @@ def at_of(record: Recording, seconds: float) -> float:
 
     Of a time that no boot has, the nearest within the record.
     """
-    offsets: dict[str, tuple[float, float, float]] = {}
-    for message in record.messages(record.span.begin):
-        stamp = message.stamp
-        if stamp is not None:
-            told = stamp.seconds
-            first, _, offset = offsets.get(stamp.boot, (told, told, message.at - told))
-            offsets[stamp.boot] = (first, told, offset)
-    within = [offset for first, last, offset in offsets.values() if first <= seconds <= last]
-    offset = within[-1] if within else next(iter(offsets.values()), (0.0, 0.0, 0.0))[2]
+    boots = record.boots()
+    within = [each.offset for each in boots if each.begin <= seconds <= each.end]
+    offset = within[-1] if within else boots[0].offset if boots else 0.0
     return record.span.clipped(seconds + offset)
 
 

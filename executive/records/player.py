@@ -74,7 +74,7 @@ class Player:
         before = dict(self._tape.known().last)
         self._tape.go(at)
         for message in self._tape.known().last.values():
-            if back or before.get(message.key) is not message:
+            if back or before.get(message.key) != message:
                 self._say(message, task_too=True)
         return back
 

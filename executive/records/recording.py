@@ -7,7 +7,7 @@ seconds since its recorder began, and never falls. ``stamp`` is the robot's own 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Literal, Protocol
@@ -112,6 +112,19 @@ class Span:
         return min(max(at, self.begin), self.end)
 
 
+@dataclass(frozen=True)
+class BootSpan:
+    """What a record has of one boot of the robot."""
+
+    boot: str
+    begin: float
+    """The robot's own time of the first message, in seconds."""
+    end: float
+    """That of the last one."""
+    offset: float
+    """What to add to a robot time of this boot to get ``at``."""
+
+
 class Recording(Protocol):
     """A record that can be read again and again. Its owner closes it."""
 
@@ -141,6 +154,18 @@ class Recording(Protocol):
 
     def pictures(self, since: float = -math.inf, until: float = math.inf) -> Iterator[Recorded]:
         """Yield the pictures between two moments, as JPEG under the key of their camera."""
+        ...
+
+    def known(self, at: float) -> Mapping[str, Recorded]:
+        """Return the last message of each key up to and with a moment, the newest last."""
+        ...
+
+    def boots(self) -> tuple[BootSpan, ...]:
+        """Return the boots of the robot whose time it has, in order."""
+        ...
+
+    def grow(self) -> None:
+        """Take in what has been written since, of a file that is still written."""
         ...
 
     def close(self) -> None:

@@ -28,14 +28,13 @@ from tandem.executive.client.errors import (
     RejectedError,
     UnknownTaskError,
 )
-from tandem.executive.records.recording import RecordError
 from tandem.executive.render.failure_words import explain, what_next
 from tandem.executive.security.links import LinkError
 from tandem.executive.web.audience import Audience, FullError
 from tandem.executive.web.camera import Camera
 from tandem.executive.web.gate import CLOSED, Gate, cookie_of
 from tandem.executive.web.history import Filter, Past
-from tandem.executive.web.kept_records import Kept, UnreadableError
+from tandem.executive.web.kept_records import Asked, Kept, UnreadableError
 from tandem.executive.web.meshes import MEDIA, mesh, named_in
 from tandem.executive.web.replay import Move, Replay
 from tandem.executive.web.robot import REPLAY, Robot, Who
@@ -154,9 +153,12 @@ class Site:
             seconds = TypeAdapter(FiniteFloat).validate_strings(asked)
         except ValidationError as error:
             raise WrongError(422, f"seconds: expected robot seconds; found {asked!r}") from error
+        client = await self.robot.client()
+        status = await client.status(request.path_params["task"])
+        moment = Asked(seconds, request.query_params.get("boot", ""))
         try:
-            told = await self.kept.moment(await self.robot.client(), request.path_params["task"], seconds)
-        except (UnreadableError, RecordError) as error:
+            told = await self.kept.moment(client, status, moment)
+        except UnreadableError as error:
             raise WrongError(404, str(error)) from error
         return JSONResponse(told)
 
@@ -307,6 +309,7 @@ def application(
     async def living(_: Starlette) -> AsyncIterator[None]:
         yield
         await site.audience.close()
+        site.kept.close()
         await robot.close()
 
     return Starlette(

@@ -3,21 +3,25 @@ import { useEffect, useState } from "preact/hooks";
 import { get } from "./api";
 import { useSite } from "./loading";
 import type { Kept } from "./records";
-import { states, useLive, type NodeState } from "./state";
+import { knownThen, states, useLive, type Live, type NodeState, type Update } from "./state";
 import { Tree } from "./tree";
-import type { FloorPose, NodeStatus, RobotTime, TreeSnapshot, WorldState } from "./types";
+import type { NodeStatus, RobotTime, TreeSnapshot, WorldState } from "./types";
+import { View3d } from "./view3d";
 import { called, seconds as words } from "./words";
 
-type Told = { file: string; stamp: RobotTime; tree: TreeSnapshot; world: WorldState | null; pose: FloorPose | null };
+type Told = { file: string; stamp: RobotTime | null; shown: Update };
 type Beliefs = { items: WorldState["items"]; boot: string | null; now: number | null };
 
-export function MomentCard({ task, at, begin, kept }: { task: string; at: number | null; begin: number | null; kept: Kept | null }) {
+// Times of two boots of the robot can't be compared: `boot` says which one `at` is of.
+type Given = { task: string; at: number | null; boot: string; begin: number | null; kept: Kept | null };
+
+export function MomentCard({ task, at, boot, begin, kept }: Given) {
   const replay = useLive((live) => live.replay !== null);
   const shown = useLive((live) => live.tree?.task === task);
   if (replay || (at === null && shown)) return shown ? <Now /> : null;
   if (at === null) return null;
-  if (kept && !kept.boxes.length) return <NotRecorded at={at} begin={begin} kept={kept} />;
-  return <Then task={task} at={at} begin={begin} />;
+  if (kept && !kept.boxes.length && !kept.recordings.length) return <NotRecorded at={at} begin={begin} />;
+  return <Then task={task} at={at} boot={boot} begin={begin} />;
 }
 
 function title(at: number, begin: number | null) {
@@ -33,20 +37,21 @@ function Now() {
   const replay = useLive((live) => live.replay !== null);
   return (
     <section class="card moment">
+      <View3d small />
       <h2>{replay && now?.seconds != null ? title(now.seconds, null) : "Now"}</h2>
       <Values board={board} beliefs={{ items: world?.items ?? [], boot: now?.boot ?? null, now: now?.seconds ?? null }} pose={pose} />
     </section>
   );
 }
 
-function Then({ task, at, begin }: { task: string; at: number; begin: number | null }) {
-  const [told, set] = useState<Told | null>(null);
+function Then({ task, at, boot, begin }: { task: string; at: number; boot: string; begin: number | null }) {
+  const [told, set] = useState<(Told & { live: Live }) | null>(null);
   const [error, fail] = useState("");
   useEffect(() => {
     let over = false;
     const timer = setTimeout(() => {
-      get<Told>(`/api/task/${encodeURIComponent(task)}/moment?seconds=${at}`).then(
-        (found) => over || (set(found), fail("")),
+      get<Told>(`/api/task/${encodeURIComponent(task)}/moment?seconds=${at}&boot=${encodeURIComponent(boot)}`).then(
+        (found) => over || (set({ ...found, live: knownThen(found.shown) }), fail("")),
         (wrong: Error) => over || (set(null), fail(wrong.message)),
       );
     }, 100);
@@ -54,17 +59,20 @@ function Then({ task, at, begin }: { task: string; at: number; begin: number | n
       over = true;
       clearTimeout(timer);
     };
-  }, [task, at]);
-  const same = told?.tree.task === task;
+  }, [task, at, boot]);
+  const live = told?.live;
+  const tree = live?.tree?.task === task ? live.tree : null;
   return (
     <section class="card moment" aria-live="polite">
+      {live?.pose && <View3d then={live} small />}
       <h2>{title(at, begin)}</h2>
       {error && <p class="quiet">{error}</p>}
-      {!told && !error && <p class="quiet">Reading the black box…</p>}
-      {told && <>
-        <Values board={same ? told.tree.board : {}} pose={told.pose}
-          beliefs={{ items: told.world?.items ?? [], boot: told.stamp.boot, now: told.stamp.seconds }} />
-        {same && <details open><summary>Tree</summary><Past tree={told.tree} /></details>}
+      {!told && !error && <p class="quiet">Reading the record…</p>}
+      {live && <>
+        <Values board={tree ? live.board : {}} pose={live.pose}
+          beliefs={{ items: live.world?.items ?? [], boot: told.stamp?.boot ?? null, now: told.stamp?.seconds ?? null }} />
+        {tree && <details open><summary>Tree</summary><Past tree={tree} /></details>}
+        <p class="quiet from">out of {told.file}</p>
       </>}
     </section>
   );
@@ -76,13 +84,11 @@ function Past({ tree }: { tree: TreeSnapshot }) {
   return <Tree tree={tree} nodes={nodes} kept={Object.fromEntries(ends.filter(([, status]) => status !== "INVALID"))} gates={tree} failed={false} />;
 }
 
-function NotRecorded({ at, begin, kept }: { at: number; begin: number | null; kept: Kept }) {
-  const [recording] = kept.recordings;
+function NotRecorded({ at, begin }: { at: number; begin: number | null }) {
   return (
     <section class="card moment">
       <h2>{title(at, begin)}</h2>
-      {recording ? <p>The board and the beliefs of this moment are in a recording: <code>{recording.command}</code></p>
-        : <p>The board and the beliefs of this moment were not recorded. To record those of the next task: <code>tandem up --record</code>. Of a task that fails a black box keeps the last minute.</p>}
+      <p>This moment was not recorded. To record those of the next task: <code>tandem up --record</code>. Of a task that fails a black box keeps the last minute.</p>
     </section>
   );
 }

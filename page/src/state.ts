@@ -46,7 +46,7 @@ export type Live = {
   reflexes: Record<string, Reflex>;
   pipelines: Record<string, Omit<PipelineState, "stamp">>;
 };
-type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & { whole?: boolean };
+export type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & { whole?: boolean };
 
 const EMPTY: Live = {
   connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, board: {}, gates: { breakpoints: {}, forced: {} }, joints: {},
@@ -104,8 +104,15 @@ export function connected(yes: boolean) {
 export function take(update: Update) {
   // In a replay another moment begins anew; beside a robot it is the same one, told whole once more.
   const same = live.replay === null ? { path: live.path, kept: live.kept } : { replay: live.replay };
-  const before = update.whole ? { ...EMPTY, connected: true, ...same } : live;
-  const next: Live = { ...before, ...update, heardAt: performance.now() };
+  live = { ...merged(update.whole ? { ...EMPTY, connected: true, ...same } : live, update), heardAt: performance.now() };
+  changed();
+}
+
+// What was known at another moment, which an update tells whole.
+export const knownThen = (update: Update): Live => merged(EMPTY, update);
+
+function merged(before: Live, update: Update): Live {
+  const next: Live = { ...before, ...update };
   for (const part of ["tasks", "joints", "nodes", "reflexes", "pipelines", "robots", "hands", "lasers"] as const) {
     if (update[part]) Object.assign(next, { [part]: { ...before[part], ...update[part] } });
   }
@@ -118,8 +125,7 @@ export function take(update: Update) {
     next.kept = keep(before.kept, Object.entries(update.nodes));
   }
   if (update.pose) next.path = walked(before.path, update.pose);
-  live = next;
-  changed();
+  return next;
 }
 
 export function* states(node: TreeNode): Generator<[string, NodeState]> {

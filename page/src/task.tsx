@@ -53,7 +53,7 @@ export function TaskPage({ task }: { task: string }) {
       )}
       <div class="timed">
         {told && told.timeline.length > 0 && <Timeline spans={told.timeline} status={status} at={at} />}
-        <MomentCard task={task} at={at} begin={status.started?.seconds ?? null} kept={kept} />
+        <MomentCard task={task} at={at} boot={told?.timeline.at(-1)?.begin.boot ?? status.started?.boot ?? ""} begin={status.started?.seconds ?? null} kept={kept} />
       </div>
       <Tried status={status} />
       {!replayed && <Records kept={kept} task={task} />}

@@ -4,16 +4,19 @@ import { Camera } from "./camera";
 import { useRobot, useSite } from "./loading";
 import { go, mark, useRoute } from "./route";
 import { RobotScene } from "./scene";
-import { clearPath, current, listen, useLive } from "./state";
+import { clearPath, current, listen, useLive, type Live } from "./state";
 
-export function View3d() {
+// As it is now, or as it was `then`; a small one stands beside other things and has no camera.
+export function View3d({ then, small = false }: { then?: Live; small?: boolean }) {
+  const shown = useRef(then);
+  shown.current = then;
   const box = useRef<HTMLDivElement>(null);
   const scene = useRef<RobotScene | null>(null);
   const [error, fail] = useState("");
   const words = useRoute().searchParams;
-  const looks = words.has("camera");
+  const looks = !small && words.has("camera");
   const hides = words.has("unoccupied");
-  const measured = useLive((live) => live.occupied !== null);
+  const measured = useLive((live) => (then ?? live).occupied !== null);
   const robot = useRobot();
   const site = useSite();
   useEffect(() => {
@@ -24,9 +27,9 @@ export function View3d() {
       fail("This browser has no WebGL. The map shows the robot from above.");
       return;
     }
-    const show = () => scene.current?.show(current());
+    const show = () => scene.current?.show(shown.current ?? current());
     show();
-    const off = listen(show);
+    const off = listen(() => shown.current || show());
     return () => {
       off();
       scene.current?.close();
@@ -35,22 +38,22 @@ export function View3d() {
   }, []);
   useEffect(() => {
     if (robot.value) scene.current?.setRobot(robot.value);
-    scene.current?.show(current());
-  }, [robot.value]);
+    scene.current?.show(then ?? current());
+  }, [robot.value, then]);
   useEffect(() => {
     if (site.value) scene.current?.setSite(site.value);
   }, [site.value]);
   useEffect(() => scene.current?.showOccupied(!hides), [hides]);
   return (
-    <section class="view3d" aria-label="The robot in its room">
+    <section class={small ? "view3d inset" : "view3d"} aria-label={then ? "The robot in its room, then" : "The robot in its room"}>
       <div class="canvas" ref={box} />
       {error && <p class="quiet over">{error} <a href="/map">Map</a></p>}
       {looks && <Camera name={words.get("camera") ?? ""} carry={(from, to, point) => scene.current?.carry(from.frame, to.frame, point) ?? null} />}
       <div class="tools">
         <button onClick={() => scene.current?.look("side")}>Side</button>
         <button onClick={() => scene.current?.look("above")}>Above</button>
-        <button onClick={clearPath}>Clear path</button>
-        {Boolean(robot.value?.cameras.length) && <button aria-pressed={looks} onClick={() => mark("camera", !looks)}>Camera</button>}
+        {!small && <button onClick={clearPath}>Clear path</button>}
+        {!small && Boolean(robot.value?.cameras.length) && <button aria-pressed={looks} onClick={() => mark("camera", !looks)}>Camera</button>}
         {measured && <button aria-pressed={!hides} onClick={() => mark("unoccupied", !hides)}>Occupied space</button>}
       </div>
     </section>

@@ -10,12 +10,16 @@ from typing import Any
 import pytest
 from starlette.testclient import TestClient
 from web_fake import FakeRobot
-from web_record import record
+from web_record import STEP, Run, record
 
+from tandem.executive.records.json_schemas import JsonSchemas
+from tandem.executive.records.mcap_writing import McapFile
+from tandem.executive.records.recording import Facts
 from tandem.executive.web.app import application
 from tandem.skills.ports.records import BlackBox, Cause, RecordingFile, Records
 from tandem.skills.ports.tasks import TaskState, TaskStatus
 
+FACTS = Facts(site="lab", robot="tiago", release="0.1.0", began=0.0)
 AT = "http://127.0.0.1:8447"
 TASK = TaskStatus(
     task="fetch-0001", kind="fetch", state=TaskState.SUCCEEDED, request={}, accepted_at=100.0, ended_at=200.0
@@ -24,9 +28,12 @@ TASK = TaskStatus(
 
 @pytest.fixture(scope="module")
 def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    made = tmp_path_factory.mktemp("my records") / "box.jsonl.gz"
-    record(made)
-    return made
+    return tmp_path_factory.mktemp("my records") / "box.jsonl.gz"
+
+
+@pytest.fixture(scope="module", autouse=True)
+def run(path: Path) -> Run:
+    return record(path)
 
 
 @pytest.fixture
@@ -64,14 +71,48 @@ def test_board_beliefs_and_tree_are_as_they_were(page: TestClient) -> None:
     def told(seconds: float) -> Any:
         return page.get(f"/api/task/fetch-0001/moment?seconds={seconds}").json()
 
-    early, late, again = told(1.5), told(14.0), told(1.5)
-    every = " ".join(json.dumps(told(tenths / 10)["tree"]) for tenths in range(20, 70, 2))
+    first = told(1.5)
+    early, late, again = first["shown"], told(14.0)["shown"], told(1.5)
+    every = " ".join(json.dumps(told(tenths / 10)["shown"]["tree"]) for tenths in range(20, 70, 2))
     assert '"running: phase MOVING, progress 0.00"' in every, "and no lists of corners"
-    assert again == early
+    assert again == first
     assert (early["tree"]["board"]["item"], "grasp" in early["tree"]["board"]) == ("29", False)
     assert "pre_grasp" in late["tree"]["board"]["grasp"]
     assert [each["item"] for each in late["world"]["items"]] == [29]
-    assert abs(early["stamp"]["seconds"] - 1.5) < 0.1
+    assert abs(first["stamp"]["seconds"] - 1.5) < 0.1
+
+
+def test_a_moment_is_told_as_it_was_told_then(page: TestClient, run: Run) -> None:
+    for tick, then in run.shown.items():
+        told = page.get(f"/api/task/fetch-0001/moment?seconds={(tick + 1) * STEP}&boot=b").json()["shown"]
+        assert {"tree", "board", "world", "pose", "scene"} <= told.keys()
+        assert {part: then.get(part, value) for part, value in told.items()} == told
+
+
+def test_a_recording_that_is_still_written_has_the_moment_first(
+    page: TestClient, robot: FakeRobot, run: Run, tmp_path: Path
+) -> None:
+    path = tmp_path / "run.mcap"
+    with path.open("wb") as stream:
+        file = McapFile(stream, FACTS, 0.0, JsonSchemas().of)
+        for message in run.messages[: len(run.messages) // 2]:
+            file.put(message)
+        file.flush()
+        written = RecordingFile(file=str(path), size=5, began=50.0, written=150.0)
+        robot.records = Records(boxes=robot.records.boxes, recordings=(written,))
+
+        def told(seconds: float, boot: str = "b") -> Any:
+            return page.get(f"/api/task/fetch-0001/moment?seconds={seconds}&boot={boot}").json()
+
+        early = told(1.5)
+        assert early["file"] == str(path)
+        assert told(14.0)["file"] == robot.records.boxes[0].file, "the recording has not come so far"
+        for message in run.messages[len(run.messages) // 2 :]:
+            file.put(message)
+        file.flush()
+        assert told(14.0)["file"] == str(path)
+        assert told(1.5) == early
+        assert "nothing of that start of the robot" in told(1.5, "another")["error"]
 
 
 @pytest.mark.parametrize(
@@ -80,7 +121,7 @@ def test_board_beliefs_and_tree_are_as_they_were(page: TestClient) -> None:
         ("500", None, 404, "nothing was recorded at 500.0 s; box.jsonl.gz ends 485 s before"),
         ("nan", None, 422, "expected robot seconds"),
         ("soon", None, 422, "expected robot seconds"),
-        ("2", "", 404, "no black box has fetch-0001"),
+        ("2", "", 404, "no record has fetch-0001"),
         ("2", "/elsewhere/box.jsonl.gz", 404, "run `tandem replay /elsewhere/box.jsonl.gz --web` there"),
     ],
 )

@@ -58,12 +58,13 @@ def test_a_task_tells_its_black_box_and_what_was_known_at_a_moment(browser: Brow
         expect(page.locator(".moment")).to_contain_text("item 29")
         expect(page.locator(".moment dl").first).to_contain_text("destinationdepot")
         expect(page.locator(".moment .node.RUNNING").first).to_be_visible()
+        expect(page.locator(".moment .canvas")).to_have_attribute("data-robot", "loaded")
         picture(page, "page-moment")
         page.get_by_label("Moment of the timeline").press("End")
         expect(page.locator(".moment dl").first).to_contain_text("graspspitch")
         robot.records = Records(boxes=())
         page.reload()
-        expect(page.locator(".moment")).to_contain_text("were not recorded")
+        expect(page.locator(".moment")).to_contain_text("was not recorded")
 
 
 def test_a_record_is_looked_at_where_one_wants(browser: Browser, path: Path) -> None:
