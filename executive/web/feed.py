@@ -9,6 +9,7 @@ from pydantic import JsonValue
 
 from tandem.executive.web.occupied import OccupiedSpace
 from tandem.executive.web.others import Others
+from tandem.executive.web.trees import State, TreeEar, TreeNews
 from tandem.executive.web.viewers import Update, merge
 from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
 from tandem.skills.ports.actions.arm import move
@@ -23,7 +24,6 @@ from tandem.skills.ports.sensors import LaserScan
 from tandem.skills.ports.tasks import (
     TASK_PULSE,
     TASK_STATUS,
-    TREE,
     TaskState,
     TaskStatus,
     TreeNode,
@@ -72,7 +72,7 @@ class Feed:
         self._world = Latest(bus, WORLD, depth=1)
         self._pulse = Latest(bus, TASK_PULSE, depth=1)
         self._statuses = Latest(bus, TASK_STATUS, depth=1024)
-        self._trees = Latest(bus, TREE, depth=1)
+        self._trees = TreeEar(bus)
         self._reflexes = Latest(bus, reflex_state("*"), depth=4)
         self._pipelines = Latest(bus, pipeline_state("*"), depth=4)
         self._sightings = Latest(bus, SIGHTINGS, depth=16)
@@ -80,9 +80,10 @@ class Feed:
         self._lasers: dict[str, Latest[LaserScan]] = {}
         self._arms: dict[str, Latest[GoalStatus]] = {}
         self._told: Update = {}
-        self._last: TreeSnapshot | None = None
+        self._asked: TreeSnapshot | None = None
+        """As the executive answered, before one was heard."""
         self._shape: tuple[str, ...] = ()
-        self._nodes: dict[str, list[JsonValue]] = {}
+        self._nodes: dict[str, State] = {}
         self._sent_joints: dict[str, float] = {}
         self._versions: dict[str, object] = {}
         self._polls = 0
@@ -99,7 +100,8 @@ class Feed:
 
     def whole(self) -> Update:
         """Return all that is known, for who has just come."""
-        tree = {} if self._last is None else {"tree": _plain(self._last)}
+        last = self._trees.last() or self._asked
+        tree = {} if last is None else {"tree": _plain(last)}
         return {**self._told, **tree, "joints": dict(self._sent_joints), "whole": True}
 
     @property
@@ -111,7 +113,8 @@ class Feed:
         """Take in what was there before, as the executive says; return what is new of it."""
         update: Update = {"tasks": {each.task: _plain(each) for each in tasks}}
         if tree is not None:
-            self._tree(tree, update)
+            self._asked = tree
+            self._tree(TreeNews(head=tree, whole=True), update)
         self._note(update)
         return update
 
@@ -129,7 +132,7 @@ class Feed:
             update["occupied"] = self._space.take()
         for status in self._statuses.take():
             merge(update, {"tasks": {status.task: _plain(status)}})
-        tree = self._fresh(self._trees)  # a node's ``last`` says what happened since the one before
+        tree = self._trees.take()  # a node's ``last`` says what happened since the one before
         if tree is not None:
             self._tree(tree, update)
         there = self.executive_there
@@ -228,21 +231,24 @@ class Feed:
         if seen:
             update["tags"] = _tags(seen[-1])
 
-    def _tree(self, tree: TreeSnapshot, update: Update) -> None:
+    def _tree(self, news: TreeNews, update: Update) -> None:
         """Tell the nodes that have changed; of a tree with other nodes the whole."""
+        tree = news.head
         self._if_new("board", dict(tree.board), update)
         self._if_new("gates", tree.model_dump(mode="json", include={"breakpoints", "forced"}), update)
-        nodes = dict(_states(tree.root))
-        shape = (tree.task, *nodes)
-        if shape != self._shape or "tree" in update:
-            self._shape = shape
-            update.pop("nodes", None)
-            update["tree"] = _plain(tree)
-        else:
+        changed = news.changed
+        if news.whole:
+            nodes = dict(_states(tree.root))
+            shape = (tree.task, *nodes)
+            if shape != self._shape or "tree" in update:
+                self._shape, self._nodes = shape, nodes
+                update.pop("nodes", None)
+                update["tree"] = _plain(tree)
+                return
             changed = {path: state for path, state in nodes.items() if self._nodes.get(path) != state}
+        if changed:
+            self._nodes |= changed
             merge(update, {"nodes": dict(changed)})
-        self._nodes = nodes
-        self._last = tree
 
     def _fresh(self, heard: Latest[M]) -> M | None:
         """Return the newest message if one has come since the last poll."""

@@ -34,4 +34,4 @@ def show_page(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], boo
         raise RefusalError(str(error)) from error
     _LOG.info("the page is at %s", listening.address)
     bus.announce("process/web")
-    serve_until(RobotOnZenoh(options, Who(settings.person), None), listening, stopped, bus.beat)
+    serve_until(RobotOnZenoh(options, Who(settings.person), None), listening, stopped, bus.beat, alone=True)
