@@ -36,7 +36,7 @@ def _of(command: object, said: Mapping[str, object], *, whole: bool) -> dict[str
     assert isinstance(command, TyperCommand), "a command is typer's"
     found: dict[str, object] = {}
     options = {option for parameter in command.params for option in parameter.opts}
-    if "--scenario" in said and "--site" in options and "--scenario" not in options:
+    if "--scenario" in said and "--scenario" not in options and _draws_for_a_site(command):
         said = {"--site": partial(_site_of, str(said["--scenario"])), **said}
     for parameter in command.params:
         for option in said.keys() & set(parameter.opts):
@@ -44,6 +44,11 @@ def _of(command: object, said: Mapping[str, object], *, whole: bool) -> dict[str
             if (whole or shared) and parameter.name is not None:
                 found[parameter.name] = said[option]
     return found
+
+
+def _draws_for_a_site(command: TyperCommand) -> bool:
+    """Say whether a command needs a site: where ``--site`` may be empty, it replaces that of a scenario."""
+    return any("--site" in parameter.opts and parameter.default for parameter in command.params)
 
 
 def _site_of(scenario: str) -> str:

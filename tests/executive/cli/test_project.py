@@ -155,3 +155,12 @@ def test_the_site_of_the_projects_scenario_is_that_of_commands_without_a_scenari
     there = capfd.readouterr().err
     assert main(["tree", "render", "fetch", "--request", wrong, "--site", "bimanual"]) == 2
     assert capfd.readouterr().err == there
+
+
+def test_a_scenario_that_is_checked_stands_in_its_own_site_and_not_in_that_of_the_projects(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "tandem.yaml").write_text("scenario: Bench\n")
+    assert main(["scenario", "check", "Defaults"]) == 0
+    assert "site lab" in capsys.readouterr().out
