@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from tandem.skills.base.whereabouts import Whereabouts
-from tandem.skills.ports.actions.arm import ArmState, arm_status
+from tandem.skills.ports.actions.arm import ArmState, ArmStatus, arm_status
 from tandem.skills.ports.actions.base import ARM_MARGIN
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
@@ -69,7 +69,7 @@ class Guard:
             if status.state not in AT_EASE or status.extent > self._extent or silent > ARM_SILENCE:
                 found = Failure(
                     kind=FailureKind.BASE_HELD,
-                    message=f"{name}: {status.state}, reach {status.extent:.2f} m, told {silent:.1f} s ago",
+                    message=self._holds(name, status, silent),
                     where=where,
                     evidence={
                         "arm": name,
@@ -80,6 +80,15 @@ class Guard:
                     },
                 )
         return found
+
+    def _holds(self, name: str, status: ArmStatus, silent: float) -> str:
+        """Return what about an arm holds the base, in words."""
+        if status.state not in AT_EASE:
+            return f"{name} is at work ({status.state}): the base drives when it rests"
+        if status.extent > self._extent:
+            reach = f"{name} reaches {status.extent:.2f} m out"
+            return f"{reach}: the base drives with {self._extent:.2f} m at most"
+        return f"{name} has told nothing for {silent:.1f} s"
 
     @property
     def touching(self) -> tuple[str, ...]:

@@ -8,8 +8,10 @@ from typing import Final
 import numpy as np
 
 from tandem.skills.kinematics.bodies import Carried
+from tandem.skills.kinematics.extent import Extent
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.model import RobotKinematics
+from tandem.skills.ports.actions.base import ARM_MARGIN
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.shapes import solid
 from tandem.skills.ports.urdf_check import UrdfError, check_fingers, parsed
@@ -17,6 +19,8 @@ from tandem.skills.ports.world import PlanningScene
 
 HOME: Final = "home"
 """The postures of this name are free of collisions: what touches there is taken to do so without harm."""
+DRIVING: Final = ("home", "carry")
+"""Postures in which an arm drives along."""
 DEEP: Final = 0.01
 """Metres by which links may be in each other at home, by their convex hulls. No shipped robot has any."""
 
@@ -50,6 +54,30 @@ def load_hulls(description: RobotDescription, seed: int = 0) -> RobotHulls:
                 " in which no links touch that are more than two joints apart"
             )
     return hulls
+
+
+def check_reach(description: RobotDescription, hulls: RobotHulls) -> None:
+    """Refuse an arm that reaches out too far in a posture in which it drives along: the base would hold.
+
+    Raises:
+        UrdfError: naming the posture, how far it reaches, and how far it may.
+    """
+    if description.drive is None:
+        return
+    home = home_positions(description)
+    most = description.footprint_radius + ARM_MARGIN
+    arms = {hand.group for hand in description.end_effectors}
+    for posture in description.postures:
+        if posture.group in arms and posture.name in DRIVING:
+            joints = description.group(posture.group).joints
+            stands = {**home, **dict(zip(joints, posture.positions, strict=True))}
+            reach = Extent(hulls, joints).metres(stands)
+            if reach > most:
+                raise UrdfError(
+                    f"posture {posture.name!r} of {posture.group!r} reaches {reach:.3f} m from the base's"
+                    f" axis; the base drives with at most {most:.2f} m (footprint_radius and {ARM_MARGIN:g}"
+                    " m). Expected a posture further in, or a larger footprint_radius"
+                )
 
 
 def carried(scene: PlanningScene, description: RobotDescription) -> tuple[Carried, ...]:

@@ -16,7 +16,10 @@ def _nodes(side: HandName, at: Surroundings) -> Sequence[Node]:
     from tandem.skills.arm.planning.settings import PlannerSettings  # noqa: PLC0415
     from tandem.skills.arm.process import nodes as arm_nodes  # noqa: PLC0415
     from tandem.skills.gripper.process import nodes as gripper_nodes  # noqa: PLC0415
+    from tandem.skills.kinematics.described import check_reach, load_hulls  # noqa: PLC0415
 
+    hulls = load_hulls(at.description, at.seed)
+    check_reach(at.description, hulls)
     group = at.description.end_effector(side).group
     return [
         *arm_nodes(
@@ -24,6 +27,7 @@ def _nodes(side: HandName, at: Surroundings) -> Sequence[Node]:
             at.clocks,
             at.description,
             [group],
+            hulls=hulls,
             settings=PlannerSettings(planner=at.site.arm_planner),
             seed=at.seed,
             charge=at.charge,

@@ -370,6 +370,24 @@ def test_with_a_fault_it_does_not_even_begin(fault: Callable[[Rig], None], kind:
         assert refusal.kind is kind
 
 
+@pytest.mark.parametrize(
+    ("fault", "said"),
+    [
+        (stretch, "reaches 0.90 m out: the base drives with 0."),
+        (move_arm, "is at work (ARM_RUNNING): the base drives when it rests"),
+    ],
+)
+def test_an_arm_that_holds_the_base_is_told_with_what_would_let_it_go(
+    fault: Callable[[Rig], None], said: str
+) -> None:
+    rig = make_rig(LAB, SOUTH)
+    fault(rig)
+    rig.wait(0.7)
+    refusal = rig.base.drive.check(DriveGoal(poses=(SOUTH,)))
+    assert refusal is not None
+    assert said in refusal.message
+
+
 def test_an_arm_that_was_never_heard_keeps_the_base_where_it_is() -> None:
     rig = make_rig(LAB, SOUTH)
     fresh = make_rig(LAB, SOUTH, localised=False)

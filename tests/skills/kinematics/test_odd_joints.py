@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from tandem.skills.kinematics.described import load_hulls
+from tandem.sim.robots.registry import robot_model
+from tandem.skills.kinematics.described import check_reach, load_hulls
 from tandem.skills.kinematics.model import RobotKinematics
 from tandem.skills.ports.robot_description import JointGroup, JointLimit
 from tandem.skills.ports.urdf_check import UrdfError, check_fingers, parsed
@@ -231,3 +232,16 @@ def test_a_home_with_the_hand_in_the_arm_is_refused_with_both_links() -> None:
         UrdfError, match=r"posture 'home': 'panda_\w+' and 'panda_\w+' are 0\.\d+ m in each other"
     ):
         load_hulls(panda().model_copy(update={"postures": (posture,)}))
+
+
+def test_an_arm_that_reaches_out_too_far_to_drive_is_refused_with_what_it_may() -> None:
+    """The base would hold, at each drive, and say so; nothing could ever tuck such an arm."""
+    robot = robot_model("panda").description
+    hulls = load_hulls(robot)
+    check_reach(robot, hulls)  # it stands
+    driving = robot.model_copy(update={"drive": panda().drive})
+    with pytest.raises(
+        UrdfError, match=r"posture 'home' of 'arm_single' reaches 0\.387 m .* drives with at most 0\.24 m"
+    ):
+        check_reach(driving, hulls)
+    check_reach(driving.model_copy(update={"footprint_radius": 0.36}), hulls)
