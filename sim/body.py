@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import tempfile
 from collections.abc import Sequence
@@ -88,6 +89,25 @@ class RobotBody:
             pybullet.enableJointForceTorqueSensor(
                 self.body, self.joint_index[hand.wrench_joint], 1, physicsClientId=physics.client
             )
+
+    def overlaps(self) -> list[tuple[float, str, str]]:
+        """Return which links are in each other and would be pushed apart, and how deep (m), deepest first.
+
+        Looked at as the joints stand, without a step: contacts that the physics keeps are not touched.
+        """
+        allowed = {frozenset(pair) for pair in self.model.touching_links}
+        names = {index: name for name, index in self.link_index.items()}
+        for index in range(pybullet.getNumJoints(self.body, physicsClientId=self.physics.client)):
+            parent = pybullet.getJointInfo(self.body, index, physicsClientId=self.physics.client)[16]
+            allowed.add(frozenset((names[index], names[parent])))
+        found = []
+        for (first, i), (second, j) in itertools.combinations(self.link_index.items(), 2):
+            if frozenset((first, second)) not in allowed:
+                points = pybullet.getClosestPoints(
+                    self.body, self.body, 0.0, linkIndexA=i, linkIndexB=j, physicsClientId=self.physics.client
+                )
+                found += [(-float(point[8]), first, second) for point in points or ()][:1]
+        return sorted(found, reverse=True)
 
     def read(self, joints: Sequence[str]) -> list[JointReading]:
         """Return the joints' readings, in order."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
@@ -36,6 +36,10 @@ if TYPE_CHECKING:
     from tandem.skills.ports.site import Site
 
 
+DEEP: Final = 0.0005
+"""Metres by which links may be in each other when the robot enters: nobody sees so little pushed apart."""
+
+
 def enter(physics: Physics, world: World, start: RobotStart, number: int) -> RobotBody:
     """Put a robot into the world, in its posture ``home``; ``number`` counts the robots from 0."""
     model, at = registry.robot_model(start.robot), start.start
@@ -49,6 +53,13 @@ def enter(physics: Physics, world: World, start: RobotStart, number: int) -> Rob
         name=start.name,
         number=number,
     )
+    for depth, first, second in body.overlaps():
+        if depth > DEEP:
+            raise registry.RobotError(
+                f"robot {start.robot!r}: {first!r} and {second!r} are {depth:.3f} m in each other at home,"
+                " and the physics would push them apart. If they always touch, name them in touching_links;"
+                " else expected another posture 'home'"
+            )
     world.admit(body)
     return body
 

@@ -15,6 +15,7 @@ from tandem.skills.goal_journal import GoalJournal
 from tandem.skills.one_boot import OneBoot
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
+from tandem.skills.ports.description_check import check_description
 from tandem.skills.ports.keys import DESCRIPTION, Nothing
 from tandem.skills.ports.node import Node
 from tandem.skills.ports.robot_description import RobotDescription
@@ -99,6 +100,8 @@ def _ask_description(bus: ZenohBus, stopped: Callable[[], bool]) -> RobotDescrip
     while not stopped() and time.monotonic() < deadline:
         answer = wait_until(bus, DESCRIPTION.query(bus, Nothing()), 2.0)
         if answer is not None:
-            return DESCRIPTION.decode_answer(answer)
+            description = DESCRIPTION.decode_answer(answer)
+            check_description(description)
+            return description
         bus.waker.wait(0.05)
     raise RefusalError(f"no robot told its description on hw/description within {DESCRIPTION_WITHIN:.0f} s")

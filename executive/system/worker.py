@@ -22,7 +22,6 @@ from tandem.executive.system import playing
 from tandem.executive.system.quiet_screen import end_unheard
 from tandem.executive.telemetry.logs import formatter
 from tandem.skills.ports.sources import DocumentError
-from tandem.skills.ports.urdf_check import UrdfError
 from tandem.skills.wire.threads import few_threads
 
 SWITCH_INTERVAL: Final = 0.0005
@@ -80,7 +79,7 @@ def ended(work: Callable[[], None], called: str) -> int:
     except LedgerError as error:
         log.error("%s", error)  # noqa: TRY400 - the disk's fault
         return UNKEPT
-    except (DocumentError, UrdfError) as error:
+    except DocumentError as error:
         log.error("%s", error)  # noqa: TRY400 - a mistake in somebody's file
         return 1
     except Exception:

@@ -11,10 +11,15 @@ from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
 
+from pydantic import ValidationError
+
 from tandem.sim import robots
 from tandem.sim.model import RobotModel
+from tandem.sim.robots.model_check import check_model
 from tandem.sim.robots.robot import Robot
 from tandem.skills.ports.plugins import NONE, Group, Loaded, installed, load
+from tandem.skills.ports.plugins import in_words as raised_in_words
+from tandem.skills.ports.problems import in_words, problems_of
 from tandem.skills.ports.sources import DocumentError
 
 
@@ -43,17 +48,37 @@ def robot_model(name: str) -> RobotModel:
     """Put a robot together.
 
     Raises:
-        RobotError: as ``robot_named``; and when its description does not take the room that it declares.
-        FileNotFoundError: when a package with its URDF or meshes is not installed.
+        RobotError: as ``robot_named``; when it can't be put together (a package with its URDF or meshes is
+            not installed, a joint has no such name), and when its description does not take the room that
+            it declares.
+        DescriptionError: when its parts don't fit each other.
     """
     robot = robot_named(name)
-    made = robot.compose()
+    made = _composed(robot)
+    if made.description.name != name:
+        raise RobotError(
+            f"robot {name!r}: expected a description of that name; found {made.description.name!r}"
+        )
     told = (made.description.footprint_radius, made.description.height)
     if told != (robot.footprint_radius, robot.height):
         raise RobotError(
             f"robot {name!r}: expected a description with a footprint_radius of {robot.footprint_radius:g} m "
             f"and a height of {robot.height:g} m, as it declares; found {told[0]:g} and {told[1]:g} m"
         )
+    check_model(made)
+    return made
+
+
+def _composed(robot: Robot) -> RobotModel:
+    """Put a robot together; whatever its file raises is told in words, with the place in it."""
+    try:
+        made: object = robot.compose()
+    except ValidationError as error:
+        raise RobotError(f"robot {robot.name!r}: {in_words(problems_of(error))}") from error
+    except Exception as error:
+        raise RobotError(f"robot {robot.name!r} can't be put together: {raised_in_words(error)}") from error
+    if not isinstance(made, RobotModel):
+        raise RobotError(f"robot {robot.name!r}: expected compose to return a RobotModel; found {made!r}")
     return made
 
 

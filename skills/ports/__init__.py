@@ -8,6 +8,6 @@ The table of keys: keys, match, delivery.
 Protocols: bus, forwarding_bus, clocks, compute, node, skill, steps.
 Serving and hearing: serving, endpoint, limits, hearing, checks, refusals.
 Who commands: lease, fencing; reflex, reflex_setting.
-Robot descriptions: packages, urdf_check.
+Robot descriptions: packages, urdf_check, description_check.
 What other packages add: plugins. What is kept: records.
 """

@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final
 
+from tandem.skills.ports.sources import DocumentError
+
 ONE_NUMBER: Final = frozenset({"revolute", "continuous", "prismatic"})
 """Kinds whose position is one number."""
 SEVERAL_NUMBERS: Final = frozenset({"floating", "planar"})
@@ -32,7 +34,7 @@ OTHER_HANDS: Final = (
 KINDS: Final = ONE_NUMBER | SEVERAL_NUMBERS | {"fixed"}
 
 
-class UrdfError(ValueError):
+class UrdfError(DocumentError):
     """A robot description that can't be right; the text names each joint, what was found and expected."""
 
 
