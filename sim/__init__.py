@@ -1,6 +1,7 @@
 """The stand-in for the hardware: a pybullet world that speaks the hardware's messages.
 
-The whole: station, stationed (one robot of it), hardware, parts, rest, pace, controls, chatter.
+The whole: station, stationed (one robot of it), hardware, parts, rest, pace, told_together, controls,
+chatter.
 The robot: robot, model, urdf, meshes, postures, footprint, body.
 Controllers: joints, motors, gripper, base, spline.
 Sensors: camera, render, render_world, pixels, lens, laser, wrench, range_sensor, cliff_sensor, pose_sensor,

@@ -17,6 +17,7 @@ from tandem.sim.parts import LaserSensorNode
 from tandem.sim.robots import registry
 from tandem.sim.room import Room
 from tandem.sim.sensing import others_in, sensor_nodes
+from tandem.sim.told_together import ToldTogether
 from tandem.sim.trouble import Trouble
 from tandem.sim.wanderer import Wanderer
 
@@ -111,11 +112,12 @@ class StationedRobot:
         self.name, self.drives = start.name, start.drives
         self._number, self._site, self._studio = number, site, studio
         self._link = FaultyLink(bus)
+        self._told = ToldTogether(self._link)
         self.body, self._seed = setting.body, setting.seed
         self.model: RobotModel = self.body.model
         noise = setting.scenario.noise
         self.hardware = Hardware(
-            self._link,
+            self._told,
             self.body,
             boot=setting.boot,
             noise=noise,
@@ -174,15 +176,15 @@ class StationedRobot:
             return ()  # nobody hears them
         description, noise, rng = self.model.description, scenario.noise, self._rng(2)
         lasers = [
-            LaserSensorNode(self._link, each, Laser(self.body, each, sigma=noise.laser_sigma, rng=rng).scan)
+            LaserSensorNode(self._told, each, Laser(self.body, each, sigma=noise.laser_sigma, rng=rng).scan)
             for each in description.lasers
         ]
         self.cameras = tuple(
-            HeadCamera(self._link, self._studio, self.body, each, rate=scenario.camera_rate)
+            HeadCamera(self._told, self._studio, self.body, each, rate=scenario.camera_rate)
             for each in description.cameras
         )
         others = sensor_nodes(
-            self._link,
+            self._told,
             self.body,
             noise=noise,
             ranging=self._rng(4),
