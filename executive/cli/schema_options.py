@@ -12,6 +12,7 @@ import typer
 
 from tandem.executive.cli.completing import items
 from tandem.executive.cli.errors import CommandError
+from tandem.skills.ports.documents import read_json
 
 if TYPE_CHECKING:
     from pydantic import JsonValue
@@ -100,7 +101,7 @@ class Field:
         if self._is_plain_text():
             return text
         try:
-            value: JsonValue = json.loads(text)
+            value: JsonValue = read_json(text)
         except ValueError:
             return text
         return text if isinstance(value, str) else value

@@ -15,6 +15,7 @@ from tandem.executive.cli.shapes import Requested, print_json
 from tandem.executive.cli.waiting import Waiting
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.render.failure_words import result_lines
+from tandem.skills.ports.documents import read_json
 from tandem.skills.ports.failure import KINDS, Failure
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.problems import in_words
@@ -55,7 +56,7 @@ def send(payload: bytes, options: BusOptions, *, wait: bool, as_json: bool = Fal
 
 
 def _retried(payload: bytes) -> str:
-    return str(json.loads(payload).get("retry_of", ""))
+    return str(read_json(payload).get("retry_of", ""))
 
 
 def _robot(connection: Connection, task: str) -> str | None:
@@ -94,7 +95,7 @@ def describe_failure(failure: Failure, indent: str = "") -> str:
 def _with_id(payload: bytes) -> bytes:
     """Return the document with an id of ours: asked twice after a lost answer, it is still one request."""
     try:
-        document = json.loads(payload)
+        document = read_json(payload)
     except ValueError:
         return payload
     if not isinstance(document, dict) or "id" in document:

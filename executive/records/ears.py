@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final, Protocol
-
-from pydantic import ValidationError
 
 from tandem.executive.records.known import ALIVE, Alive
 from tandem.executive.records.recording import Encoding, Recorded
 from tandem.skills.ports.keys import CLOCK
 from tandem.skills.ports.match import matches
-from tandem.skills.ports.message import RobotTime, RobotTimer
+from tandem.skills.ports.message import Message, RobotTime, RobotTimer, read_leniently
 from tandem.skills.wire.memory import Kind, MemoryHub
 
 HEARD: Final = (
@@ -118,6 +115,12 @@ class Ears(Protocol):
         ...
 
 
+class _Stamped(Message):
+    """What is read of a clock."""
+
+    stamp: RobotTime
+
+
 class Stamper:
     """Gives messages their times. Only the hardware's clock is decoded."""
 
@@ -158,8 +161,8 @@ class Stamper:
 
     def _hear(self, payload: bytes) -> None:
         try:
-            stamp = RobotTime.model_validate(json.loads(payload)["stamp"])
-        except (ValueError, KeyError, TypeError, ValidationError):
+            stamp = read_leniently(_Stamped, payload).stamp
+        except ValueError:
             return  # who goes by the clock has logged it
         if self.stamp is None or self.stamp.is_after(stamp) is not True:
             self.stamp = stamp

@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from tandem.executive.records.recording import Recorded, Recording
+from tandem.skills.ports.documents import read_json
 from tandem.skills.ports.match import matches
 from tandem.skills.ports.message import Count, Message
 
@@ -46,7 +47,7 @@ def _line(message: Recorded) -> str:
         "host": message.host,
     }
     try:
-        told["message"] = json.loads(message.payload)
+        told["message"] = read_json(message.payload)
     except ValueError:
         told["base64"] = base64.b64encode(message.payload).decode()
     return json.dumps(told, ensure_ascii=False, separators=(",", ":"))

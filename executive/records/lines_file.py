@@ -35,6 +35,7 @@ from tandem.executive.records.recording import (
     Span,
     check_layout,
 )
+from tandem.skills.ports.documents import read_json
 from tandem.skills.ports.message import RobotTime, read_leniently
 
 LINES: Final = ".jsonl.gz"
@@ -215,7 +216,7 @@ def _lines(file: IO[bytes]) -> Iterator[bytes]:
 
 def _begun(path: Path, line: bytes) -> Read:
     try:
-        head = json.loads(line)
+        head = read_json(line)
     except ValueError:
         head = None
     if not isinstance(head, dict) or head.get("tandem") != _KIND:
@@ -235,7 +236,7 @@ def _begun(path: Path, line: bytes) -> Read:
 def _fill(read: Read, lines: Iterator[bytes]) -> None:
     boot: str | None = None
     for line in lines:
-        value = json.loads(line)
+        value = read_json(line)
         if isinstance(value, list):
             read.messages.append(_recorded(value, boot))
         elif "boot" in value:

@@ -8,7 +8,6 @@ add to a robot time of that boot to get ``at`` (``recording.Recorded``).
 from __future__ import annotations
 
 import gzip
-import json
 import math
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator
@@ -30,6 +29,7 @@ from tandem.executive.records.recording import (
     Span,
     check_layout,
 )
+from tandem.skills.ports.documents import read_json
 from tandem.skills.ports.message import RobotTime, read_leniently
 
 try:
@@ -216,7 +216,7 @@ def facts_in(path: Path, told: dict[str, str]) -> tuple[Facts, float]:
     layout = told.get("layout", "")
     written = told.get("facts", "")
     try:
-        release = str(json.loads(written).get("release", "")) if written else ""
+        release = str(read_json(written).get("release", "")) if written else ""
         check_layout(path, int(layout) if layout.isdecimal() else None, release)
         return read_leniently(Facts, written.encode()), float(told["begin"])
     except (ValidationError, KeyError, AttributeError) as error:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
+from tandem.skills.ports.documents import read_json
 from tandem.skills.ports.message import Message
 
 FOLDER: Final = "logs"
@@ -35,7 +35,7 @@ def parsed(role: str, text: str) -> LogLine:
     """Return what a line says, whether it is plain text or JSON."""
     if text.startswith("{"):
         try:
-            said = json.loads(text)
+            said = read_json(text)
         except ValueError:
             said = {}
         if "event" in said:

@@ -6,7 +6,6 @@ finds nothing else.
 
 from __future__ import annotations
 
-import json
 import logging
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
@@ -14,6 +13,7 @@ from pathlib import Path
 
 from tandem.executive.config.log_format import LogFormat
 from tandem.executive.telemetry.logs import JsonLines
+from tandem.skills.ports.documents import read_json
 
 
 @dataclass(eq=False)
@@ -64,6 +64,6 @@ class LogRelay:
 
 def _is_object(line: str) -> bool:
     try:
-        return isinstance(json.loads(line), dict)
+        return isinstance(read_json(line), dict)
     except ValueError:
         return False

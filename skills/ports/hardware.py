@@ -12,7 +12,7 @@ from typing import Annotated, Final
 from pydantic import Field, model_validator
 
 from tandem.skills.ports.lease import Leased
-from tandem.skills.ports.message import Count, HandName, Message, Positive, RobotTime, Vector3
+from tandem.skills.ports.message import Count, HandName, Message, PlainText, Positive, RobotTime, Vector3
 from tandem.skills.ports.pose import FloorPose
 
 MAX_PIXELS: Final = 1 << 14
@@ -202,23 +202,23 @@ class Wrench(Message):
 class Stop(Message):
     """Bring everything to rest, and keep it there until an operator releases it."""
 
-    by: str
-    reason: str
+    by: PlainText
+    reason: PlainText
 
 
 class StopRelease(Message):
     """Release the stop, with the name of the person, as for setting it."""
 
-    by: Annotated[str, Field(min_length=1, max_length=80)]
-    reason: Annotated[str, Field(max_length=200)] = ""
+    by: Annotated[PlainText, Field(min_length=1, max_length=80)]
+    reason: Annotated[PlainText, Field(max_length=200)] = ""
 
 
 class StopState(Message):
     """Whether the stop is set, by whom, and why."""
 
     stopped: bool
-    by: str = ""
-    reason: str = ""
+    by: PlainText = ""
+    reason: PlainText = ""
 
 
 class RgbdHeader(Message):

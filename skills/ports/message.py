@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable
 from typing import Annotated, Final, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 Vector3 = tuple[float, float, float]
 """x, y, z in metres (or N, rad/s, ... as the field says)."""
@@ -32,6 +33,16 @@ PLAIN_TEXT: Final = r"^[^\x00-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]*$"
 
 An id with an override such as U+202E is shown as another one (Unicode Technical Report 36, 2.6).
 """
+_ODD: Final = re.compile(PLAIN_TEXT.replace("[^", "[").strip("^*$"))
+
+
+def plain(text: str) -> str:
+    """Return a text with what is not plain in it escaped as JSON does: it goes to screens and logs."""
+    return _ODD.sub(lambda odd: f"\\u{ord(odd[0]):04x}", text)
+
+
+PlainText = Annotated[str, AfterValidator(plain)]
+"""What somebody else has written and people read, where refusing it would be worse than changing it."""
 
 
 class Message(BaseModel):

@@ -11,7 +11,7 @@ from typing import Final
 
 from pydantic import ValidationError
 
-from tandem.skills.ports.message import Message
+from tandem.skills.ports.message import Message, PlainText
 
 WHOLE: Final = "(the document)"
 """The path of the document itself."""
@@ -69,7 +69,7 @@ class Problem(Message):
 
     path: str
     expected: str
-    found: str = ""
+    found: PlainText = ""
     code: str = ""
     """For programs, if they can react to it: ``QUEUE_FULL``, ``NOT_KEPT``."""
 

@@ -47,6 +47,21 @@ def test_the_list_is_of_files_that_subscribe() -> None:
     assert [name for name in MAY_SUBSCRIBE if "subscribe" not in called(ROOT / name)] == []
 
 
+def test_the_parser_that_overflows_is_called_in_one_place() -> None:
+    """``json.loads`` of a thousand brackets in one another raises RecursionError, which is no ValueError.
+
+    A hundred thousand of them on ``hw/clock`` ended the recorder.
+    """
+    reads = {str(path.relative_to(ROOT)) for path in sources() if "json.loads(" in path.read_text("utf-8")}
+    assert reads == {
+        "skills/ports/documents.py",  # read_json, and parse, which counts the brackets first
+        "skills/wire/configs.py",  # what this process has written itself
+        "executive/web/app.py",  # catches it
+        "executive/trials/campaigns/fuzz.py",  # what this process has written itself
+        "executive/system/plugin_probe.py",  # its arguments, of the process that starts it
+    }
+
+
 def test_congestion_is_decided_in_one_place() -> None:
     """Zenoh's ``BLOCK`` in any publisher holds up its process for seconds when a reader stands still."""
     blocks = re.compile(r"CongestionControl\.BLOCK\b")

@@ -11,7 +11,7 @@ import pytest
 from mocked_fetch import FACTS, MockedFetch
 
 from tandem.executive.records.boxes import Boxes
-from tandem.executive.records.ears import HEARD
+from tandem.executive.records.ears import HEARD, Said, Stamper
 from tandem.executive.records.json_schemas import JsonSchemas
 from tandem.executive.records.known import ALIVE
 from tandem.executive.records.recording import Recorded, Recording, Span, open_recording
@@ -240,3 +240,15 @@ def test_the_ring_keeps_a_minute_of_both_clocks() -> None:
     for message in moments(100):
         ring.add(Recorded(message.key, message.at, message.stamp, message.host // 10, b""))
     assert ring.span.begin == 0.0
+
+
+@pytest.mark.parametrize(
+    "clock", [b"[" * 100_000, b'{"stamp":' * 50_000, b"9" * 50_000, b"\xff", b"{}", b'{"stamp": {"boot": 1}}']
+)
+def test_what_is_no_clock_is_recorded_and_ends_nothing(clock: bytes) -> None:
+    """A hundred thousand brackets on ``hw/clock`` ended the recorder."""
+    stamper = Stamper()
+    stamper.stamped([Said("hw/clock", b'{"stamp": {"boot": "b", "seconds": 1.0}}', 0)], 0)
+    (told,) = stamper.stamped([Said("hw/clock", clock, 0)], 0)
+    assert told.payload == clock
+    assert stamper.stamp == RobotTime(boot="b", seconds=1.0)
