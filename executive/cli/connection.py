@@ -22,7 +22,7 @@ from tandem.executive.security.identity import client_in
 from tandem.skills.ports.keys import DESCRIPTION, Nothing, Service
 from tandem.skills.ports.message import Message, read_leniently
 from tandem.skills.ports.tasks import TASK_CANCEL, by_client
-from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
+from tandem.skills.wire.zenoh_bus import BusError, HostError, ZenohBus
 
 Sent = TypeVar("Sent", bound=Message)
 Answered = TypeVar("Answered", bound=Message)
@@ -53,6 +53,8 @@ class Connection:
             shown = None if self._identity is None else self._identity.client()
             self.bus = ZenohBus(options.endpoint, options.prefix, patience=patience, credentials=shown)
         except KeysError as error:
+            raise CommandError(str(error)) from error
+        except HostError as error:
             raise CommandError(str(error)) from error
         except BusError as error:
             raise _no_router(options) from error

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import signal
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -16,6 +15,7 @@ from pydantic import JsonValue
 from rich.console import Console
 
 from tandem.executive.cli.exit_codes import ExitCode
+from tandem.executive.cli.interrupting import ends_once
 from tandem.executive.cli.lockstep_run import lockstep_of
 from tandem.executive.cli.sending import describe_problems
 from tandem.executive.cli.shapes import Ran, print_json
@@ -199,9 +199,9 @@ def _ended(work: Callable[[Console], ExitCode], *, aside: bool = False) -> ExitC
         aside: whether that goes to standard error, as standard output is for a document.
     """
     console = Console(stderr=aside, highlight=False, soft_wrap=True)
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # a service manager's Ctrl-C
     try:
-        return work(console)
+        with ends_once():
+            return work(console)
     except (DocumentError, EndpointError) as error:
         _complain(f"error: {error}")
         return ExitCode.BAD_INPUT

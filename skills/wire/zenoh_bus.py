@@ -32,6 +32,7 @@ from tandem.skills.wire.zenoh_ends import Waker, ZenohDesk, ZenohPending, ZenohR
 DEFAULT_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 PROCESS: Final = "process/"
 """Before the name of a process that is ready, among the names that it announces."""
+NO_ROOM: Final = "zenoh can't start on this host"
 PUBLISHERS: Final = 256
 """Keys whose publisher stays declared: a process has a few dozen. The one used longest ago goes first."""
 
@@ -61,6 +62,10 @@ class BusError(ConnectionError):
     """The bus can't be reached; the message says what was tried."""
 
 
+class HostError(BusError):
+    """It is this host that has no room for zenoh."""
+
+
 def open_session(config: zenoh.Config, endpoint: str) -> zenoh.Session:
     """Open a session.
 
@@ -71,6 +76,12 @@ def open_session(config: zenoh.Config, endpoint: str) -> zenoh.Session:
         return zenoh.open(config)
     except zenoh.ZError as error:
         raise BusError(f"no zenoh router answers at {endpoint}; is `tandem up` running there?") from error
+    except BaseException as error:
+        # A panic of zenoh's is no Exception. It needs some ten files and seven threads.
+        if type(error).__name__ != "PanicException":
+            raise
+        limits = f"{NO_ROOM}; `ulimit -a` shows this shell's limits of open files and processes"
+        raise HostError(f"{limits} ({error})") from error
 
 
 class RouterSession:
