@@ -34,6 +34,7 @@ from tandem.executive.records.recording import (
     RecordError,
     Span,
     check_layout,
+    finite,
 )
 from tandem.skills.ports.documents import read_json
 from tandem.skills.ports.message import RobotTime, read_leniently
@@ -226,11 +227,17 @@ def _begun(path: Path, line: bytes) -> Read:
     check_layout(path, head.get("layout"), release)
     try:
         begin, end = head["span"]
-        return Read(read_leniently(Facts, json.dumps(facts).encode()), Span(float(begin), float(end)))
+        return Read(read_leniently(Facts, json.dumps(facts).encode()), _span(finite(begin), finite(end)))
     except (ValidationError, KeyError, TypeError, ValueError) as error:
         raise RecordError(
             path, "facts of a record in its first line", str(error).partition("\n")[0], "the file was changed"
         ) from error
+
+
+def _span(begin: float, end: float) -> Span:
+    if begin > end:
+        raise ValueError(f"a span from {begin} to {end}")
+    return Span(begin, end)
 
 
 def _fill(read: Read, lines: Iterator[bytes]) -> None:

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import gzip
 import math
+import struct
+import zlib
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
@@ -28,6 +30,7 @@ from tandem.executive.records.recording import (
     RecordError,
     Span,
     check_layout,
+    finite,
 )
 from tandem.skills.ports.documents import read_json
 from tandem.skills.ports.message import RobotTime, read_leniently
@@ -37,6 +40,7 @@ try:
     from mcap.reader import SeekingReader
     from mcap.records import Channel, Chunk, ChunkIndex, McapRecord, Message, MetadataIndex
     from mcap.stream_reader import StreamReader, breakup_chunk
+    from zstandard import ZstdError
 except ModuleNotFoundError as error:
     raise ModuleNotFoundError(
         words_on(RECORD, "what reads an .mcap file") or str(error), name="mcap"
@@ -52,6 +56,12 @@ PUBLISHED: Final = ("json", "bytes")
 PACKED: Final = "+gzip"
 """At the end of an attachment's type: MCAP compresses messages, not these."""
 NANO: Final = 1_000_000_000
+DAMAGED: Final = (
+    McapError, ZstdError, OSError, EOFError, zlib.error, struct.error, ValueError, LookupError, MemoryError,
+    StopIteration,
+)  # fmt: skip
+"""How readers of MCAP, of zstd and of gzip (its BadGzipFile is an OSError) say that bytes are not as they
+were written."""
 _PICTURE_DATA: Final = 2
 """Number of the field ``data`` in foxglove's CompressedImage."""
 _LENGTH_DELIMITED: Final = 2
@@ -92,12 +102,12 @@ class McapRecording:
         self._file: IO[bytes] = path.open("rb")
         try:
             self._read_index()
-        except (McapError, EOFError) as error:
-            self._file.close()
-            raise RecordError(path, "an MCAP file", str(error), f"try `tandem log recover {path}`") from error
         except RecordError:
             self._file.close()
             raise
+        except DAMAGED as error:
+            self._file.close()
+            raise damaged(path, error) from error
 
     def _read_index(self) -> None:
         self._reader = SeekingReader(self._file)
@@ -178,10 +188,14 @@ class McapRecording:
 
     def _records(self, place: int) -> list[McapRecord]:
         """Return what stands in a chunk."""
-        self._file.seek(place)
-        chunk = next(StreamReader(self._file, skip_magic=True, emit_chunks=True).records)
-        assert isinstance(chunk, Chunk), "as the index says"
-        return breakup_chunk(chunk)
+        try:
+            self._file.seek(place)
+            chunk = next(StreamReader(self._file, skip_magic=True, emit_chunks=True).records)
+            if isinstance(chunk, Chunk):
+                return breakup_chunk(chunk, validate_crc=True)
+        except DAMAGED as error:
+            raise damaged(self.path, error) from error
+        raise damaged(self.path, ValueError("another record where a chunk should be"))
 
     def _metadata(self, name: str) -> dict[str, str]:
         return next((each.metadata for each in self._reader.iter_metadata() if each.name == name), {})
@@ -194,6 +208,12 @@ class McapRecording:
             for place, each in told
             if each.name == BOOT
         ]
+
+
+def damaged(path: Path, error: BaseException) -> RecordError:
+    """Return what to say of a file whose bytes are not what was written."""
+    found = str(error).partition("\n")[0] or type(error).__name__
+    return RecordError(path, "an MCAP file as it was written", found, f"try `tandem log recover {path}`")
 
 
 def _require_whole(path: Path) -> None:
@@ -218,8 +238,8 @@ def facts_in(path: Path, told: dict[str, str]) -> tuple[Facts, float]:
     try:
         release = str(read_json(written).get("release", "")) if written else ""
         check_layout(path, int(layout) if layout.isdecimal() else None, release)
-        return read_leniently(Facts, written.encode()), float(told["begin"])
-    except (ValidationError, KeyError, AttributeError) as error:
+        return read_leniently(Facts, written.encode()), finite(told["begin"])
+    except (ValidationError, KeyError, AttributeError, ValueError) as error:
         found = str(error).partition("\n")[0]
         raise RecordError(path, "facts of a record in its metadata", found, "the file was changed") from error
 

@@ -18,11 +18,13 @@ from mcap.records import Channel, Metadata
 
 from tandem.executive.records.mcap_file import (
     BOOT,
+    DAMAGED,
     FACTS,
     NANO,
     Boot,
     McapRecording,
     Part,
+    damaged,
     facts_in,
     part_at,
     unpacked,
@@ -62,6 +64,9 @@ class GrowingRecording(McapRecording):
         except RecordError:
             self._file.close()
             raise
+        except DAMAGED as error:
+            self._file.close()
+            raise damaged(path, error) from error
         self.span = Span(begin, begin)
         self.grow()
 

@@ -205,6 +205,14 @@ def open_recording(path: Path) -> Recording:
     )
 
 
+def finite(said: object) -> float:
+    """Return a number that a file says; ValueError for none, or one that is not finite."""
+    number = float(str(said))
+    if not math.isfinite(number):
+        raise ValueError(f"expected a number, found {number}")
+    return number
+
+
 def check_layout(path: Path, layout: object, release: str) -> None:
     """Refuse a file of a newer layout, or of none.
 

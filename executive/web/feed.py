@@ -114,6 +114,8 @@ class Feed:
         update: Update = {"tasks": {each.task: _plain(each) for each in tasks}}
         if tree is not None:
             self._asked = tree
+            tree = self._later(tree)
+            self._trees.forget()  # what differs from the last one heard is not what differs from this
             self._tree(TreeNews(head=tree, whole=True), update)
         self._note(update)
         return update
@@ -249,6 +251,13 @@ class Feed:
         if changed:
             self._nodes |= changed
             merge(update, {"nodes": dict(changed)})
+
+    def _later(self, asked: TreeSnapshot) -> TreeSnapshot:
+        """Return the tree that was asked for, or that of its task which was heard since it was answered."""
+        heard = self._trees.last()
+        if heard is None or heard.task != asked.task or heard.stamp is None or asked.stamp is None:
+            return asked
+        return heard if heard.stamp.is_after(asked.stamp) else asked
 
     def _fresh(self, heard: Latest[M]) -> M | None:
         """Return the newest message if one has come since the last poll."""

@@ -65,6 +65,10 @@ class TreeEar:
         """Return the newest snapshot whole."""
         return self._decode(self._payload) if self._payload else None
 
+    def forget(self) -> None:
+        """Have the next snapshot read whole: somebody knows of another tree than the last one heard."""
+        self._plain = None
+
     def close(self) -> None:
         """Stop hearing."""
         self._heard.close()

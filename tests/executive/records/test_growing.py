@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,7 @@ from synthetic_record import FACTS, motion, one_fetch
 from tandem.executive.records.json_schemas import JsonSchemas
 from tandem.executive.records.mcap_growing import GrowingRecording
 from tandem.executive.records.mcap_writing import McapFile
-from tandem.executive.records.recording import Attachment, Recorded, RecordError, open_recording
+from tandem.executive.records.recording import MCAP, Attachment, Recorded, RecordError, open_recording
 from tandem.executive.records.tape import Tape
 from tandem.skills.ports.message import RobotTime
 
@@ -123,3 +124,28 @@ def test_a_record_that_is_half_written_is_not_read_yet(written: Written, tmp_pat
     assert read == written.messages[: len(read)]
     assert len(read) > 100
     record.close()
+
+
+@pytest.mark.parametrize("place", [0.02, 0.3, 0.6, 0.9, 0.97, 0.99])
+def test_a_changed_byte_is_told_or_harmless(written: Written, tmp_path: Path, place: float) -> None:
+    written.write(14.0)
+    written.file.finish()
+    data = bytearray(written.path.read_bytes())
+    data[int(len(data) * place)] ^= 0xFF
+    changed = tmp_path / "changed.mcap"
+    changed.write_bytes(data)
+    for opened in (open_recording, GrowingRecording):
+        try:
+            record = opened(changed)
+        except RecordError:
+            continue
+        with suppress(RecordError):
+            assert list(record.messages()) == written.messages
+        record.close()
+
+
+def test_a_file_of_two_ends_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "short.mcap"
+    path.write_bytes(MCAP * 2)
+    with pytest.raises(RecordError, match=r"short\.mcap"):
+        open_recording(path)

@@ -20,7 +20,7 @@ from tandem.skills.ports.keys import JOINT_STATES
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.occupancy import Occupancy, pack
 from tandem.skills.ports.pose import FloorPose, Pose
-from tandem.skills.ports.tasks import TaskState, TaskStatus
+from tandem.skills.ports.tasks import TREE, NodeStatus, TaskState, TaskStatus, TreeNode, TreeSnapshot
 from tandem.skills.ports.whereabouts import RobotWhereabouts, whereabouts
 from tandem.skills.ports.world import (
     PEOPLE,
@@ -124,6 +124,32 @@ def test_of_a_tree_only_what_changes_is_told(rig: Rig) -> None:
     rig.here.step(3)
     update = feed.poll()
     assert ("tree" in update, set(update["nodes"])) == (False, {"wait", "wait/wait for the world"})  # type: ignore[arg-type]
+
+
+def test_an_answer_that_was_overtaken_hides_nothing() -> None:
+    """As after a restart of the executive: what it answers at first is older than what is heard meanwhile."""
+    hub = MemoryHub()
+    bus, feed = hub.endpoint(), Feed(hub.endpoint(), time.monotonic)
+
+    def tree(seconds: float, *states: NodeStatus) -> TreeSnapshot:
+        leaves = tuple(
+            TreeNode(path=f"t/{number}", name="leaf", kind="action", type="Leaf", status=state)
+            for number, state in enumerate(states)
+        )
+        root = TreeNode(path="t", name="t", kind="sequence", type="Sequence", children=leaves)
+        return TreeSnapshot(task="t", kind="t", tick=1, stamp=RobotTime(boot="b", seconds=seconds), root=root)
+
+    known: Update = {}
+    TREE.publish(bus, tree(2.0, NodeStatus.RUNNING, NodeStatus.INVALID))
+    merge(known, feed.poll())
+    merge(known, feed.know([], tree(1.0, NodeStatus.INVALID, NodeStatus.INVALID)))
+    TREE.publish(bus, tree(3.0, NodeStatus.RUNNING, NodeStatus.RUNNING))
+    merge(known, feed.poll())
+    now = {"t/0": "RUNNING", "t/1": "RUNNING"}
+    told: Any = known["tree"]
+    shown = {each["path"]: each["status"] for each in told["root"]["children"]}
+    changed: Any = known.get("nodes", {})
+    assert shown | {path: status for path, (status, _, _) in changed.items()} == now
 
 
 def test_a_task_that_waits_is_not_forgotten_over_those_that_end() -> None:
