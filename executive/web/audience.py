@@ -11,7 +11,7 @@ from typing import Final
 from tandem.executive.client.errors import ClientError
 from tandem.executive.web.feed import TICK, Feed
 from tandem.executive.web.robot import Ears, Robot
-from tandem.executive.web.viewers import MOST, Update, Viewer
+from tandem.executive.web.viewers import MOST, Told, Update, Viewer
 
 AGAIN_AFTER: Final = 1.0
 """Host seconds after which a router that did not answer is tried again."""
@@ -121,5 +121,6 @@ class Audience:
 
     def _tell(self, update: Update) -> None:
         if update:
+            told = Told(update)
             for viewer in self._viewers:
-                viewer.tell(update)
+                viewer.tell(told)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import json
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Final
@@ -14,6 +13,8 @@ from tandem.executive.web.viewers import Viewer
 
 ENDED: Final = 4401
 """Code with which the socket of a session that has ended is closed."""
+NOTHING: Final = "{}"
+"""An update without news."""
 ALIVE_EVERY: Final = 1.0
 """Host seconds after which something is said in any case, so that the page can tell silence from rest."""
 
@@ -35,10 +36,10 @@ async def _tell(socket: WebSocket, viewer: Viewer, welcome: Callable[[], bool]) 
     with suppress(WebSocketDisconnect, RuntimeError):  # starlette's words for a socket that is closed
         while True:
             try:
-                update = await asyncio.wait_for(viewer.next(), ALIVE_EVERY)
+                text = await asyncio.wait_for(viewer.next(), ALIVE_EVERY)
             except TimeoutError:
-                update = {}
+                text = NOTHING
             if not welcome():
                 await socket.close(ENDED, "the session has ended")
                 return
-            await socket.send_text(json.dumps(update, separators=(",", ":")))
+            await socket.send_text(text)

@@ -8,7 +8,9 @@ on with how things are now.
 from __future__ import annotations
 
 import asyncio
+import json
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Final
 
 from pydantic import JsonValue
@@ -33,22 +35,47 @@ def merge(older: Update, newer: Mapping[str, JsonValue]) -> None:
             older[part] = value
 
 
+class Told:
+    """An update that all viewers are told. It becomes text once, for all who have read what was before it."""
+
+    def __init__(self, update: Update) -> None:
+        self.update = update
+
+    @cached_property
+    def text(self) -> str:
+        """As it is sent."""
+        return as_text(self.update)
+
+
+def as_text(update: Update) -> str:
+    """Return an update as it is sent."""
+    return json.dumps(update, separators=(",", ":"))
+
+
 class Viewer:
     """One page that is open, and what it has not been told yet."""
 
     def __init__(self, first: Update) -> None:
         self._pending: Update = first
+        self._only: Told | None = None
+        """What is pending, if that is one update that all are told."""
         self._news = asyncio.Event()
         self._news.set()
 
-    def tell(self, update: Mapping[str, JsonValue]) -> None:
+    def tell(self, told: Told) -> None:
         """Have it told when it is ready to hear."""
-        merge(self._pending, update)
+        if self._only is None and not self._pending:
+            self._only = told
+        else:
+            if self._only is not None:
+                merge(self._pending, self._only.update)
+                self._only = None
+            merge(self._pending, told.update)
         self._news.set()
 
-    async def next(self) -> Update:
-        """Wait for news, and take all of it."""
+    async def next(self) -> str:
+        """Wait for news, and take all of it, as text."""
         await self._news.wait()
         self._news.clear()
-        taken, self._pending = self._pending, {}
-        return taken
+        taken, only, self._pending, self._only = self._pending, self._only, {}, None
+        return as_text(taken) if only is None else only.text

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+import json
 import time
 from collections.abc import Callable
 from typing import Any
@@ -11,8 +13,9 @@ from starlette.testclient import TestClient, WebSocketTestSession
 from starlette.websockets import WebSocketDisconnect
 from web_rig import AT, Rig
 
+from tandem.executive.web import viewers
 from tandem.executive.web.feed import LASER_EVERY, Feed
-from tandem.executive.web.viewers import Update, merge
+from tandem.executive.web.viewers import Told, Update, Viewer, merge
 from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback
 from tandem.skills.ports.hardware import JointStates
@@ -254,3 +257,21 @@ def test_occupied_space_is_told_when_it_changes_and_once_a_second_at_the_most() 
     seconds = 12.0
     assert told(4) is None, "it has not changed"
     assert feed.whole()["scene"] == {"objects": [], "occupied": None}, "cells are not told twice"
+
+
+def test_what_all_are_told_becomes_text_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of twenty viewers only one that has not read what was before gets a text of its own."""
+    quick, slow = [Viewer({}) for _ in range(20)], Viewer({"pose": 1, "stop": 1})
+    told = Told({"pose": 2})
+    made: list[Update] = []
+
+    def as_text(update: Update) -> str:
+        made.append(update)
+        return json.dumps(update)
+
+    monkeypatch.setattr(viewers, "as_text", as_text)
+    for each in (*quick, slow):
+        each.tell(told)
+    assert {asyncio.run(each.next()) for each in quick} == {'{"pose": 2}'}
+    assert json.loads(asyncio.run(slow.next())) == {"pose": 2, "stop": 1}
+    assert made == [{"pose": 2}, {"pose": 2, "stop": 1}]
