@@ -6,6 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Final, TypeVar
 
+from pydantic import ValidationError
+
 from tandem.executive.records.recording import Recorded
 from tandem.skills.ports.keys import Topic
 from tandem.skills.ports.message import Message, RobotTime, read_leniently
@@ -29,6 +31,14 @@ def names_task(key: str) -> bool:
     return key.startswith(TASK) and key.endswith(STATUS) and key.count("/") == TASK.count("/") + 1
 
 
+def said(model: type[M], message: Recorded | None) -> M | None:
+    """Return what a message says; None for one that is none: a record has what was heard, whoever sent it."""
+    try:
+        return None if message is None else read_leniently(model, message.payload)
+    except ValidationError:
+        return None
+
+
 @dataclass(frozen=True)
 class Known:
     """What was known at a moment."""
@@ -42,14 +52,12 @@ class Known:
 
     def message(self, topic: Topic[M]) -> M | None:
         """Return the last message of a topic, or None."""
-        found = self.last.get(topic.key)
-        return None if found is None else read_leniently(topic.model, found.payload)
+        return said(topic.model, self.last.get(topic.key))
 
     def statuses(self) -> tuple[TaskStatus, ...]:
         """Return all tasks as they were, in the order in which they were accepted."""
-        found = [
-            read_leniently(TaskStatus, each.payload) for key, each in self.last.items() if names_task(key)
-        ]
+        read = (said(TaskStatus, each) for key, each in self.last.items() if names_task(key))
+        found = [each for each in read if each is not None]
         return tuple(sorted(found, key=lambda each: (each.accepted_at, each.task)))
 
     def tree(self) -> TreeSnapshot:
@@ -58,8 +66,8 @@ class Known:
 
     def alive(self) -> frozenset[str]:
         """Return the names that were announced."""
-        found = self.last.get(ALIVE)
-        return frozenset() if found is None else frozenset(read_leniently(Alive, found.payload).names)
+        found = said(Alive, self.last.get(ALIVE))
+        return frozenset() if found is None else frozenset(found.names)
 
     def of_keys(self, beginning: str) -> Iterator[Recorded]:
         """Yield the last message of each key that begins so."""

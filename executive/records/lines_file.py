@@ -247,21 +247,27 @@ def _fill(read: Read, lines: Iterator[bytes]) -> None:
         if isinstance(value, list):
             read.messages.append(_recorded(value, boot))
         elif "boot" in value:
-            boot = value["boot"]
+            boot = None if value["boot"] is None else _text(value["boot"])
         elif "attachment" in value:
-            data = value["data"].encode()
-            read.attachments.append(Attachment(value["attachment"], value["at"], data, value["media"]))
+            name, data, media = (_text(value[part]) for part in ("attachment", "data", "media"))
+            read.attachments.append(Attachment(name, finite(value["at"]), data.encode(), media))
         elif "end" in value:
             read.whole = value["end"] == len(read.messages)
 
 
 def _recorded(row: list[object], boot: str | None) -> Recorded:
     key, at, seconds, host, payload, *more = row
-    assert isinstance(key, str)
-    assert isinstance(at, int | float)
-    assert isinstance(host, int)
-    assert isinstance(payload, str)
-    stamp = None if boot is None or seconds is None else RobotTime(boot=boot, seconds=cast("float", seconds))
+    if not isinstance(host, int):  # nanoseconds have more digits than a float keeps
+        raise TypeError(f"expected nanoseconds, found {host!r}")
+    stamp = None if boot is None or seconds is None else RobotTime(boot=boot, seconds=finite(seconds))
+    about = (_text(key), finite(at), stamp, host)
     if not more:
-        return Recorded(key, at, stamp, host, payload.encode())
-    return Recorded(key, at, stamp, host, base64.b64decode(payload), cast("Encoding", more[0]))
+        return Recorded(*about, _text(payload).encode())
+    encoding: Encoding = "jpeg" if more[0] == "jpeg" else "bytes"
+    return Recorded(*about, base64.b64decode(_text(payload)), encoding)
+
+
+def _text(value: object) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"expected text, found {value!r}")
+    return value

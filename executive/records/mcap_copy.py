@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import struct
-import zlib
 from collections.abc import Iterator
 from typing import IO
 
-from mcap.exceptions import McapError
 from mcap.records import Attachment, Channel, Header, McapRecord, Message, Metadata, Schema
-from mcap.stream_reader import CRCValidationError, StreamReader
+from mcap.stream_reader import StreamReader
 from mcap.writer import CompressionType, Writer
 
-from tandem.executive.records.mcap_file import OURS
+from tandem.executive.records.mcap_file import DAMAGED, OURS
 
 
 def copy_records(source: IO[bytes], target: IO[bytes]) -> int:
@@ -33,7 +30,7 @@ def _as_far_as_it_goes(source: IO[bytes]) -> Iterator[McapRecord]:
     # mcap speaks of a short read in several ways: its own errors, struct's, a length that is absurd.
     try:
         yield from StreamReader(source, record_size_limit=1 << 30, validate_crcs=True).records
-    except (McapError, CRCValidationError, EOFError, struct.error, zlib.error, ValueError, MemoryError):
+    except DAMAGED:
         return
 
 

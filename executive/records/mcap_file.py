@@ -17,8 +17,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO, Final
 
-from pydantic import ValidationError
-
 from tandem.executive.config.extras import RECORD, words_on
 from tandem.executive.records.recording import (
     MCAP,
@@ -239,7 +237,9 @@ def facts_in(path: Path, told: dict[str, str]) -> tuple[Facts, float]:
         release = str(read_json(written).get("release", "")) if written else ""
         check_layout(path, int(layout) if layout.isdecimal() else None, release)
         return read_leniently(Facts, written.encode()), finite(told["begin"])
-    except (ValidationError, KeyError, AttributeError, ValueError) as error:
+    except RecordError:
+        raise
+    except (KeyError, AttributeError, ValueError) as error:
         found = str(error).partition("\n")[0]
         raise RecordError(path, "facts of a record in its metadata", found, "the file was changed") from error
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 from tandem.executive.records.incidents import Incidents
-from tandem.executive.records.known import ALIVE, Alive, names_task
+from tandem.executive.records.known import ALIVE, Alive, names_task, said
 from tandem.executive.records.recording import Recorded, Recording, Span
-from tandem.skills.ports.message import Message, RobotTime, read_leniently
+from tandem.skills.ports.message import Message, RobotTime
 from tandem.skills.ports.tasks import TaskState, TaskStatus
 
 
@@ -74,11 +74,13 @@ class _Seeing:
 
     def _of(self, message: Recorded) -> Iterator[Moment]:
         if names_task(message.key):
-            yield from self._task(message, read_leniently(TaskStatus, message.payload))
+            status = said(TaskStatus, message)
+            if status is not None:
+                yield from self._task(message, status)
             return
         if message.key == ALIVE:
-            names = frozenset(read_leniently(Alive, message.payload).names)
-            cause = self._incidents.look(names, message)
+            alive = said(Alive, message)
+            cause = None if alive is None else self._incidents.look(frozenset(alive.names), message)
         else:
             cause = self._incidents.hear(message)
         if cause is not None and cause.kind in {"stop", "death"}:

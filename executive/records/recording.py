@@ -206,11 +206,10 @@ def open_recording(path: Path) -> Recording:
 
 
 def finite(said: object) -> float:
-    """Return a number that a file says; ValueError for none, or one that is not finite."""
-    number = float(str(said))
-    if not math.isfinite(number):
-        raise ValueError(f"expected a number, found {number}")
-    return number
+    """Return a number that a file says, perhaps as text; ValueError for none, or one that is not finite."""
+    if isinstance(said, int | float | str) and math.isfinite(number := float(said)):
+        return number
+    raise ValueError(f"expected a number, found {said!r}")
 
 
 def check_layout(path: Path, layout: object, release: str) -> None:

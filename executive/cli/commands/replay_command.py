@@ -129,13 +129,16 @@ def _show(record: Recording, at: float, task: str, *, as_json: bool) -> None:
 def view_of(known: Known, task: str = "") -> View:
     """Return what `tandem watch` shows of a moment: the task at work then, or the one asked for."""
     from tandem.executive.cli.commands.watch_command import View  # noqa: PLC0415
+    from tandem.executive.records.known import said  # noqa: PLC0415
     from tandem.skills.ports.reflex import PipelineState, pipeline_state  # noqa: PLC0415
 
     status = _chosen(known.statuses(), task)
     last = known.tree()
     tree = None if status is not None and last.task not in {"", status.task} else last
     pipelines = [
-        PipelineState.model_validate_json(each.payload) for each in known.of_keys(pipeline_state("").key)
+        read
+        for each in known.of_keys(pipeline_state("").key)
+        if (read := said(PipelineState, each)) is not None
     ]
     held = {each.resource: each for each in pipelines if each.reflex}
     told = None if status is None else known.last[f"task/{status.task}/status"].stamp

@@ -54,6 +54,30 @@ def test_nothing_lies_outside(record: Recording, part: Span, tmp_path: Path) -> 
         cut(record, tmp_path / "part.jsonl.gz", part)
 
 
+def test_what_is_no_message_is_passed_over(record: Recording, tmp_path: Path) -> None:
+    """A recorder keeps what was on the bus, whoever put it there."""
+    odd = [
+        Recorded(each.key, each.at, each.stamp, each.host, payload)
+        for each in record.messages()
+        for payload in (b"{", b"[7]", each.payload)
+    ]
+    path = tmp_path / "odd.jsonl.gz"
+    write_lines(path, record.facts, record.span, record.attachments, odd)
+    known = Tape(open_recording(path))
+    known.go(record.span.end)
+    assert moments(open_recording(path)) == moments(record)
+    assert known.known().statuses()
+    broken = [Recorded(each.key, each.at, each.stamp, each.host, b"{") for each in record.messages()]
+    write_lines(path, record.facts, record.span, (), broken)
+    silent = Tape(open_recording(path))
+    silent.go(record.span.end)
+    assert (silent.known().statuses(), silent.known().alive(), silent.known().tree().task) == (
+        (),
+        frozenset(),
+        "",
+    )
+
+
 def test_no_span_of_a_task_that_is_not_there(record: Recording) -> None:
     assert span_of(record, "fetch-0099") is None
 
