@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tandem.skills.arm.finger_space import FingerSpace
 from tandem.skills.arm.planning.motions import weigh
 from tandem.skills.arm.scene import allowed, obstacles
 from tandem.skills.arm.trajectory import MotionLimits, Trajectory
 from tandem.skills.kinematics.batch import BatchChain
-from tandem.skills.kinematics.bodies import Obstacle
+from tandem.skills.kinematics.bodies import Carried, Obstacle
 from tandem.skills.kinematics.collision import CollisionChecker, Contact
 from tandem.skills.kinematics.described import by_name, carried, home_positions
 from tandem.skills.kinematics.extent import Extent
@@ -99,6 +100,7 @@ class Arm:
             (each for each in description.end_effectors if each.group == group), None
         )
 
+        self._fingers = None if self.hand is None else FingerSpace(hulls, self.hand)
         self._reach = self._farthest() + BEYOND
         alone = CollisionChecker(hulls, self.group.joints, home_positions(description))
         tip = self.group.joints[-1] if self.hand is None else self.hand.frame
@@ -130,16 +132,29 @@ class Arm:
 
     def checker(self, moment: Moment, goal: MoveGoal, *, padded: bool = True) -> CollisionChecker:
         """Return the collisions of this group at that moment, with what the goal permits."""
-        touch = () if self.hand is None else self.hand.touch_links
+        between = self._between_fingers(moment, goal)
+        inside = tuple(each.name for each in between)
+        touch = () if self.hand is None else (*self.hand.touch_links, *inside)
         return CollisionChecker(
             self.hulls,
             self.group.joints,
             self.with_hand(moment, goal.hand_width),
             self.obstacles(moment.scene, moment.base_in_map, padded=padded),
-            carried(moment.scene, self.description),
+            (*carried(moment.scene, self.description), *between),
+            ()
+            if _goes_on(goal)
+            else allowed(moment.scene, goal.touch_item, tuple(each.name for each in between)),
             touchable=allowed(moment.scene, goal.touch_item, touch, every=goal.retreats),
             world=self.world,
         )
+
+    def _between_fingers(self, moment: Moment, goal: MoveGoal) -> tuple[Carried, ...]:
+        """Return the space that the fingers may cross on the way, if they may."""
+        if self.hand is None or self._fingers is None or goal.straight or goal.retreats:
+            return ()
+        if any(each.attached_to == self.hand.side for each in moment.scene.objects):
+            return ()
+        return self._fingers.at(moment.positions, goal.hand_width)
 
     def obstacles(
         self, scene: PlanningScene, base_in_map: FloorPose | None, *, padded: bool = True
@@ -158,6 +173,11 @@ class Arm:
     def start(self, moment: Moment) -> Array:
         """Return where the group stands (n,), be it a hair beyond a limit."""
         return np.array(moment.joints.position_of(self.group.joints))
+
+
+def _goes_on(goal: MoveGoal) -> bool:
+    """Say whether another move brings the hand to its item: if none does, this one may end around it."""
+    return any(each.followed_by for each in goal.candidates)
 
 
 def words(contact: Contact | None) -> str:

@@ -145,6 +145,25 @@ def test_the_hand_may_touch_only_the_item_that_it_grasps(rig: ArmRig) -> None:
     assert rig.run(goal, "b").state is GoalState.SUCCEEDED
 
 
+@pytest.mark.parametrize(
+    ("item", "touched"),
+    [
+        pytest.param(None, None, id="a hand that goes somewhere else"),
+        pytest.param(29, ((0.45, 0.2, 0.35),), id="a hand that will approach the item from there"),
+    ],
+)
+def test_nothing_comes_between_open_fingers_that_may_move_on_the_way(
+    rig: ArmRig, item: int | None, touched: tuple[tuple[float, float, float], ...] | None
+) -> None:
+    rig.set_scene(box("item_29", (0.03, 0.03, 0.03), (0.45, 0.2, 0.4), item=29), version=2)
+    rig.hardware.positions |= {"panda_finger_joint1": 0.03, "panda_finger_joint2": 0.03}
+    then = tuple(Pose(position=at, orientation=DOWN) for at in touched or ())
+    there = pose(0.45, 0.2, 0.4).model_copy(update={"followed_by": then})
+    status = rig.run(MoveGoal(candidates=(there,), touch_item=item))
+    assert status.failure is not None
+    assert status.failure.evidence["contact"] == "space between the fingers of right and item_29"
+
+
 def test_what_enters_the_scene_after_planning_is_found_by_the_last_check(hulls: RobotHulls) -> None:
     arm = Arm(hulls, panda(), "arm")
     planner = MovePlanner(arm, PlannerSettings(), "arm/move")
