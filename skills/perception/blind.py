@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zlib
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -22,31 +23,42 @@ MOVED_RADIANS: Final = 0.02
 """The camera has moved by more than its pose is uncertain: the picture can't be the same."""
 
 
+@dataclass(frozen=True)
+class Sight:
+    """What is remembered of a camera's last picture: its print, and where it was first taken from."""
+
+    print: int
+    camera_in_map: Pose
+
+
 class BlindCheck:
-    """Judges one camera's pictures, one after the other, over many looks.
+    """Judges one camera's pictures, one after the other, over many looks."""
+
+    def __init__(self) -> None:
+        self._last: Sight | None = None
+
+    def wrong(self, image: RgbdImage, camera_in_map: Pose) -> str:
+        """Return what is wrong with the picture in words, or nothing."""
+        bright = float(np.mean(image.colour[::THIN, ::THIN].max(axis=2) >= DARK))
+        measured = float(np.mean(image.depth[::THIN, ::THIN] > 0))
+        if bright < LIT and measured < LIT:
+            return "the picture is dark"
+        self._last, wrong = judged(image, camera_in_map, self._last)
+        return wrong
+
+
+def judged(image: RgbdImage, camera_in_map: Pose, last: Sight | None) -> tuple[Sight, str]:
+    """Return what to remember of a picture, and in words that it stands still though the camera has moved.
 
     Pictures that are the same while nothing moves are no sign: a camera without noise gives them. Nor is a
     picture of one colour.
     """
-
-    def __init__(self) -> None:
-        self._print: int | None = None
-        self._taken_from = Pose()
-
-    def wrong(self, image: RgbdImage, camera_in_map: Pose) -> str:
-        """Return what is wrong with the picture in words, or nothing."""
-        colour, depth = image.colour[::THIN, ::THIN], image.depth[::THIN, ::THIN]
-        bright = float(np.mean(colour.max(axis=2) >= DARK))
-        measured = float(np.mean(depth > 0))
-        if bright < LIT and measured < LIT:
-            return "the picture is dark"
-        plain = np.ptp(colour) == 0 and np.ptp(depth) == 0
-        print_now = zlib.crc32(depth.tobytes(), zlib.crc32(colour.tobytes()))
-        if plain or print_now != self._print:
-            self._print, self._taken_from = print_now, camera_in_map
-            return ""
-        before = self._taken_from
-        metres = distance(before, camera_in_map)
-        radians = angle_between(before.orientation, camera_in_map.orientation)
-        moved = metres > MOVED_METRES or radians > MOVED_RADIANS
-        return "the picture stands still though the camera has moved" if moved else ""
+    colour, depth = image.colour[::THIN, ::THIN], image.depth[::THIN, ::THIN]
+    plain = np.ptp(colour) == 0 and np.ptp(depth) == 0
+    print_now = zlib.crc32(depth.tobytes(), zlib.crc32(colour.tobytes()))
+    if last is None or plain or print_now != last.print:
+        return Sight(print_now, camera_in_map), ""
+    metres = distance(last.camera_in_map, camera_in_map)
+    radians = angle_between(last.camera_in_map.orientation, camera_in_map.orientation)
+    moved = metres > MOVED_METRES or radians > MOVED_RADIANS
+    return last, "the picture stands still though the camera has moved" if moved else ""

@@ -10,6 +10,7 @@ from __future__ import annotations
 import logging
 from collections import deque
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -20,6 +21,7 @@ from tandem.skills.geometry.floor_plan import box_in_map
 from tandem.skills.geometry.poses import angle_between, compose, to_pose
 from tandem.skills.grasping.item_frames import standing_in_map
 from tandem.skills.perception.arms import Arms
+from tandem.skills.perception.blind import Sight
 from tandem.skills.perception.camera_frames import CameraMount, JointHistory, RobotPoseHistory
 from tandem.skills.perception.clutter import Known
 from tandem.skills.perception.jobs import Shot
@@ -119,6 +121,7 @@ class Mapper:
         self._saved = saved
         start = None if saved is None else map_file.load(saved, site.name, self._lattice)
         self._occupied: Numbers = np.zeros(0, np.int64) if start is None else start
+        self._sight: Sight | None = None
         self._problem, self._version, self._told = "", 1, 0
         self._there = frozenset[str]()
         self._endpoints = Endpoints(
@@ -228,7 +231,7 @@ class Mapper:
             self._radius,
         )
         size = (self._lens.width, self._lens.height)
-        return MapJob(shot, self._lattice, self._occupied, known, size, self._setting.range)
+        return MapJob(shot, self._lattice, self._occupied, known, size, self._setting.range, self._sight)
 
     def _standing(self, world: WorldState) -> tuple[Box, ...]:
         found = []
@@ -259,6 +262,10 @@ class Mapper:
         )
 
     def _adopt(self, found: Mapped) -> None:
+        before, self._sight = self._sight, found.sight or self._sight
+        if before is None and found.sight is not None:
+            # One picture alone may stand still since before the robot moved: it counts once another came.
+            self._after, found = None, replace(found, occupied=self._occupied)
         if found.problem and found.problem != self._problem:
             log.warning("a depth image changes nothing in the map: %s", found.problem)
         if found.problem != self._problem or not np.array_equal(found.occupied, self._occupied):

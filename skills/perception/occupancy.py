@@ -9,13 +9,14 @@ the cells of what stood on it. A cell that no picture shows stays as it is.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tandem.skills.geometry.poses import compose, to_pose
+from tandem.skills.perception.blind import Sight, judged
 from tandem.skills.perception.clutter import HEIGHTS, LEVEL_MARGIN, UPRIGHT_MARGIN, Known, of_robot
 from tandem.skills.perception.depth import back_project
 from tandem.skills.perception.jobs import Shot
@@ -52,7 +53,10 @@ Depth = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class MapJob:
-    """One picture and what is known. ``size``: width and height that the camera has; ``range``: metres."""
+    """One picture and what is known. ``size``: width and height that the camera has; ``range``: metres.
+
+    ``last``: the picture before this one.
+    """
 
     shot: Shot
     lattice: Lattice
@@ -60,6 +64,7 @@ class MapJob:
     known: Known
     size: tuple[int, int]
     range: float = 4.0
+    last: Sight | None = None
 
 
 @dataclass(frozen=True)
@@ -68,6 +73,8 @@ class Mapped:
 
     occupied: Numbers
     problem: str = ""
+    sight: Sight | None = None
+    """What to remember of the picture; None: it could not be read."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +92,11 @@ def read_picture(job: MapJob) -> Mapped:
         image = decode(job.shot.payload)
     except ValueError as error:
         return Mapped(job.occupied, str(error))
-    return integrate(job, image.header, image.depth.astype(np.float64) / 1000.0)
+    camera = compose(to_pose(job.shot.base_in_map), job.shot.camera_in_base)
+    sight, wrong = judged(image, camera, job.last)
+    if wrong:
+        return Mapped(job.occupied, wrong, sight)
+    return replace(integrate(job, image.header, image.depth.astype(np.float64) / 1000.0), sight=sight)
 
 
 def integrate(job: MapJob, header: RgbdHeader, depth: Depth) -> Mapped:

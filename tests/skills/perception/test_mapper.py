@@ -37,11 +37,11 @@ class Room:
     """What stands there, besides walls and a table, and how its pictures go wrong."""
 
     def __init__(self, *boxes: Box) -> None:
-        self.boxes, self.dark = boxes, False
+        self.boxes, self.dark, self.frozen = boxes, False, False
         self._painted: dict[tuple[object, ...], RgbdImage] = {}
 
     def paint(self, camera_in_map: Pose, now: RobotTime) -> RgbdImage:
-        how = (camera_in_map, self.boxes)
+        how = next(iter(self._painted)) if self.frozen else (camera_in_map, self.boxes)
         if how not in self._painted:  # casting its rays takes half a second
             rng = np.random.default_rng(1)
             self._painted[how] = scene(header(), camera_in_map, (*SEEN, *self.boxes), rng)
@@ -110,6 +110,34 @@ def test_a_dark_depth_image_changes_nothing_and_is_told_until_one_is_good() -> N
     room.dark = False
     go_on(stage, mapper, 1.2)
     assert [(len(each.numbers()), each.problem) for each in heard.take()] == [(0, "")]
+
+
+def test_a_camera_that_repeats_one_picture_changes_nothing_and_is_told_until_it_goes_on() -> None:
+    """A robot that turns with such a camera would paint the same thing all around itself."""
+    stage, mapper, heard = mapped(room := Room(STRANGE))
+    go_on(stage, mapper, 1.0)
+    before = heard.take()[-1]
+    room.frozen, stage.head = True, np.array([0.5, -0.3])
+    go_on(stage, mapper, 1.5)
+    (told,) = heard.take()
+    assert told.cells == before.cells
+    assert told.problem == "the picture stands still though the camera has moved"
+    room.frozen = False
+    go_on(stage, mapper, 1.5)
+    assert [each.problem for each in heard.take()] == [""]
+
+
+def test_the_first_picture_fills_nothing_before_another_came() -> None:
+    """It may stand still since before the robot moved."""
+    stage, mapper, _ = mapped(room := Room(STRANGE))
+    while not stage.painted:
+        go_on(stage, mapper, 0.01)
+    room.frozen, stage.head = True, np.array([0.5, -0.3])
+    go_on(stage, mapper, 2.0)
+    assert len(mapper.occupied) == 0
+    room.frozen = False
+    go_on(stage, mapper, 1.2)
+    assert len(mapper.occupied) > 0
 
 
 def test_a_picture_from_nobody_knows_where_changes_nothing_and_is_told() -> None:
