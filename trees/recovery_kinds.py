@@ -69,6 +69,11 @@ another_way_helps: Final = KindCondition(
     frozenset((FailureKind.BASE_NO_PATH, FailureKind.BASE_BLOCKED, FailureKind.BASE_OFF_GOAL)),
 )
 """Would it help to take another way or stand? The base's failures in the order-picking paper, III-A.4."""
+seeing_helps: Final = KindCondition(
+    "look all around, where space is mapped",
+    frozenset((FailureKind.BASE_NO_PATH, FailureKind.BASE_BLOCKED)),
+)
+"""Would it help to see what is in the way? The map of occupied space keeps what no picture shows."""
 another_view_helps: Final = KindCondition(
     "look at it from another stand", frozenset((FailureKind.ITEM_HIDDEN,))
 )
@@ -113,6 +118,7 @@ STEPS: Final = (
     waiting_helps,
     localising_helps,
     another_way_helps,
+    seeing_helps,
     another_view_helps,
     looking_again_helps,
     another_grasp_helps,

@@ -34,6 +34,7 @@ from tandem.trees.subtrees.home import home
 from tandem.trees.subtrees.pick import pick
 from tandem.trees.subtrees.recovery_steps import another_way, localise_again, wait_back
 from tandem.trees.subtrees.search import search
+from tandem.trees.subtrees.see_the_way import see_the_way
 
 WITHIN: Final = 420.0
 """Robot seconds after which nothing is tried again."""
@@ -70,6 +71,7 @@ def get_item(context: TreeContext, board: FetchBoard) -> Behaviour:
         wait_back("get", context),
         localise_again("get", context),
         another_way("get", context, board),
+        *see_the_way("get", context, board.avoid.clear),
         RecoveryStep(
             "get: look from another stand", another_view_helps, VIEWS, _another_view(context, board)
         ),

@@ -13,6 +13,7 @@ from tandem.trees.conditions.at_pose import at_any
 from tandem.trees.context import TreeContext
 from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.recovery_steps import let_pass, localise_again, wait_back
+from tandem.trees.subtrees.see_the_way import see_the_way
 from tandem.trees.subtrees.travel import drive_and_give_way
 
 WITHIN: Final = 180.0
@@ -46,6 +47,7 @@ def home_at_last(context: TreeContext) -> Behaviour:
             wait_back("home", context),
             localise_again("home", context),
             let_pass("home", context, seconds=5.0, times=3),
+            *see_the_way("home", context),
         ),
         within=WITHIN,
     )

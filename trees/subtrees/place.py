@@ -39,6 +39,7 @@ from tandem.trees.recovery_kinds import another_slot_helps, another_stand_helps,
 from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.home import home
 from tandem.trees.subtrees.recovery_steps import a_moment, another_way, localise_again, wait_back
+from tandem.trees.subtrees.see_the_way import see_the_way
 from tandem.trees.subtrees.stand import stand_near, unknown
 
 WITHIN: Final = 300.0
@@ -72,6 +73,7 @@ def place(context: TreeContext, board: FetchBoard) -> Behaviour:
         wait_back("place", context),
         localise_again("place", context),
         another_way("place", context, board),
+        *see_the_way("place", context, board.avoid.clear),
         RecoveryStep("place: another slot", another_slot_helps, others, _another_slot(context, board)),
         RecoveryStep("place: another stand", another_stand_helps, STANDS, _another_stand(context, board)),
         RecoveryStep("place: begin from home", another_stand_helps, STARTS, _from_home(context, board)),

@@ -33,6 +33,7 @@ from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.home import home_at_last
 from tandem.trees.subtrees.recovery_steps import let_pass, localise_again, wait_back
 from tandem.trees.subtrees.request import know_where, ready
+from tandem.trees.subtrees.see_the_way import see_the_way
 from tandem.trees.subtrees.travel import drive_and_give_way
 from tandem.trees.task import TaskType
 
@@ -138,6 +139,7 @@ def _spot(context: TreeContext, at: Inspection) -> Behaviour:
         wait_back("spot", context),
         localise_again("spot", context),
         let_pass("spot", context, seconds=5.0, times=2),
+        *see_the_way("spot", context),
     )
     return Sequence(
         "inspect a spot",
