@@ -8,16 +8,11 @@ what they are for.
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Mapping
 from typing import Final
 
-import numpy as np
-import pinocchio as pin
-
 from tandem.skills.kinematics.bodies import BoxShape, Carried
 from tandem.skills.kinematics.hulls import RobotHulls
-from tandem.skills.kinematics.transforms import Array
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.robot_description import EndEffector
 
@@ -37,7 +32,7 @@ class FingerSpace:
 
     def __init__(self, hulls: RobotHulls, hand: EndEffector) -> None:
         self._hand, self._links = hand, tuple(dict.fromkeys(hulls.links))
-        corners = _corners(hulls, hand)
+        corners = hulls.corners(hand.gripper.joints, hand.frame)
         self._low, self._high = corners.min(axis=0), corners.max(axis=0)
 
     def at(self, positions: Mapping[str, float], planned: float | None) -> tuple[Carried, ...]:
@@ -60,22 +55,3 @@ class FingerSpace:
                 self._links,
             ),
         )
-
-
-def _corners(hulls: RobotHulls, hand: EndEffector) -> Array:
-    """Return the corners (n, 3) of boxes about the fingers' bodies, in the tool frame."""
-    model = hulls.robot.model
-    data, placed = model.createData(), hulls.geometry.createData()
-    pin.framesForwardKinematics(model, data, pin.neutral(model))
-    pin.updateGeometryPlacements(model, data, hulls.geometry, placed)
-    tool = data.oMf[model.getFrameId(hand.frame)].inverse()
-    fingers = {model.getJointId(joint) for joint in hand.gripper.joints}
-    found = []
-    for k, body in enumerate(hulls.geometry.geometryObjects):
-        if body.parentJoint in fingers:
-            box, at = body.geometry.aabb_local, tool * placed.oMg[k]
-            found += [
-                at.act(np.array(corner))
-                for corner in itertools.product(*zip(np.array(box.min_), np.array(box.max_), strict=True))
-            ]
-    return np.array(found) if found else np.zeros((1, 3))

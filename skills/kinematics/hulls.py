@@ -90,6 +90,26 @@ class RobotHulls:
                     found.append((-float(gap), self.links[i], self.links[j]))
         return sorted(found, reverse=True)
 
+    def corners(self, joints: Sequence[str], frame: str) -> Array:
+        """Return the corners (n, 3) of boxes about the bodies that hang on these joints, all of them at zero.
+
+        Args:
+            joints: each carries bodies of its own.
+            frame: the link in whose frame (m) the corners are told.
+        """
+        model = self.robot.model
+        data, placed = model.createData(), self.geometry.createData()
+        pin.framesForwardKinematics(model, data, pin.neutral(model))
+        pin.updateGeometryPlacements(model, data, self.geometry, placed)
+        origin = data.oMf[model.getFrameId(frame)].inverse()
+        found = [np.zeros(3)]
+        for body, at in zip(self.geometry.geometryObjects, placed.oMg, strict=True):
+            if model.names[body.parentJoint] in joints:
+                box, here = body.geometry.aabb_local, origin * at
+                ends = zip(np.array(box.min_), np.array(box.max_), strict=True)
+                found += [here.act(np.array(corner)) for corner in itertools.product(*ends)]
+        return np.array(found)
+
     def balls(self, body: int) -> SphereModel:
         """Return the balls that stand for a body, in its own frame; found at the first time."""
         from tandem.skills.kinematics.spheres import model, outer  # noqa: PLC0415 - numba is an extra
