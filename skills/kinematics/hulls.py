@@ -21,6 +21,11 @@ if TYPE_CHECKING:
 
 ALWAYS = 0.95
 """A pair in contact in this share of random configurations is so by construction."""
+SKIN = 0.001
+"""Metres by which a mesh's hull is larger than the mesh. Bullet gives convex meshes such a margin (its boxes
+and cylinders have theirs within), so the simulation's links meet 2 mm before their meshes do. With it, what
+is free here is free there, and the paint and cables of a real link have some room. At corners it is up to
+0.7 mm more. Nothing else adds to it: balls, tables and distances are those of the larger hull."""
 APART = 2
 """Joints between two links up to which hulls may overlap that don't touch: of wrists whose axes meet."""
 
@@ -221,5 +226,14 @@ def _make_convex(body: pin.GeometryObject) -> None:
     mesh = body.geometry
     if isinstance(mesh, coal.BVHModelBase):
         mesh.buildConvexHull(True, "Qt")
-        body.geometry = mesh.convex
+        body.geometry = _grown(np.array(mesh.convex.points()), SKIN)
     body.geometry.computeLocalAABB()
+
+
+def _grown(points: Array, by: float) -> coal.Convex:
+    """Return the hull of points (n, 3) with all that is within ``by`` metres of it: its sum with a cube."""
+    gathered = coal.StdVec_Vec3s()
+    for corner in itertools.product((-by, by), repeat=3):
+        for each in points + np.array(corner):
+            gathered.append(each)
+    return coal.Convex.convexHull(gathered, True, "Qt")
