@@ -36,6 +36,13 @@ def _fits_any(_: Message, __: RobotDescription) -> tuple[Problem, ...]:
     return ()
 
 
+def _problems(told: object, whose: str) -> tuple[Problem, ...]:
+    """Return what a kind's own check returned; TypeError unless it is problems."""
+    if not isinstance(told, tuple | list) or not all(isinstance(each, Problem) for each in told):
+        raise TypeError(f"expected a tuple of Problem from {whose}, found {told!r}")
+    return tuple(told)
+
+
 @dataclass(frozen=True)
 class TaskType(Generic[Asked]):
     """One file in ``trees/tasks/`` defines one of these, named ``TASK``.
@@ -94,7 +101,37 @@ class TaskType(Generic[Asked]):
             return (
                 Problem(path="task", expected=f"a task that {robot.name} can do", found=why, code=UNABLE),
             )
-        return self.misfits(request, robot)
+        return _problems(self.misfits(request, robot), f"`misfits` of {self.name}")
+
+    def contradictions(self, request: Asked, site: Site) -> tuple[Problem, ...]:
+        """Return what is wrong with a request, given the site.
+
+        Raises:
+            TypeError: when the kind's own ``problems`` returns something else than problems.
+        """
+        return _problems(self.problems(request, site), f"`problems` of {self.name}")
+
+    def tree(self, request: Asked, context: TreeContext) -> Behaviour:
+        """Build the tree.
+
+        Raises:
+            TypeError: when the kind's own ``build`` returns no node.
+        """
+        root: object = self.build(request, context)
+        if not isinstance(root, Behaviour):
+            raise TypeError(f"expected a node of py_trees from `build`, found {root!r}")
+        return root
+
+    def waiting(self, knowledge: Knowledge) -> str:
+        """Return what a task has to wait for, in words; nothing when it can begin.
+
+        Raises:
+            TypeError: when the kind's own ``waits`` returns no text.
+        """
+        why: object = self.waits(knowledge)
+        if not isinstance(why, str):
+            raise TypeError(f"expected text, found {why!r}")
+        return why
 
     def result_of(self, context: TreeContext, *, succeeded: bool) -> dict[str, JsonValue] | None:
         """Return what the task tells at its end, as the document that is stored and published.

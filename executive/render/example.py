@@ -49,7 +49,7 @@ def tree_of(kind: TaskType[Message], site: Site, document: dict[str, JsonValue])
     request = kind.request.model_validate(body, context=site)
     bus, clocks = MemoryBus(), SteppedClocks()
     context = TreeContext(kind.name, Clients(bus, clocks, "render"), Knowledge(bus, clocks, site), clocks)
-    return snapshot(kind.build(request, context))
+    return snapshot(kind.tree(request, context))
 
 
 def _example(name: str, info: FieldInfo, site: Site, known: Mapping[str, JsonValue]) -> JsonValue:

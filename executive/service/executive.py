@@ -307,9 +307,12 @@ class Executive:
     def _begin(self, task: str, asked: Asked, how: How) -> None:
         self._publisher.tell(self.book.begin(task, self._clocks.robot()))
         # The robot may have said who it is only after the request had been accepted.
-        misfits = asked.kind.against(asked.request, self.knowledge.description)
-        if misfits:
-            told = in_words(misfits)
+        try:
+            told = in_words(asked.kind.against(asked.request, self.knowledge.description))
+        except Exception as error:  # noqa: BLE001 - a kind's mistake costs its task, not the service
+            _LOG.exception("checking a request against the robot raised", extra={"task": task})
+            told = f"the check of {asked.kind.name} raised {type(error).__name__}: {error}"
+        if told:
             failure = Failure(kind=FailureKind.INVALID_GOAL, message=told, where=asked.kind.name)
             self._publisher.tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
             return
@@ -342,7 +345,7 @@ class Executive:
         )
         status = self.book.get(task)
         context.enter("", 0.0 if status is None else status.progress.fraction)
-        root = asked.kind.build(asked.request, context)
+        root = asked.kind.tree(asked.request, context)
         self._tries.append(Tries(self._bus, self._clocks, context, self._album))
         run = Run(
             context,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Literal
 
 import pytest
@@ -11,6 +13,8 @@ from pydantic import create_model
 from tandem.executive.ledger.sender import BY_FIELD
 from tandem.executive.service.intake.request_parser import ID_FIELD
 from tandem.skills.ports.message import Message
+from tandem.skills.site import load
+from tandem.testing import TreeBench
 from tandem.trees.task import RESERVED, TaskType
 
 
@@ -37,3 +41,29 @@ def test_a_request_without_the_tasks_name_is_refused() -> None:
     request = create_model("Nameless", __base__=Message)
     with pytest.raises(TypeError, match=r"task 'count': Nameless has no field task; expected task: Literal"):
         TaskType("count", "Count.", request, lambda _, __: (), lambda _, __: Success("done"))
+
+
+class Waving(Message):
+    """A request."""
+
+    task: Literal["wave"] = "wave"
+
+
+def waving(**changes: Callable[..., object]) -> TaskType[Waving]:
+    """Return a kind of task whose functions return what a stranger's may."""
+    made = TaskType("wave", "Wave.", Waving, lambda _, __: (), lambda _, __: Success("done"))
+    return replace(made, **changes)  # type: ignore[arg-type]
+
+
+def test_a_builder_that_returns_no_tree_is_told_so() -> None:
+    bench = TreeBench(load("lab"), items={})
+    with pytest.raises(TypeError, match="expected a node of py_trees from `build`, found None"):
+        bench.run(waving(build=lambda _, __: None), {})
+
+
+def test_a_check_that_returns_no_problems_is_told_so() -> None:
+    site = load("lab")
+    for found in (("no",), None, "no"):
+        with pytest.raises(TypeError, match="expected a tuple of Problem from `problems` of wave, found"):
+            waving(problems=lambda _, __, found=found: found).contradictions(Waving(), site)
+    assert waving().contradictions(Waving(), site) == ()

@@ -93,7 +93,7 @@ def _checked(
         request = kind.request.model_validate_json(body, strict=True, context=site)  # it names the items
     except ValidationError as error:
         return Refused((*problems_of(error), *found), client_id)
-    problems = (*kind.problems(request, site), *found, *_contradictions(envelope))
+    problems = (*kind.contradictions(request, site), *found, *_contradictions(envelope))
     if problems:
         return Refused(problems, client_id)
     return Asked(kind, request, document, client_id, envelope)

@@ -101,7 +101,7 @@ class Holds:
         if silent > SILENT_AFTER:
             return "the hardware, which is silent"
         try:
-            return kind.waits(self._knowledge)
+            return kind.waiting(self._knowledge)
         except Exception as error:  # noqa: BLE001 - a kind's mistake costs its tasks, not the service
             said = f"{error!r}"
             if self._raised.get(kind.name) != said:  # it is asked again and again

@@ -89,7 +89,7 @@ class TreeBench:
         self.context = self._new_context()
         self.visited, self._running = [], {}
         asked = kind.request.model_validate({**named, **request}, context=self._site)
-        self.root = kind.build(asked, self.context)
+        self.root = kind.tree(asked, self.context)
         self.gates = Breakpoints(self.root, self.context)
         return self.root
 

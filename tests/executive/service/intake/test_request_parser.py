@@ -136,6 +136,20 @@ def test_a_check_that_raises_costs_its_request_only() -> None:
     assert here.ask(json.loads(GOOD)).accepted
 
 
+def test_a_check_that_returns_no_problems_costs_its_request_only() -> None:
+    def wrong(_request: WaitRequest, _site: Site) -> tuple[Problem, ...]:
+        return ("no",)  # type: ignore[return-value] - as a stranger writes it
+
+    here = Surroundings()
+    broken = WAIT.__class__(WAIT.name, WAIT.summary, WAIT.request, wrong, WAIT.build)
+    here.executive._kinds["wait"] = broken
+    refused = here.ask(json.loads(GOOD))
+    assert not refused.accepted
+    assert "expected a tuple of Problem from `problems` of wait" in refused.problems[0].expected
+    here.executive._kinds["wait"] = WAIT
+    assert here.ask(json.loads(GOOD)).accepted
+
+
 def test_times_of_day_are_seconds_or_iso_8601_and_told_as_iso() -> None:
     document = b'{"task": "wait", "item": 29, "not_before": 120.0, "expires": "1970-01-01T01:01:00+01:00"}'
     refused = read_request(document, {"wait": WAIT}, load("lab"))
