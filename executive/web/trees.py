@@ -1,6 +1,6 @@
 """The running task's tree, read by what has changed.
 
-A snapshot of a fetch has 425 nodes in 157 kB and comes six times a second. Two that follow each other differ
+A snapshot of a fetch has 425 nodes in 157 kB, and two that follow each other differ
 in two nodes. So of the second one only what differs becomes messages: a node that is the same as before has
 been checked before.
 """

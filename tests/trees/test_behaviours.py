@@ -7,6 +7,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from tandem.executive.trials.exploration.tree_bench import TreeBench
+from tandem.executive.trials.exploration.worlds import fetch_worlds
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.site import load
@@ -289,3 +290,12 @@ def test_a_drive_waits_for_the_base_until_its_patience_ends(
     )
     assert play(bench, tree, most=1000)[-1] is last
     assert child.ticks == (2 if last is S else 1)
+
+
+def test_a_leaf_says_how_far_its_skill_is_in_words_and_no_lists() -> None:
+    bench, said = fetch_worlds()["in view"](), set[str]()
+    bench.robot.leaf_faults["pre-grasp", 1] = Fault(late=1.0)
+    while bench.step() is Status.RUNNING:
+        assert bench.root is not None
+        said |= {node.feedback_message for node in bench.root.iterate()}
+    assert "running: phase MOVING, progress 0.00" in said, "the corners of its way are left out"

@@ -237,8 +237,8 @@ class Run:
         return ""
 
     def changed_tree(self) -> TreeSnapshot | None:
-        """Return the tree if a status, a message or a gate in it is another than at the last call."""
-        return self.tree() if self._shown.changed(self.gates) else None
+        """Return the tree if it is to be shown: see ``ShownTree.changed``."""
+        return self.tree() if self._shown.changed(self.gates, self._clocks.monotonic()) else None
 
     def tree(self) -> TreeSnapshot:
         """Return the tree as it is; with its gates for as long as it may come to them."""
@@ -248,7 +248,7 @@ class Run:
             kind=self._kind.name,
             tick=self.ticks,
             stamp=self._clocks.robot(),
-            root=self._shown.view.look(),
+            root=self._shown.look(),
             board=told_board(self.context.board),
             breakpoints={} if gates is None else gates.breakpoints(),
             forced={} if gates is None else gates.forced(),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from enum import IntEnum
 from typing import Final
 
 from py_trees.behaviour import Behaviour
@@ -10,6 +11,17 @@ from py_trees.common import Status
 
 from tandem.skills.ports.tasks import NodeStatus, TreeNode
 from tandem.trees.snapshot import kind_of
+
+
+class Change(IntEnum):
+    """What is otherwise in a tree than at the last look; the most of it."""
+
+    NONE = 0
+    MESSAGE = 1
+    """Nothing but what nodes say."""
+    STATUS = 2
+    """A node's status, how it ended, or which nodes there are."""
+
 
 _STATUSES: Final = {each: NodeStatus(each.name) for each in Status}
 
@@ -65,26 +77,29 @@ class TreeView:
 
     def look(self) -> TreeNode:
         """Return the tree as it is now."""
-        if self._node is None or self._has_changed():
+        if self._node is None or self.change() is not Change.NONE:
             self._look()
             self._flat = tuple(self._below())
         assert self._node is not None, "a look makes it"
         return self._node
 
-    def _has_changed(self) -> bool:
-        """Say whether a look would find anything: in one loop, as it is asked after each tick."""
+    def change(self) -> Change:
+        """Say what a look would find: in one loop, as it is asked after each tick."""
         ended = self._ended.get
         never = NodeStatus.INVALID
+        found = Change.NONE
         for view in (self, *self._flat):
             seen = view._behaviour  # noqa: SLF001 - one of us
             if (
-                seen.status is not view._status  # noqa: SLF001
+                view._node is None  # noqa: SLF001
+                or seen.status is not view._status  # noqa: SLF001
                 or ended(seen, never) is not view._last  # noqa: SLF001
-                or seen.feedback_message != view._message  # noqa: SLF001
                 or seen.children != view._behaviours  # noqa: SLF001
             ):
-                return True
-        return False
+                return Change.STATUS
+            if seen.feedback_message != view._message:  # noqa: SLF001
+                found = Change.MESSAGE
+        return found
 
     def _below(self) -> Iterator[TreeView]:
         for child in self._children:
