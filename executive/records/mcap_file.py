@@ -13,6 +13,7 @@ import struct
 import zlib
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO, Final
@@ -98,14 +99,8 @@ class McapRecording:
         self.path = path
         _require_whole(path)
         self._file: IO[bytes] = path.open("rb")
-        try:
+        with closed_unless_read(path, self._file):
             self._read_index()
-        except RecordError:
-            self._file.close()
-            raise
-        except DAMAGED as error:
-            self._file.close()
-            raise damaged(path, error) from error
 
     def _read_index(self) -> None:
         self._reader = SeekingReader(self._file)
@@ -206,6 +201,19 @@ class McapRecording:
             for place, each in told
             if each.name == BOOT
         ]
+
+
+@contextmanager
+def closed_unless_read(path: Path, file: IO[bytes]) -> Iterator[None]:
+    """Close the file and say what is wrong with it when it can't be read."""
+    try:
+        yield
+    except RecordError:
+        file.close()
+        raise
+    except DAMAGED as error:
+        file.close()
+        raise damaged(path, error) from error
 
 
 def damaged(path: Path, error: BaseException) -> RecordError:

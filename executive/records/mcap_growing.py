@@ -18,18 +18,17 @@ from mcap.records import Channel, Metadata
 
 from tandem.executive.records.mcap_file import (
     BOOT,
-    DAMAGED,
     FACTS,
     NANO,
     Boot,
     McapRecording,
     Part,
-    damaged,
+    closed_unless_read,
     facts_in,
     part_at,
     unpacked,
 )
-from tandem.executive.records.recording import MCAP, Attachment, RecordError, Span
+from tandem.executive.records.recording import MCAP, Attachment, Span
 
 _HEAD: Final = struct.Struct("<BQ")
 """Of a record: its kind, and the bytes that follow."""
@@ -58,15 +57,9 @@ class GrowingRecording(McapRecording):
         self._head: int | None = None
         """Where the chunk begins whose channels are read."""
         self._of_chunk: set[int] = set()
-        try:
+        with closed_unless_read(path, self._file):
             self._scan()
             self.facts, begin = facts_in(path, self._told)
-        except RecordError:
-            self._file.close()
-            raise
-        except DAMAGED as error:
-            self._file.close()
-            raise damaged(path, error) from error
         self.span = Span(begin, begin)
         self.grow()
 
