@@ -12,7 +12,7 @@ import typer
 
 from tandem.executive.cli.completing import items
 from tandem.executive.cli.errors import CommandError
-from tandem.skills.ports.documents import read_json
+from tandem.skills.ports.plain_json import read_json
 
 if TYPE_CHECKING:
     from pydantic import JsonValue

@@ -15,9 +15,9 @@ from tandem.executive.cli.shapes import Requested, print_json
 from tandem.executive.cli.waiting import Waiting
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.render.failure_words import result_lines
-from tandem.skills.ports.documents import read_json
 from tandem.skills.ports.failure import KINDS, Failure
 from tandem.skills.ports.keys import Latest
+from tandem.skills.ports.plain_json import read_json
 from tandem.skills.ports.problems import in_words
 from tandem.skills.ports.tasks import REQUEST, TASK_STATUS, TaskAnswer, TaskState, TaskStatus
 

@@ -8,9 +8,9 @@ from collections import Counter
 from collections.abc import Iterator
 
 from tandem.executive.records.recording import Recorded, Recording
-from tandem.skills.ports.documents import read_json
 from tandem.skills.ports.match import matches
 from tandem.skills.ports.message import Count, Message
+from tandem.skills.ports.plain_json import read_json
 
 
 class KeyCount(Message):

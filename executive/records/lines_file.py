@@ -36,8 +36,8 @@ from tandem.executive.records.recording import (
     check_layout,
     finite,
 )
-from tandem.skills.ports.documents import read_json
 from tandem.skills.ports.message import RobotTime, read_leniently
+from tandem.skills.ports.plain_json import read_json
 
 LINES: Final = ".jsonl.gz"
 LEVEL: Final = 1

@@ -31,8 +31,8 @@ from tandem.executive.records.recording import (
     check_layout,
     finite,
 )
-from tandem.skills.ports.documents import read_json
 from tandem.skills.ports.message import RobotTime, read_leniently
+from tandem.skills.ports.plain_json import read_json
 
 try:
     from mcap.exceptions import McapError

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
-from tandem.skills.ports.documents import read_json
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.plain_json import read_json
 
 FOLDER: Final = "logs"
 """Beside the ledger, in the folder of ``--data``."""

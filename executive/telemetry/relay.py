@@ -13,7 +13,7 @@ from pathlib import Path
 
 from tandem.executive.config.log_format import LogFormat
 from tandem.executive.telemetry.logs import JsonLines
-from tandem.skills.ports.documents import read_json
+from tandem.skills.ports.plain_json import read_json
 
 
 @dataclass(eq=False)

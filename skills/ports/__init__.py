@@ -1,6 +1,7 @@
 """The vocabulary that all rooms share: messages, failure kinds, protocols and keys.
 
-What a message is: message, utc, pose, shapes, image, picture_header, problems, documents, sources.
+What a message is: message, utc, pose, shapes, image, picture_header, sources.
+What a document says: problems, documents, plain_json.
 What a robot says it is: robot_description, sensors.
 What is said: hardware, world, whereabouts, tasks, site, action, failure; goals are in ``actions/``.
 Occupied space: occupancy, lattice. Ways: planners.

@@ -11,7 +11,7 @@ import json
 import math
 import re
 from dataclasses import dataclass, field
-from typing import Any, Final
+from typing import Final
 
 from pydantic import JsonValue
 
@@ -61,18 +61,6 @@ def parse(
         return (text,)
     plain = None if _SUSPECT.search(payload) else _plain(text)
     return _thorough(text) if plain is None else plain
-
-
-def read_json(text: str | bytes) -> Any:  # noqa: ANN401 - as json.loads: who calls it looks what it is
-    """Return what a text says, as Python's own parser reads it: for files and records, which may be large.
-
-    Raises:
-        ValueError: whatever is wrong with it; a thousand brackets in one another are no RecursionError here.
-    """
-    try:
-        return json.loads(text)
-    except RecursionError as error:
-        raise ValueError("more objects and arrays in one another than can be read") from error
 
 
 class _TwiceError(ValueError):
