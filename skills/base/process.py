@@ -187,6 +187,7 @@ def _by_pose_sensor(
         sees,
         sights=Sights(clocks, tracker, sees, neighbours),
         way_back=WayBack(site, description.footprint_radius, description.height),
+        radius=description.footprint_radius,
         guard=guard,
         board=board,
     )
