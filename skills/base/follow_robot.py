@@ -6,13 +6,12 @@ import math
 from collections.abc import Generator
 from typing import Final
 
-from tandem.skills.base.detour import COUNTS_FOR, Detour, Other
 from tandem.skills.base.guard import Guard
 from tandem.skills.base.macros import LATENCY, Macros
 from tandem.skills.base.sights import Sight, Sights
 from tandem.skills.base.status import BaseStatusBoard
 from tandem.skills.base.surround import Surround
-from tandem.skills.base.way_back import OTHERS_RADIUS, WayBack
+from tandem.skills.base.way_back import WayBack
 from tandem.skills.base.wheels import Wheels, stopping_speed
 from tandem.skills.base.whereabouts import Whereabouts
 from tandem.skills.base.with_wheels import with_wheels
@@ -51,7 +50,6 @@ class Follow:
         surround: sees what is near.
         sights: know where other robots are; a goal that follows one that was overridden looks there first.
         way_back: knows what is behind the base, as far as the site's map tells.
-        radius: of the base's footprint (m).
         guard: whether it may move.
         board: who has the wheels.
     """
@@ -66,12 +64,11 @@ class Follow:
         *,
         sights: Sights,
         way_back: WayBack,
-        radius: float,
         guard: Guard,
         board: BaseStatusBoard,
     ) -> None:
         self._clocks, self._monitor, self._surround = clocks, monitor, surround
-        self._sights, self._way_back, self._radius = sights, way_back, radius
+        self._sights, self._way_back = sights, way_back
         self._guard, self._board = guard, board
         self._wheels = Wheels(bus, clocks, drive, lambda: board.pipeline.normal(FOLLOW.name))
 
@@ -99,18 +96,17 @@ class Follow:
         begun = before = robot_seconds(self._clocks)
         lasts = goal.seconds
         seen, stands, side = 0.0, False, 0.0
-        detour = Detour(self._radius + OTHERS_RADIUS)
         while (now := robot_seconds(self._clocks)) - begun < lasts:
             self._sights.refresh(goal.source)
             sight = self._sights.last.get(goal.robot)
             fresh = sight is not None and now - sight.at < LOST_AFTER
             seen += now - before if fresh else 0.0
             before = now
-            if fresh or detour.active(now):  # past somebody, it looks elsewhere for a moment
+            if fresh:
                 side = 0.0
             elif not side:  # to the side where it was last, and on all around
                 side = -1.0 if sight is not None and macros.bearing(sight.x, sight.y) < 0.0 else 1.0
-            linear, angular, doing = self._speeds(goal, macros, sight, side, detour)
+            linear, angular, doing = self._speeds(goal, macros, sight, side)
             if stands:
                 linear, angular = 0.0, 0.0
             self._wheels.send(linear, angular)
@@ -136,29 +132,19 @@ class Follow:
         )
 
     def _speeds(
-        self, goal: FollowGoal, macros: Macros, sight: Sight | None, side: float, detour: Detour
+        self, goal: FollowGoal, macros: Macros, sight: Sight | None, side: float
     ) -> tuple[float, float, tuple[str, ...]]:
         """Return the speeds (m/s, rad/s) and what they are for; it searches to ``side``, unless that is 0."""
         if sight is None or side:
             return 0.0, side * SEARCH, ("Follow", "TurnTo", "SetWheelSpeed")
-        bearing, distance = wrap(macros.bearing(sight.x, sight.y)), macros.distance(sight.x, sight.y)
-        off = distance - goal.distance
-        if off > 0.0:
-            now = robot_seconds(self._clocks)
-            bearing = detour.around(bearing, distance, self._others(goal.robot, macros, now), now)
+        bearing = wrap(macros.bearing(sight.x, sight.y))
+        off = macros.distance(sight.x, sight.y) - goal.distance
         drive = self._wheels.drive
         angular = min(max(TURN_GAIN * bearing, -drive.turn), drive.turn)
         if abs(bearing) > FACE:
             return 0.0, angular, ("Follow", "TurnTo", "SetWheelSpeed")
         linear = min(max(GAIN * off, -self._back(macros)), self._speed()) * math.cos(bearing)
         return linear, angular, ("Follow", "SetWheelSpeed")
-
-    def _others(self, followed: str, macros: Macros, now: float) -> list[Other]:
-        return [
-            Other(wrap(macros.bearing(sight.x, sight.y)), macros.distance(sight.x, sight.y))
-            for name, sight in self._sights.last.items()
-            if name != followed and now - sight.at < COUNTS_FOR
-        ]
 
     @staticmethod
     def _rest(macros: Macros) -> Generator[FollowFeedback, Command, None]:

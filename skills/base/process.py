@@ -187,7 +187,6 @@ def _by_pose_sensor(
         sees,
         sights=Sights(clocks, tracker, sees, neighbours),
         way_back=WayBack(site, description.footprint_radius, description.height),
-        radius=description.footprint_radius,
         guard=guard,
         board=board,
     )

@@ -100,19 +100,6 @@ def test_one_that_is_lost_is_looked_for_where_it_was_and_then_all_around() -> No
     assert apart(robot) == pytest.approx(1.3, abs=0.15)
 
 
-@pytest.mark.parametrize("aside", [0.1, -0.1])
-def test_it_goes_round_one_that_stands_in_between_and_meets_nobody(aside: float) -> None:
-    robot = rig(r2=(3.0, 0.0), r1=(1.4, aside))
-    statuses = robot.send(FOLLOW.name, FollowGoal(robot="r2", distance=1.3, seconds=60.0))
-    nearest = math.inf
-    for _ in range(round(15.0 / PERIOD)):
-        robot.step()
-        nearest = min(nearest, math.hypot(robot.pose.x - 1.4, robot.pose.y - aside))
-    assert apart(robot) == pytest.approx(1.3, abs=0.15)
-    assert nearest > 0.9, "nearer, the reflex against collisions takes the base"
-    assert not any(each.failure for each in statuses.take())
-
-
 def test_it_ends_with_its_time_and_says_how_long_it_saw_the_other() -> None:
     robot = rig(r2=(1.3, 0.0))
     statuses = robot.send(FOLLOW.name, FollowGoal(robot="r2", seconds=4.0))
