@@ -25,7 +25,7 @@ from tandem.skills.ports.hardware import TrajectoryGoal
 from tandem.skills.ports.keys import group_goal
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.robot_description import RobotDescription
-from tandem.skills.ports.tasks import TaskState
+from tandem.skills.ports.tasks import TREE, NodeStatus, TaskState, TreeNode
 from tandem.skills.site import load
 from tandem.skills.wire.memory import Kind
 
@@ -63,6 +63,31 @@ class Motions:
             self.ratios.append(taken / bound)
 
 
+@dataclass
+class Trees:
+    """Listens to the bus for the tree: how often it is told, and how often for what its nodes say alone."""
+
+    told: int = 0
+    words: int = 0
+    largest: int = 0
+    _last: list[tuple[NodeStatus, NodeStatus]] = field(default_factory=list)
+
+    def __call__(self, kind: Kind, key: str, payload: bytes) -> None:
+        """Take one message in."""
+        if kind != "put" or key != TREE.key:
+            return
+        statuses = list(_statuses(TREE.decode(payload).root))
+        self.told += 1
+        self.words += statuses == self._last
+        self.largest, self._last = max(self.largest, len(payload)), statuses
+
+
+def _statuses(node: TreeNode) -> Iterator[tuple[NodeStatus, NodeStatus]]:
+    yield node.status, node.last
+    for child in node.children:
+        yield from _statuses(child)
+
+
 def rows() -> Iterator[Row]:
     """Measure."""
     demo = load_scenario("Demo")
@@ -75,7 +100,9 @@ def fetch(name: str, scenario: Scenario, *, aim: float | None) -> Iterator[Row]:
     system = LockstepSystem(scenario, 1)
     try:
         motions, phases = Motions(system.lockstep.station.model.description), Phases(system)
+        trees = Trees()
         system.lockstep.hub.watch(motions)
+        system.lockstep.hub.watch(trees)
         caller = Caller(system, lambda _: None, also=phases)
         began = system.lockstep.seconds
         task = caller.request(REQUESTED).task
@@ -89,7 +116,7 @@ def fetch(name: str, scenario: Scenario, *, aim: float | None) -> Iterator[Row]:
             ended, right = str(failure), False
         seconds = system.lockstep.seconds - began
         phases.step()
-        note = f"{ended}; {'in truth, the item lies there' if right else 'NOT RIGHT, so no figure to go by'}"
+        note = f"{ended}; {'the item lies in the depot' if right else 'NOT RIGHT, so no figure to go by'}"
         yield Row(f"fetch, {name}", seconds, "robot s", aim, note=note)
         for phase, spent in phases.seconds().items():
             yield Row(f"fetch, {name}: {phase}", spent, "robot s")
@@ -97,6 +124,8 @@ def fetch(name: str, scenario: Scenario, *, aim: float | None) -> Iterator[Row]:
         over = f"fetch, {name}: arm motions over bang-bang"
         yield Row(f"{over}, median", quantile(motions.ratios, 0.5), "", 1.5)
         yield Row(f"{over}, p95", quantile(motions.ratios, 0.95), "")
+        words = f"{trees.words} for words alone; {trees.largest / 1000:.0f} kB at most"
+        yield Row(f"fetch, {name}: trees told", float(trees.told), "", note=words)
     finally:
         system.close()
 

@@ -141,9 +141,7 @@ class Arm:
             self.with_hand(moment, goal.hand_width),
             self.obstacles(moment.scene, moment.base_in_map, padded=padded),
             (*carried(moment.scene, self.description), *between),
-            ()
-            if _goes_on(goal)
-            else allowed(moment.scene, goal.touch_item, tuple(each.name for each in between)),
+            () if _goes_on(goal) else allowed(moment.scene, goal.touch_item, inside),
             touchable=allowed(moment.scene, goal.touch_item, touch, every=goal.retreats),
             world=self.world,
         )

@@ -28,17 +28,18 @@ PartName = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,31}$")]
 """A part of the robot, as its description names it; it becomes a part of keys."""
 HandName = PartName
 """A hand, such as ``left``."""
-PLAIN_TEXT: Final = r"^[^\x00-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]*$"
+_ODD: Final = r"\x00-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069"
+PLAIN_TEXT: Final = rf"^[^{_ODD}]*$"
 """Text without control characters, line breaks and what reorders the text around it, as a pattern.
 
 An id with an override such as U+202E is shown as another one (Unicode Technical Report 36, 2.6).
 """
-_ODD: Final = re.compile(PLAIN_TEXT.replace("[^", "[").strip("^*$"))
+_ODD_CHARACTER: Final = re.compile(f"[{_ODD}]")
 
 
 def plain(text: str) -> str:
     """Return a text with what is not plain in it escaped as JSON does: it goes to screens and logs."""
-    return _ODD.sub(lambda odd: f"\\u{ord(odd[0]):04x}", text)
+    return _ODD_CHARACTER.sub(lambda odd: f"\\u{ord(odd[0]):04x}", text)
 
 
 PlainText = Annotated[str, AfterValidator(plain)]

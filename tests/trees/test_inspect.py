@@ -13,7 +13,8 @@ from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.site import load
 from tandem.skills.testing.mock_skill import Fault
 from tandem.trees.inspection import NAME, InspectNotes, InspectResult
-from tandem.trees.tasks.inspect import TASK, VIEWS, InspectRequest
+from tandem.trees.leaves.rotate import ALL_AROUND
+from tandem.trees.tasks.inspect import TASK, InspectRequest
 
 SITE = inspect_site()
 FIRST, SECOND = (spot.name for spot in SITE.spots)
@@ -35,8 +36,8 @@ def test_it_looks_all_around_at_every_spot_and_goes_home() -> None:
     run = bench()
     assert run.run("inspect", {}) is Status.SUCCESS
     names = [name for name, _ in run.robot.calls]
-    assert names.count("perception/look") == VIEWS * len(SITE.spots)
-    assert names.count("base/rotate") == (VIEWS - 1) * len(SITE.spots)
+    assert names.count("perception/look") == ALL_AROUND * len(SITE.spots)
+    assert names.count("base/rotate") == (ALL_AROUND - 1) * len(SITE.spots)
     assert run.robot.base == SITE.home
 
 
@@ -88,7 +89,7 @@ def test_after_a_restart_it_goes_on_with_the_spots_that_are_left() -> None:
     while run.step() is Status.RUNNING:
         pass
     assert result(run).spots == (FIRST, SECOND)
-    assert [name for name, _ in run.robot.calls].count("perception/look") == VIEWS
+    assert [name for name, _ in run.robot.calls].count("perception/look") == ALL_AROUND
 
 
 @pytest.mark.parametrize(

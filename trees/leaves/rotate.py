@@ -11,6 +11,8 @@ from tandem.trees.context import TreeContext
 
 STEP: Final = -math.radians(30.0)
 """Clockwise, as in the order-picking paper, III-A.2."""
+ALL_AROUND: Final = round(math.tau / abs(STEP))
+"""Turns after which the robot stands as it stood."""
 
 
 def rotate(name: str, context: TreeContext) -> Act[RotateGoal, RotateFeedback, RotateResult]:

@@ -22,13 +22,10 @@ from tandem.trees.context import TreeContext
 from tandem.trees.item_failures import ambiguous
 from tandem.trees.leaves.edit_scene import select
 from tandem.trees.leaves.look import look
-from tandem.trees.leaves.rotate import rotate
+from tandem.trees.leaves.rotate import ALL_AROUND, rotate
 from tandem.trees.recovery_kinds import unseen
 from tandem.trees.subtrees.arms_in import free_and_tuck
 from tandem.trees.subtrees.travel import drive_and_give_way
-
-TURNS = 12
-"""Turns of 30 degrees make 360."""
 
 
 def search(context: TreeContext, board: FetchBoard) -> Behaviour:
@@ -91,7 +88,7 @@ def _around(context: TreeContext, board: FetchBoard, where: str) -> Behaviour:
                 memory=True,
                 children=[
                     _only_unseen(f"ahead {where}", context),
-                    Again(f"up to 360 degrees {where}", context, again, TURNS, unseen),
+                    Again(f"up to 360 degrees {where}", context, again, ALL_AROUND, unseen),
                 ],
             ),
         ],
@@ -129,7 +126,7 @@ def _not_found(context: TreeContext, board: FetchBoard) -> GiveUp:
         return Failure(
             kind=FailureKind.ITEM_NOT_FOUND,
             message=f"item {board.item} was seen neither here nor from any of the {spots} spots",
-            evidence={"item": board.item, "spots": spots, "turns": TURNS},
+            evidence={"item": board.item, "spots": spots, "turns": ALL_AROUND},
         )
 
     return GiveUp("item not found", context, reason)

@@ -7,7 +7,6 @@ one wrong picture painted, stands in the way until it is looked at.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Final
 
 from py_trees.composites import Sequence
 
@@ -16,11 +15,8 @@ from tandem.trees.behaviours.note import Note
 from tandem.trees.behaviours.recovery import RecoveryStep
 from tandem.trees.context import TreeContext
 from tandem.trees.leaves.look_round import look_round
-from tandem.trees.leaves.rotate import rotate
+from tandem.trees.leaves.rotate import ALL_AROUND, rotate
 from tandem.trees.recovery_kinds import seeing_helps
-
-TURNS: Final = 12
-"""Turns of 30 degrees make 360: the robot ends as it stood."""
 
 
 def see_the_way(
@@ -52,7 +48,7 @@ def see_the_way(
         f"{where}: look all around",
         memory=True,
         children=[
-            Each(f"{where}: all 360 degrees", turn, lambda: False, TURNS),
+            Each(f"{where}: all 360 degrees", turn, lambda: False, ALL_AROUND),
             Note(f"{where}: all is seen", seen),
         ],
     )

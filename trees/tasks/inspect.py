@@ -26,7 +26,7 @@ from tandem.trees.conditions.robot_heard import unheard
 from tandem.trees.context import TreeContext
 from tandem.trees.inspection import Inspection, InspectResult
 from tandem.trees.leaves.look_round import look_round
-from tandem.trees.leaves.rotate import rotate
+from tandem.trees.leaves.rotate import ALL_AROUND, rotate
 from tandem.trees.needs import Needs
 from tandem.trees.recovery_kinds import another_way_helps
 from tandem.trees.subtrees.arms_in import free_and_tuck
@@ -37,8 +37,6 @@ from tandem.trees.subtrees.see_the_way import see_the_way
 from tandem.trees.subtrees.travel import drive_and_give_way
 from tandem.trees.task import TaskType
 
-VIEWS: Final = 12
-"""Of 30 degrees, which make 360."""
 WITHIN: Final = 240.0
 """Robot seconds for one spot, after which nothing is tried again there."""
 BEGINS, ENDS = 0.05, 0.90
@@ -131,7 +129,7 @@ def _spot(context: TreeContext, at: Inspection) -> Behaviour:
         children=[
             there,
             look_round("look ahead", context, at.saw),
-            Each("up to 360 degrees", turn, lambda: False, VIEWS - 1),
+            Each("up to 360 degrees", turn, lambda: False, ALL_AROUND - 1),
             Note("spot is done", at.finish_spot),
         ],
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 
 import pytest
 from surroundings import WAIT, Surroundings, WaitRequest
@@ -122,30 +123,30 @@ def test_the_same_request_under_the_same_id_starts_once() -> None:
     assert (other.accepted, other.problems[0].path) == (False, "id")
 
 
-def test_a_check_that_raises_costs_its_request_only() -> None:
-    def raises(_request: WaitRequest, _site: Site) -> tuple[Problem, ...]:
-        raise RuntimeError("a mistake")
+def raises(_request: WaitRequest, _site: Site) -> tuple[Problem, ...]:
+    raise RuntimeError("a mistake")
 
+
+def tells_text(_request: WaitRequest, _site: Site) -> tuple[Problem, ...]:
+    return ("no",)  # type: ignore[return-value] - as a stranger writes it
+
+
+@pytest.mark.parametrize(
+    ("check", "words"),
+    [
+        (raises, "RuntimeError: a mistake"),
+        (tells_text, "expected a tuple of Problem from `problems` of wait"),
+    ],
+)
+def test_a_check_that_is_wrong_costs_its_request_only(
+    check: Callable[[WaitRequest, Site], tuple[Problem, ...]], words: str
+) -> None:
     here = Surroundings()
-    broken = WAIT.__class__(WAIT.name, WAIT.summary, WAIT.request, raises, WAIT.build)
+    broken = WAIT.__class__(WAIT.name, WAIT.summary, WAIT.request, check, WAIT.build)
     here.executive._kinds["wait"] = broken
     refused = here.ask(json.loads(GOOD))
     assert not refused.accepted
-    assert "RuntimeError: a mistake" in refused.problems[0].expected
-    here.executive._kinds["wait"] = WAIT
-    assert here.ask(json.loads(GOOD)).accepted
-
-
-def test_a_check_that_returns_no_problems_costs_its_request_only() -> None:
-    def wrong(_request: WaitRequest, _site: Site) -> tuple[Problem, ...]:
-        return ("no",)  # type: ignore[return-value] - as a stranger writes it
-
-    here = Surroundings()
-    broken = WAIT.__class__(WAIT.name, WAIT.summary, WAIT.request, wrong, WAIT.build)
-    here.executive._kinds["wait"] = broken
-    refused = here.ask(json.loads(GOOD))
-    assert not refused.accepted
-    assert "expected a tuple of Problem from `problems` of wait" in refused.problems[0].expected
+    assert words in refused.problems[0].expected
     here.executive._kinds["wait"] = WAIT
     assert here.ask(json.loads(GOOD)).accepted
 
