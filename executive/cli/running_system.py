@@ -4,60 +4,54 @@ from __future__ import annotations
 
 import json
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final, NoReturn
 
-from pydantic import JsonValue
 from rich.console import Console
 
+from tandem.executive.cli.carrying_out import (
+    USUAL_VIEW,
+    carry_out,
+    show_end,
+    tell_end,
+    write_report_of,
+)
 from tandem.executive.cli.exit_codes import ExitCode
-from tandem.executive.cli.interrupting import ends_once
 from tandem.executive.cli.lockstep_run import lockstep_of
+from tandem.executive.cli.run_ending import complain, ended
 from tandem.executive.cli.sending import describe_problems
 from tandem.executive.cli.shapes import Ran, print_json
 from tandem.executive.cli.task_lines import TaskLines
 from tandem.executive.config.fault_file import check_faults
 from tandem.executive.config.run_options import DEFAULT_ROBOT, RunOptions
 from tandem.executive.ledger.port import LedgerError, LedgerLockedError
-from tandem.executive.render.failure_words import result_lines
 from tandem.executive.system import startup_notice as taking_up
 from tandem.executive.system.births import Births
 from tandem.executive.system.crews import data_of
 from tandem.executive.system.declared_reflexes import check_reflexes
 from tandem.executive.system.first_request import hint
-from tandem.executive.system.free_endpoint import EndpointError
 from tandem.executive.system.process_system import ProcessSystem
 from tandem.executive.system.systems import (
     LedgerFailure,
     LockstepSystem,
     RefusedError,
-    RobotSystem,
     System,
-    SystemFailure,
 )
-from tandem.executive.trials.demo import Caller, Together, succeeded
-from tandem.executive.trials.run_report import Recorder, write_report
+from tandem.executive.trials.demo import Caller, succeeded
+from tandem.executive.trials.run_report import Recorder
 from tandem.executive.trials.truly import judged
-from tandem.sim.demonstration import Beside, Demonstration, View
+from tandem.sim.demonstration import Beside, Demonstration
 from tandem.sim.scenario import Scenario, read_scenario
 from tandem.sim.scene import build_scene
-from tandem.sim.truth import Truth
-from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.sources import DocumentError
-from tandem.skills.ports.tasks import TaskStatus
 from tandem.skills.site import load, locate
 from tandem.skills.testing.faulty_bus import BusFaults
 
-if TYPE_CHECKING:
-    from tandem.executive.cli.film import Film
-
-USUAL_VIEW: Final = View(eye=(0.9, -2.9, 2.2), target=(-1.6, 0.3, 0.5))
-"""From the lab's south wall: depot, home and shelf."""
 USUAL: Final = Demonstration(request={"task": "fetch", "item": 29, "to": "depot"}, view=USUAL_VIEW)
 """What a scenario is shown with that says nothing of it."""
 PICTURE: Final = Path("tandem-demo.png")
@@ -76,7 +70,7 @@ def run_demo(options: RunOptions) -> ExitCode:
             asked: System = system.of(robot) if robot else system
             return _show(options, asked, site, demo, robot=robot, console=console)
 
-    return _ended(work)
+    return ended(work)
 
 
 def run_once(options: RunOptions) -> ExitCode:
@@ -88,17 +82,17 @@ def run_once(options: RunOptions) -> ExitCode:
         with _system(options, scenario, bus_faults, console) as system:
             asked: System = system.of(robot) if robot else system
             view = (scenario.demo or USUAL).view
-            ran = _carry_out(options, asked, options.request, view, console)
+            ran = carry_out(options, asked, options.request, view, console)
             if ran is None:
                 return ExitCode.BAD_INPUT
-            taken = None if options.picture is None else _show_end(options.picture, ran.caller, view, console)
-            _tell_end(ran, console)
-            _write_report(options, ran.recorder, system, notes={}, start=ran.before, end=ran.after)
+            taken = None if options.picture is None else show_end(options.picture, ran.caller, view, console)
+            tell_end(ran, console)
+            write_report_of(options, ran.recorder, system, notes={}, start=ran.before, end=ran.after)
         if options.as_json:  # once all has ended well
             print_json(Ran(status=ran.status, picture="" if taken is None else str(taken)))
         return ExitCode.OK if succeeded(ran.status) else ExitCode.TASK_FAILED
 
-    return _ended(work, aside=options.as_json)
+    return ended(work, aside=options.as_json)
 
 
 def run_up(options: RunOptions, births: Births | None = None) -> ExitCode:
@@ -112,35 +106,46 @@ def run_up(options: RunOptions, births: Births | None = None) -> ExitCode:
         robots = scenario.robots_on_the_bus
         taken_up = _taken_up(options, robots)
         with _system(options, scenario, bus_faults, console, first=taken_up, births=births) as system:
-            buses = tuple(replace(options.bus, robot=name) for name in robots) or (options.bus,)
-            everyone = " and ".join(bus.prefix for bus in buses)
-            console.print(f"ready: {options.scenario} on {everyone} at {options.bus.endpoint}")
-            asked = replace(options, bus=buses[0])
-            console.print(f"in another terminal: {hint(asked, scenario, site)}", markup=False)
-            if options.web:
-                console.print(f"the page: http://{options.web}/", markup=False)
-            if options.record is not None:
-                console.print(f"recording into {options.record}", markup=False)
-            console.print("press Ctrl-C to stop")
-            tasks = _task_lines(system, robots, console)
-            if options.report is None:
-                if isinstance(system, ProcessSystem):
-                    system.ignore_clocks()
-                while True:  # nothing is recorded that nobody asked for: weeks of it fill the memory
-                    system.advance()
-                    for each in tasks:
-                        each.step()
-            recorder = Recorder(system.bus, system.clocks)
-            try:
-                while True:
-                    system.advance()
-                    for each in tasks:
-                        each.step()
-                    recorder.step()
-            finally:
-                _write_report(options, recorder, system, notes={})
+            _say_ready(options, scenario, site, console)
+            _watch(options, system, _task_lines(system, robots, console))
 
-    return _ended(work)
+    return ended(work)
+
+
+def _say_ready(options: RunOptions, scenario: Scenario, site: Site, console: Console) -> None:
+    """Say where the system is, and what to type in another terminal."""
+    buses = tuple(replace(options.bus, robot=name) for name in scenario.robots_on_the_bus) or (options.bus,)
+    everyone = " and ".join(bus.prefix for bus in buses)
+    console.print(f"ready: {options.scenario} on {everyone} at {options.bus.endpoint}")
+    asked = replace(options, bus=buses[0])
+    console.print(f"in another terminal: {hint(asked, scenario, site)}", markup=False)
+    if options.web:
+        console.print(f"the page: http://{options.web}/", markup=False)
+    if options.record is not None:
+        console.print(f"recording into {options.record}", markup=False)
+    console.print("press Ctrl-C to stop")
+
+
+def _watch(
+    options: RunOptions, system: LockstepSystem | ProcessSystem, tasks: Sequence[TaskLines]
+) -> NoReturn:
+    """Tell what becomes of tasks until Ctrl-C; with ``--report``, record it too.
+
+    Without one nothing is recorded: weeks of it would fill the memory.
+    """
+    recorder = None if options.report is None else Recorder(system.bus, system.clocks)
+    if recorder is None and isinstance(system, ProcessSystem):
+        system.ignore_clocks()
+    try:
+        while True:
+            system.advance()
+            for each in tasks:
+                each.step()
+            if recorder is not None:
+                recorder.step()
+    finally:
+        if recorder is not None:
+            write_report_of(options, recorder, system, notes={})
 
 
 def _task_lines(system: System, robots: Sequence[str], console: Console) -> tuple[TaskLines, ...]:
@@ -191,39 +196,6 @@ def _require_writable(folder: Path) -> None:
         ) from error
 
 
-def _ended(work: Callable[[Console], ExitCode], *, aside: bool = False) -> ExitCode:
-    """Do the work; say in words how it ended when it did not end by itself.
-
-    Args:
-        work: says what happens.
-        aside: whether that goes to standard error, as standard output is for a document.
-    """
-    console = Console(stderr=aside, highlight=False, soft_wrap=True)
-    try:
-        with ends_once():
-            return work(console)
-    except (DocumentError, EndpointError) as error:
-        _complain(f"error: {error}")
-        return ExitCode.BAD_INPUT
-    except RefusedError as error:
-        _complain(f"refused: {error}")
-        return ExitCode.REFUSED
-    except LedgerFailure as error:
-        _complain(f"error: {error}")
-        return ExitCode.UNKEPT
-    except SystemFailure as error:
-        _complain(f"error: {error}")
-        return ExitCode.TASK_FAILED
-    except KeyboardInterrupt:
-        console.print("interrupted; all processes are stopped")
-        return ExitCode.INTERRUPTED
-
-
-def _complain(words: str, style: str = "red") -> None:
-    """Say what is wrong where errors belong, whatever standard output is for."""
-    Console(stderr=True, highlight=False, soft_wrap=True).print(words, style=style, markup=False)
-
-
 def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
     scenario, source = read_scenario(options.scenario)
     if options.site:
@@ -266,7 +238,7 @@ def _system(
         console.print(line, style="yellow", markup=False)
 
     for each in options.broken:
-        _complain(str(each), "yellow")
+        complain(str(each), "yellow")
     if options.lockstep:
         with lockstep_of(options, scenario, bus_faults) as lockstep:
             yield lockstep
@@ -274,55 +246,6 @@ def _system(
 
     with ProcessSystem(options, say=say, first=first, births=births) as processes:
         yield processes
-
-
-@dataclass(frozen=True)
-class _CarriedOut:
-    """A request that was carried out: how it ended, and where the items truly were before and after."""
-
-    status: TaskStatus
-    caller: Caller
-    recorder: Recorder
-    before: dict[int, Pose]
-    after: dict[int, Pose]
-    truth: Truth
-
-
-def _carry_out(
-    options: RunOptions, system: System, request: str, view: View | None, console: Console
-) -> _CarriedOut | None:
-    """Send a request, and tell and film it to its end; None when it was rejected."""
-    recorder = Recorder(system.bus, system.clocks)
-    film = None if options.film is None else _film(system, view or USUAL_VIEW)
-    also = recorder if film is None else Together((recorder, film))
-    caller = Caller(system, lambda line: console.print(line, markup=False), also=also)
-    before = caller.truth()
-    console.print(f"request: {request}", markup=False)
-    answer = caller.request(request)
-    if not answer.accepted:
-        _complain(describe_problems(answer))
-        return None
-    status = caller.follow(answer.task, within=options.within)
-    after = caller.truth()
-    if film is not None and options.film is not None:
-        _save(film, options.film, console)
-    return _CarriedOut(status, caller, recorder, _items(before), _items(after), after)
-
-
-def _film(system: System, view: View) -> Film:
-    from tandem.executive.cli.film import Film  # noqa: PLC0415 - OpenCV, which a host with the executive alone lacks
-
-    return Film(system.bus, system.clocks, view)
-
-
-def _save(film: Film, path: Path, console: Console) -> None:
-    """Write a film; a task that was carried out is told to its end even where that fails."""
-    try:
-        film.write(path)
-    except OSError as error:
-        _complain(f"no moving picture: {error}")
-    else:
-        console.print(f"moving picture: {path.resolve()}", markup=False)
 
 
 def _ask_beside(system: System, beside: Beside, console: Console) -> None:
@@ -340,64 +263,13 @@ def _ask_beside(system: System, beside: Beside, console: Console) -> None:
 def _show(
     options: RunOptions, system: System, site: Site, demo: Demonstration, *, robot: str, console: Console
 ) -> ExitCode:
-    ran = _carry_out(options, system, json.dumps(demo.request), demo.view, console)
+    ran = carry_out(options, system, json.dumps(demo.request), demo.view, console)
     if ran is None:
         return ExitCode.BAD_INPUT
     found = judged(demo.request, ran.truth, site, robot)
     if options.picture is not None or demo.view is not None:
-        _show_end(options.picture or PICTURE, ran.caller, demo.view, console)
-    _tell_end(ran, console)
+        show_end(options.picture or PICTURE, ran.caller, demo.view, console)
+    tell_end(ran, console)
     console.print(f"ground truth: {found.words}", markup=False)
-    _write_report(options, ran.recorder, system, notes=dict(found.notes), start=ran.before, end=ran.after)
+    write_report_of(options, ran.recorder, system, notes=dict(found.notes), start=ran.before, end=ran.after)
     return ExitCode.OK if found.good and succeeded(ran.status) else ExitCode.TASK_FAILED
-
-
-def _tell_end(ran: _CarriedOut, console: Console) -> None:
-    status = ran.status
-    ended = status.state.value.lower() if status.failure is None else f"failed: {status.failure.message}"
-    console.print("\n".join((f"task {status.task} {ended}", *result_lines(status))), markup=False)
-
-
-def _show_end(path: Path, caller: Caller, view: View | None, console: Console) -> Path | None:
-    """Save a picture of the scene and say so; return its whole path, None when there is none."""
-    picture = caller.photograph(view or USUAL_VIEW)
-    if picture is None:
-        _complain("no picture: the camera did not answer")
-        return None
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_bytes(picture)
-    console.print(f"picture of the final scene: {path.resolve()}", markup=False)
-    return path.resolve()
-
-
-def _items(truth: Truth) -> dict[int, Pose]:
-    return {
-        int(body.name.removeprefix("item_")): body.pose
-        for body in truth.bodies
-        if body.name.startswith("item_")
-    }
-
-
-def _write_report(
-    options: RunOptions,
-    recorder: Recorder,
-    system: System,
-    *,
-    notes: dict[str, JsonValue],
-    start: dict[int, Pose] | None = None,
-    end: dict[int, Pose] | None = None,
-) -> None:
-    if options.report is None:
-        return
-    whole = system.whole if isinstance(system, RobotSystem) else system
-    processes = whole.pids() if isinstance(whole, ProcessSystem) else {}
-    report = recorder.report(
-        scenario=options.scenario,
-        seed=options.seed,
-        lockstep=options.lockstep,
-        start=start,
-        end=end,
-        processes=processes,
-        notes=notes,
-    )
-    write_report(options.report, report)

@@ -216,7 +216,6 @@ def _whole_system(
     from tandem.executive.cli.opening import checked_roles, refuse_without_extras  # noqa: PLC0415
     from tandem.executive.system.plugin_probe import broken as broken_plugins  # noqa: PLC0415
 
-    logs = logs_of(context)
     require_window(gui=gui, lockstep=lockstep)
     refuse_without_extras(checked_roles(None))
     checked_scenario(scenario, site, faults)

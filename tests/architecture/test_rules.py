@@ -95,7 +95,7 @@ def test_truth_is_read_by_tests_and_reports_only() -> None:
         "executive/trials/demo.py",
         "executive/trials/run_report.py",
         "executive/trials/truly.py",
-        "executive/cli/running_system.py",
+        "executive/cli/carrying_out.py",
         "executive/trials/campaigns/crash_physics.py",
         "executive/trials/campaigns/hardware_restart.py",
         "executive/trials/campaigns/oracle.py",

@@ -35,11 +35,11 @@ def test_a_command_that_can_not_raises_the_error_that_main_says() -> None:
 
 
 def test_only_two_places_write_errors() -> None:
-    """``main`` for all commands, and ``running_system`` for runs, which go on after some of them."""
+    """``main`` for all commands, and ``run_ending`` for runs, which go on after some of them."""
     makers = {
         path.relative_to(CLI).as_posix()
         for path in CLI.rglob("*.py")
         for node in ast.walk(ast.parse(path.read_text("utf-8")))
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value.startswith("error: ")
     }
-    assert makers == {"main.py", "running_system.py", "start.py"}
+    assert makers == {"main.py", "run_ending.py", "start.py"}
