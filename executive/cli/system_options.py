@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import inspect
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Final, get_type_hints
 
@@ -32,6 +33,7 @@ from tandem.executive.config.run_options import (
     DEFAULT_ENDPOINT,
     DEFAULT_ROBOT,
     DEFAULT_SITE,
+    BusOptions,
     RunOptions,
 )
 
@@ -219,20 +221,54 @@ def _whole_system(
     require_window(gui=gui, lockstep=lockstep)
     refuse_without_extras(checked_roles(None))
     checked_scenario(scenario, site, faults)
+    simulated = simulation_options(
+        context,
+        bus_options(connect, site_key, robot),
+        scenario=scenario,
+        site=site,
+        faults=faults,
+        seed=seed,
+        speed=speed,
+        gui=gui,
+        report=report,
+    )
+    return replace(
+        simulated,
+        lockstep=lockstep,
+        broken=broken_plugins(),
+        picture=picture,
+        film=checked_film(film),
+        record=folder_of_run(record_to, lockstep=lockstep),
+    )
+
+
+def simulation_options(
+    context: typer.Context,
+    bus: BusOptions,
+    *,
+    scenario: str,
+    site: str,
+    faults: Path | None,
+    seed: int,
+    speed: str,
+    gui: bool,
+    report: Path | None,
+) -> RunOptions:
+    """Return what every command that starts a system asks for: a simulation on a bus, and logs of it.
+
+    Raises:
+        CommandError: when the speed is none.
+    """
+    logs = logs_of(context)
     return RunOptions(
-        bus=bus_options(connect, site_key, robot),
+        bus=bus,
         scenario=scenario,
         site=site,
         faults=faults,
         seed=seed,
         speed=speed_of(speed),
         gui=gui,
-        lockstep=lockstep,
         report=report,
-        broken=broken_plugins(),
-        picture=picture,
-        film=checked_film(film),
-        record=folder_of_run(record_to, lockstep=lockstep),
         log=logs.file,
         verbose=logs.verbose,
         log_format=logs.format,

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
+from typing import NoReturn
 
 import typer
 
@@ -12,13 +14,11 @@ from tandem.executive.cli.errors import CommandError
 from tandem.executive.cli.option_checks import (
     checked_scenario,
     folder_of_recordings,
-    logs_of,
     metrics_address,
     on_restart_of,
     page_address,
     processes_of,
     require_window,
-    speed_of,
     traces_address,
 )
 from tandem.executive.cli.system_options import (
@@ -44,6 +44,7 @@ from tandem.executive.cli.system_options import (
     Speed,
     TracesTo,
     Window,
+    simulation_options,
     starts_system,
 )
 from tandem.executive.config.run_options import BusOptions, RunOptions, default_data
@@ -100,7 +101,6 @@ def up(
     from tandem.executive.system.plugin_probe import broken as broken_plugins  # noqa: PLC0415
     from tandem.executive.trials.provenance import checkout  # noqa: PLC0415
 
-    logs = logs_of(context)
     if lockstep:
         raise CommandError(
             "up --lockstep: lockstep has its own bus that no client can reach; "
@@ -113,36 +113,42 @@ def up(
     roles = checked_roles(only, {each.plugin.key: each.error for each in broken})
     refuse_without_extras(roles)
     folder = data or default_data(bus, os.environ)
-    options = RunOptions(
-        bus=bus,
-        data=folder,
-        on_restart=on_restart_of(on_restart),
+    simulated = simulation_options(
+        context,
+        bus,
         scenario=scenario,
         site=site,
         faults=faults,
         seed=seed,
-        speed=speed_of(speed),
+        speed=speed,
         gui=gui,
         report=report,
-        log=logs.file,
-        verbose=logs.verbose,
-        log_format=logs.format,
-        metrics=metrics_address(metrics),
-        traces=traces_address(traces),
-        web=page_address(web_at or PAGE_AT, bus) if web or web_at is not None else "",
-        black_box=True,
-        record=(folder_of_recordings(record_to, folder, roles) if record or record_to is not None else None),
-        record_pictures=record_pictures,
-        commit=checkout()[0],
-        person=person(bus),
-        silent_after=silent_after,
-        listen=checked_endpoints(bus, listen or (), insecure=insecure)
-        if not roles or "router" in roles
-        else (),
-        only=roles,
-        processes=processes_of(processes),
-        broken=broken,
     )
+    routes, records = not roles or "router" in roles, record or record_to is not None
+    _keep_up(
+        replace(
+            simulated,
+            data=folder,
+            on_restart=on_restart_of(on_restart),
+            metrics=metrics_address(metrics),
+            traces=traces_address(traces),
+            web=page_address(web_at or PAGE_AT, bus) if web or web_at is not None else "",
+            black_box=True,
+            record=folder_of_recordings(record_to, folder, roles) if records else None,
+            record_pictures=record_pictures,
+            commit=checkout()[0],
+            person=person(bus),
+            silent_after=silent_after,
+            listen=checked_endpoints(bus, listen or (), insecure=insecure) if routes else (),
+            only=roles,
+            processes=processes_of(processes),
+            broken=broken,
+        )
+    )
+
+
+def _keep_up(options: RunOptions) -> NoReturn:
+    """Run it to its end; a nursery begins to load first, for the processes to be born from."""
     _check_map(options)
     from tandem.executive.system.births import begun  # noqa: PLC0415
 
