@@ -1,7 +1,8 @@
 """The one server adapter: turns any skill into an action over the bus.
 
-A goal is answered at once: accepted, or rejected and why. Its status is published on each change and, while
-feedback comes, ten times a second; how it ended is kept, so that a late or reconnecting client can ask.
+A goal is answered at once: accepted, or rejected and why. ``goal_statuses`` publishes how it stands on each
+change and, while feedback comes, ten times a second; how it ended is kept, so that a late or reconnecting
+client can ask.
 The same id sent twice starts once, and one that was rejected stays so. A client that is gone has its goal
 cancelled.
 """
@@ -15,8 +16,8 @@ from typing import Final, Generic
 
 from pydantic import ValidationError
 
-from tandem.skills.ended_goals import EndedGoals
 from tandem.skills.goal_journal import GoalJournal
+from tandem.skills.goal_statuses import GoalStatuses
 from tandem.skills.pipeline import Pipeline
 from tandem.skills.ports.action import (
     AskResult,
@@ -27,7 +28,6 @@ from tandem.skills.ports.action import (
     command_service,
     goal_service,
     result_service,
-    status_topic,
     task_of,
 )
 from tandem.skills.ports.bus import Bus
@@ -43,8 +43,6 @@ from tandem.skills.ports.skill import Command, F, G, Outcome, R, Run, Skill, Sli
 
 log = logging.getLogger(__name__)
 
-FEEDBACK_PERIOD: Final = 0.1
-"""Robot seconds between two published statuses with new feedback only."""
 COMMANDER: Final = "executive"
 """The role whose commands the servers obey."""
 ORPHANED_AFTER: Final = 1.0
@@ -107,13 +105,9 @@ class ActionServer(Generic[G, F, R]):
                 answering(result_service(name), self._on_question),
             ),
         )
-        self._topic = status_topic(name)
+        self._statuses = GoalStatuses(bus, clocks, name)
         self._fence = Listening(bus, COMMANDER)
         self._current: _Current[F, R] | None = None
-        self._now: GoalStatus | None = None  # of the goal under way
-        self._ended = EndedGoals()
-        self._sequence = 0
-        self._published_at = float("-inf")
         self._journal: GoalJournal | None = None
         bus.announce(f"skill/{name}")
 
@@ -153,63 +147,53 @@ class ActionServer(Generic[G, F, R]):
         self._fence.close()
 
     def _on_goal(self, sent: SendGoal) -> GoalStatus:
-        known = self._fenced(sent, sent.goal_id) or self._find(sent.goal_id)
+        known = self._fenced(sent, sent.goal_id) or self._statuses.find(sent.goal_id)
         if known is not None:
             return known
         before = self._current
         try:
-            off = self._ended.is_called_off(sent.goal_id)
-            status = self._status(sent.goal_id, GoalState.CANCELED) if off else self._start(sent)
+            off = self._statuses.ended.is_called_off(sent.goal_id)
+            status = self._statuses.of(sent.goal_id, GoalState.CANCELED) if off else self._start(sent)
         except Exception as error:
             log.exception("a goal's check raised", extra=self._about(sent.goal_id))
             self._current = before
             crashed = self._failure(FailureKind.SKILL_CRASHED, repr(error))
-            status = self._status(sent.goal_id, GoalState.REJECTED, failure=crashed)
+            status = self._statuses.of(sent.goal_id, GoalState.REJECTED, failure=crashed)
         if status.state.terminal:
-            self._ended.rejected(sent.goal_id, status)
+            self._statuses.ended.rejected(sent.goal_id, status)
         return status
-
-    @property
-    def _state(self) -> GoalState:
-        """Of the goal under way."""
-        return GoalState.UNKNOWN if self._now is None else self._now.state
-
-    def _find(self, goal_id: str) -> GoalStatus | None:
-        if self._now is not None and self._now.goal_id == goal_id:
-            return self._now
-        return self._ended.find(goal_id)
 
     def _reject(self, problems: tuple[Problem, ...]) -> GoalStatus:
         failure = self._failure(FailureKind.INVALID_GOAL, in_words(problems))
-        return self._status("", GoalState.REJECTED, failure=failure)
+        return self._statuses.of("", GoalState.REJECTED, failure=failure)
 
     def _start(self, sent: SendGoal) -> GoalStatus:
         try:
             goal = self._skill.action.goal.model_validate(sent.goal)
         except ValidationError as error:
             failure = self._failure(FailureKind.INVALID_GOAL, in_words(problems_of(error)))
-            return self._status(sent.goal_id, GoalState.REJECTED, failure=failure)
+            return self._statuses.of(sent.goal_id, GoalState.REJECTED, failure=failure)
         if self._journal is not None and sent.goal_id in self._journal.before:
             text = (
                 f"{sent.goal_id} was accepted before this process was started anew; how it ended is not known"
             )
             lost = self._failure(FailureKind.SKILL_LOST, text)
-            return self._status(sent.goal_id, GoalState.FAILED, failure=lost)
+            return self._statuses.of(sent.goal_id, GoalState.FAILED, failure=lost)
         if self._current is not None:
             busy = self._failure(FailureKind.BUSY, f"{self.name} is at goal {self._current.goal_id}")
-            return self._status(sent.goal_id, GoalState.REJECTED, failure=busy)
+            return self._statuses.of(sent.goal_id, GoalState.REJECTED, failure=busy)
         refusal = self._skill.check(goal)
         if refusal is not None:
-            return self._status(sent.goal_id, GoalState.REJECTED, failure=refusal)
+            return self._statuses.of(sent.goal_id, GoalState.REJECTED, failure=refusal)
         unstored = self._store(sent.goal_id)
         if unstored is not None:
-            return self._status(sent.goal_id, GoalState.REJECTED, failure=unstored)
+            return self._statuses.of(sent.goal_id, GoalState.REJECTED, failure=unstored)
         log.info("goal begins", extra=self._about(sent.goal_id))
         run = self._skill.run(goal, sent.goal_id)
         begun = self._clocks.robot()
         marks = tuple(pipeline.mark() for pipeline in self._pipelines)
         self._current = _Current(sent.goal_id, sent.client, run, begun, lease=sent.lease, marks=marks)
-        return self._change(sent.goal_id, GoalState.RUNNING)
+        return self._statuses.change(sent.goal_id, GoalState.RUNNING)
 
     def _store(self, goal_id: str) -> Failure | None:
         """Write the id down; a failure when the disk is full: a goal that may start twice is not started."""
@@ -229,10 +213,10 @@ class ActionServer(Generic[G, F, R]):
             return refused
         if self._current is not None and self._current.goal_id == asked.goal_id:
             self._command(self._current, asked.command)
-        found = self._find(asked.goal_id)
+        found = self._statuses.find(asked.goal_id)
         if found is None and asked.command is Command.CANCEL:
-            self._ended.call_off(asked.goal_id)
-        return found or self._status(asked.goal_id, GoalState.UNKNOWN)
+            self._statuses.ended.call_off(asked.goal_id)
+        return found or self._statuses.of(asked.goal_id, GoalState.UNKNOWN)
 
     def _fenced(self, command: Leased, goal_id: str) -> GoalStatus | None:
         """Return the refusal of a command whose sender has no lease, or has been replaced; None: obey it."""
@@ -241,10 +225,10 @@ class ActionServer(Generic[G, F, R]):
             return None
         log.warning("%s: refused goal %s: %s", self.name, goal_id, refusal.reason)
         kind = FailureKind.SUPERSEDED if refusal.over else FailureKind.NOT_READY
-        return self._status(goal_id, GoalState.REJECTED, failure=self._failure(kind, refusal.reason))
+        return self._statuses.of(goal_id, GoalState.REJECTED, failure=self._failure(kind, refusal.reason))
 
     def _command(self, current: _Current[F, R], command: Command) -> None:
-        state = self._state
+        state = self._statuses.state
         if state is GoalState.CANCELING or command is Command.GO_ON:
             return
         if command is Command.RESUME and state is not GoalState.PAUSED:
@@ -256,10 +240,10 @@ class ActionServer(Generic[G, F, R]):
             Command.PAUSE: GoalState.PAUSED,
             Command.RESUME: GoalState.RUNNING,
         }
-        self._change(current.goal_id, after[command])
+        self._statuses.change(current.goal_id, after[command])
 
     def _on_question(self, asked: AskResult) -> GoalStatus:
-        return self._find(asked.goal_id) or self._status(asked.goal_id, GoalState.UNKNOWN)
+        return self._statuses.find(asked.goal_id) or self._statuses.of(asked.goal_id, GoalState.UNKNOWN)
 
     def _watch_client(self) -> None:
         current = self._current
@@ -304,14 +288,14 @@ class ActionServer(Generic[G, F, R]):
                 current.run.close()
         if current.overridden is None or any(each.override is not None for each in self._pipelines):
             return
-        if self._state is GoalState.CANCELING:
+        if self._statuses.state is GoalState.CANCELING:
             self._end(GoalState.CANCELED)
         else:
             self._end(GoalState.FAILED, failure=current.overridden)
 
     def _stand_by(self, current: _Current[F, R], *, awake: bool) -> None:
         """Come to rest while the client does not go on, and go on when it does."""
-        state = self._state
+        state = self._statuses.state
         if not awake and not current.stands_by and state is GoalState.RUNNING:
             log.warning(
                 "%s: client %s is silent, goal %s stands by", self.name, current.client, current.goal_id
@@ -347,7 +331,7 @@ class ActionServer(Generic[G, F, R]):
                 self._end(GoalState.FAILED, failure=self._failure(FailureKind.SKILL_CRASHED, repr(error)))
                 return False
             if not isinstance(yielded, Slice):
-                self._feed_back(current.goal_id, yielded)
+                self._statuses.feed_back(current.goal_id, yielded)
                 return current.command is not Command.GO_ON
             if not self._charge:
                 return True
@@ -370,53 +354,7 @@ class ActionServer(Generic[G, F, R]):
         goal_id, self._current = self._current.goal_id, None
         kind = "" if failure is None else str(failure.kind)
         log.info("goal ended", extra={**self._about(goal_id), "state": str(state), "kind": kind})
-        self._change(goal_id, state, result=result, failure=failure)
-
-    def _feed_back(self, goal_id: str, feedback: F) -> None:
-        now = robot_seconds(self._clocks)
-        document = feedback.model_dump(mode="json")
-        if now - self._published_at < FEEDBACK_PERIOD:
-            return
-        if self._now is not None and document == self._now.feedback:
-            return
-        self._change(goal_id, self._state, feedback=feedback)
-
-    def _change(
-        self,
-        goal_id: str,
-        state: GoalState,
-        *,
-        feedback: Message | None = None,
-        result: Message | None = None,
-        failure: Failure | None = None,
-    ) -> GoalStatus:
-        status = self._status(goal_id, state, feedback=feedback, result=result, failure=failure)
-        self._now = None if state.terminal else status
-        if state.terminal:
-            self._ended.ended(goal_id, status)
-        self._published_at = robot_seconds(self._clocks)
-        self._topic.publish(self._bus, status)
-        return status
-
-    def _status(
-        self,
-        goal_id: str,
-        state: GoalState,
-        *,
-        feedback: Message | None = None,
-        result: Message | None = None,
-        failure: Failure | None = None,
-    ) -> GoalStatus:
-        self._sequence += 1
-        return GoalStatus(
-            goal_id=goal_id,
-            state=state,
-            sequence=self._sequence,
-            stamp=self._clocks.robot(),
-            feedback=None if feedback is None else feedback.model_dump(mode="json"),
-            result=None if result is None else result.model_dump(mode="json"),
-            failure=failure,
-        )
+        self._statuses.change(goal_id, state, result=result, failure=failure)
 
     def _about(self, goal_id: str) -> dict[str, str]:
         """Return what a line of the log is about."""
