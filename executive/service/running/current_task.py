@@ -60,7 +60,7 @@ class CurrentTask:
 
     def _restore(self, memory: TaskMemory) -> None:
         run, gates = self.run, self.run.gates
-        run.winding = memory.winding
+        run.wind_down.stage = memory.winding
         for held in memory.breakpoints:
             node = gates.find(held.node)
             if isinstance(node, str):
@@ -83,7 +83,7 @@ class CurrentTask:
             "answers": {**context.dialogue.before, **context.dialogue.answers},
             "step": run.stepping,
             "go_on": run.told_to_go_on and run.ticks == 0,
-            "winding": run.winding,
+            "winding": run.wind_down.stage,
             "given_up": ending.failure if ending and ending.state is TaskState.INTERRUPTED else None,
         }
         if not run.canceling:

@@ -14,13 +14,11 @@ from py_trees.common import Status
 from pydantic import JsonValue
 
 from tandem.executive.ledger.port import LedgerError
-from tandem.executive.ledger.task_memory import Winding
 from tandem.executive.service.running.emergency_stop import EmergencyStop
 from tandem.executive.service.running.endings import (
     Ending,
     abandoned,
     hardware_lost,
-    kept_from_winding_down,
     not_at_rest,
     not_wound_down,
     raised,
@@ -36,6 +34,7 @@ from tandem.executive.service.running.time_limits import (
     SILENT_AFTER,
     WIND_DOWN_WITHIN,
 )
+from tandem.executive.service.running.wind_down import WindDown
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.message import Message
@@ -90,8 +89,8 @@ class Run:
         self.ticks = 0
         self.canceling = False
         """Whether it has been cancelled."""
-        self.winding: Winding = ""
-        """How far it is with what is done after a cancel."""
+        self.wind_down = WindDown(context, clocks)
+        """What is done after a cancel."""
         self.told_to_go_on = False
         """Whether an operator had it go on after a restart."""
         self._root, self._kind, self._clocks, self._halt = root, kind, clocks, halt
@@ -102,8 +101,6 @@ class Run:
         self._pausing = Pausing(context, clocks)
         self._ending: Ending | None = None
         self._resting = Elapsed(clocks)  # since the tree's end
-        self._winding: Elapsed | None = None  # since the wind-down began
-        self._before_winding: Failure | None = None
         self._halted: tuple[AnyGoal, ...] | None = None  # the goals for whose sake the hardware is stopped
         self._waits = False
         self._timer = TickTimer(clocks)
@@ -152,8 +149,8 @@ class Run:
 
         What is to be done after a cancel is done then; cancelled once more, that is stopped as well.
         """
-        if self.canceling and self.winding == "begun":
-            self.winding = "left"
+        if self.canceling:
+            self.wind_down.leave()
         if self._ending is None or self.yielding:
             self.canceling, self.yielding = True, False
             self._pausing.resume()
@@ -283,8 +280,9 @@ class Run:
             and (heard or self.ticks == 0 or self._timer.due)
         ):
             self._tick()
-        if self._winding is not None:
-            self._watch_winding(self._winding)
+        if self.wind_down.overdue() and self._ending is None:
+            self._stop_tree()
+            self._end_with(self._as_failed(not_wound_down(self._root.name, WIND_DOWN_WITHIN)))
         if self._ending is not None:
             self._await_rest(self._ending)
 
@@ -316,14 +314,7 @@ class Run:
             self.result = self._kind.result_of(self.context, succeeded=not self.canceling)
             self._end_with(Ending(TaskState.CANCELED if self.canceling else TaskState.SUCCEEDED))
         else:
-            self._end_with(self._as_failed(self._told() or unsaid(self._root)))
-
-    def _told(self) -> Failure | None:
-        """Return the failure that the tree has told; one from before the wind-down is not its own."""
-        failures = self.context.failures.all
-        if self._winding is None:
-            return self.context.failures.summary()
-        return failures[-1] if failures and failures[-1] is not self._before_winding else None
+            self._end_with(self._as_failed(self.wind_down.told() or unsaid(self._root)))
 
     def _as_failed(self, failure: Failure) -> Ending:
         state = TaskState.CANCELED if self.canceling else TaskState.FAILED
@@ -368,29 +359,19 @@ class Run:
 
     def _begins_winding(self, ending: Ending) -> bool:
         """Turn to what is to be done after a cancel, once; return whether there is something to do."""
-        tree = self.context.wind_down
-        if not self.canceling or tree is None or self._winding is not None or ending.failure is not None:
+        tree = self.wind_down.due(ending) if self.canceling else None
+        if tree is None:
             return False
-        if self.winding == "left":
+        prevented = self.wind_down.prevented(tree)
+        if prevented is not None:
+            self._end_with(Ending(ending.state, prevented))
             return False
-        stop = self.context.knowledge.stopped
-        if stop.stopped:
-            self._end_with(Ending(ending.state, kept_from_winding_down(tree.name, stop.by)))
-            return False
-        self.winding = "begun"
-        self._before_winding = self.context.failures.all[-1] if self.context.failures.all else None
-        self._winding, self._ending = Elapsed(self._clocks), None
-        self._root = tree
+        self.wind_down.begin()
+        self._root, self._ending = tree, None
         self._shown.turn_to(tree)
         self.gates = Breakpoints(tree, self.context)
         self._timer.look_again()
         return True
-
-    def _watch_winding(self, since: Elapsed) -> None:
-        since.update()
-        if self._ending is None and since.beyond(WIND_DOWN_WITHIN, WIND_DOWN_WITHIN):
-            self._stop_tree()
-            self._end_with(self._as_failed(not_wound_down(self._root.name, WIND_DOWN_WITHIN)))
 
     def _stop_hardware(self, stuck: tuple[AnyGoal, ...]) -> None:
         if self._ending is None:

@@ -148,7 +148,7 @@ def test_a_second_cancel_holds_after_a_crash(rig: Rig) -> None:
     task = rig.hold_before("put down")
     rig.cancel(task)
     rig.step(30)
-    assert rig.executive.running.winding == "begun"
+    assert rig.executive.running.wind_down.stage == "begun"
     rig.restart()
     rig.step(2)
     assert rig.cancel(task).accepted
