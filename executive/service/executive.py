@@ -21,17 +21,16 @@ from tandem.executive.service.intake.request_parser import Asked
 from tandem.executive.service.policy import Policy
 from tandem.executive.service.publisher import Publisher
 from tandem.executive.service.running.current_task import CurrentTask
-from tandem.executive.service.running.emergency_stop import EmergencyStop
 from tandem.executive.service.running.endings import Ending
 from tandem.executive.service.running.failure_pictures import Album, Tries
 from tandem.executive.service.running.orphaned_goals import OrphanedGoals
 from tandem.executive.service.running.sent_goals import LedgerJournal
+from tandem.executive.service.running.task_builder import TaskBuilder
 from tandem.executive.service.running.tree_run import Run
 from tandem.executive.service.running.uncollected import uncollected
 from tandem.executive.service.tasks.queue_holds import Holds
 from tandem.executive.service.tasks.resuming import Comeback, How, take_up
 from tandem.executive.service.tasks.task_book import KEPT, TaskBook
-from tandem.executive.service.tasks.time_left import Expectation
 from tandem.executive.service.tasks.wall_clock import WallClock
 from tandem.executive.service.verbs.task_control import Control
 from tandem.executive.service.verbs.task_queries import Questions
@@ -39,29 +38,22 @@ from tandem.executive.service.verbs.verb_service import Verbs
 from tandem.executive.service.whereabouts import Whereabouts
 from tandem.skills.ports.bus import Bus, Commons
 from tandem.skills.ports.clocks import Clocks
-from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.message import Message
-from tandem.skills.ports.problems import in_words
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import (
-    CancelTask,
-    ExecutiveInfo,
-    TaskState,
-)
+from tandem.skills.ports.tasks import CancelTask, ExecutiveInfo, TaskState
 from tandem.skills.ports.whereabouts import Neighbours
 from tandem.trees.clients import Clients
-from tandem.trees.context import TreeContext
-from tandem.trees.dialogue import Dialogue
 from tandem.trees.knowledge import Knowledge
 from tandem.trees.needs import unable
 from tandem.trees.task import TaskType
-from tandem.trees.task_notes import TaskNotes
 
 NAME: Final = "executive"
 """What it is announced as; goals of skills come to rest when this name is gone."""
 PRUNE_EVERY: Final = 100
 """Ended tasks after which old ones are looked for."""
 DAY: Final = 86_400.0
+"""Seconds."""
 
 _LOG = logging.getLogger(__name__)
 
@@ -141,6 +133,16 @@ class Executive:
         )
         self._tries: list[Tries] = []  # of the running task, and of those before whose picture is under way
         self._heartbeat = Heartbeat(bus, clocks)
+        self._builder = TaskBuilder(
+            bus,
+            clocks,
+            self.knowledge,
+            self.clients,
+            self.book,
+            self._ledger,
+            self._holds,
+            ticked=self._heartbeat.ticked,
+        )
         self._orphans = OrphanedGoals(bus, clocks, self.clients, self.knowledge)
         self._ended = 0
         self._closed = False
@@ -306,59 +308,15 @@ class Executive:
 
     def _begin(self, task: str, asked: Asked, how: How) -> None:
         self._publisher.tell(self.book.begin(task, self._clocks.robot()))
-        # The robot may have said who it is only after the request had been accepted.
-        try:
-            told = in_words(asked.kind.against(asked.request, self.knowledge.description))
-        except Exception as error:  # noqa: BLE001 - a kind's mistake costs its task, not the service
-            _LOG.exception("checking a request against the robot raised", extra={"task": task})
-            told = f"the check of {asked.kind.name} raised {type(error).__name__}: {error}"
-        if told:
-            failure = Failure(kind=FailureKind.INVALID_GOAL, message=told, where=asked.kind.name)
-            self._publisher.tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
+        built = self._builder.build(task, asked)
+        if isinstance(built, Failure):
+            self._publisher.tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), built))
             return
-        try:
-            self._current = self._build(task, asked)
-        except Exception as error:  # noqa: BLE001 - a builder's mistake costs its task, not the service
-            _LOG.exception("could not build a tree", extra={"task": task})
-            what = f"{type(error).__name__}: {error}"
-            text = f"building the tree raised {what}; see the executive's log for the traceback"
-            failure = Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=asked.kind.name)
-            self._publisher.tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), failure))
-            return
-        self._publisher.begin(self._current)
-        self._current.take_up(how)
-        self._publisher.changed(self._current)
-
-    def _build(self, task: str, asked: Asked) -> CurrentTask:
-        memory = self.book.entry(task).memory
-        if self.knowledge.description is None and memory.hands:
-            self.knowledge.assume_hands(memory.hands)
-        memory = memory.model_copy(update={"hands": self.knowledge.hands})
-        self.book.remember(task, memory)
-        context = TreeContext(
-            task,
-            self.clients,
-            self.knowledge,
-            self._clocks,
-            notes=TaskNotes(dict(memory.notes), self._ledger.attempts(task)),
-            dialogue=Dialogue(before=dict(memory.answers)),
-        )
-        status = self.book.get(task)
-        context.enter("", 0.0 if status is None else status.progress.fraction)
-        root = asked.kind.tree(asked.request, context)
-        self._tries.append(Tries(self._bus, self._clocks, context, self._album))
-        run = Run(
-            context,
-            root,
-            asked.kind,
-            clocks=self._clocks,
-            halt=EmergencyStop(self._bus, self._clocks),
-            ticked=self._heartbeat.ticked,
-            waits=lambda: self._holds.robot(asked.kind),
-        )
-        return CurrentTask(
-            run, asked, self.book, self._clocks, Expectation(self._ledger.past(asked.kind.name))
-        )
+        self._current = built
+        self._tries.append(Tries(self._bus, self._clocks, built.run.context, self._album))
+        self._publisher.begin(built)
+        built.take_up(how)
+        self._publisher.changed(built)
 
     # What is told.
 
