@@ -10,7 +10,7 @@ from typing import Final
 from pydantic import JsonValue
 
 from tandem.skills.geometry.floor_plan import FloorPlan
-from tandem.skills.ports.plugins import NONE, Group, Loaded
+from tandem.skills.ports.plugins import UNTRIED, Group, Loaded
 from tandem.skills.ports.plugins import load as load_plugins
 from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ports.site import Site
@@ -28,7 +28,7 @@ def names() -> tuple[str, ...]:
     )
 
 
-def plugged(left_out: Mapping[str, str] = NONE) -> Loaded[Path]:
+def plugged(left_out: Mapping[str, str] = UNTRIED) -> Loaded[Path]:
     """Return the site files of other packages: an entry point under ``tandem.sites`` names a ``Path``.
 
     Args:

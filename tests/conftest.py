@@ -13,8 +13,9 @@ from tests.fakes.packages import Installed
 
 @pytest.fixture(scope="session", autouse=True)
 def no_ledger_of_the_users(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Keep away from the ledgers that whoever runs the tests has at home."""
+    """Keep away from the ledgers, and from what is known of plug-ins, of whoever runs the tests."""
     with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
         patch.setenv("XDG_STATE_HOME", str(tmp_path_factory.mktemp("state")))
         yield
 

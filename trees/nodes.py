@@ -11,13 +11,13 @@ from collections.abc import Callable, Mapping
 
 from py_trees.behaviour import Behaviour
 
-from tandem.skills.ports.plugins import NONE, Group, Loaded, load
+from tandem.skills.ports.plugins import UNTRIED, Group, Loaded, load
 
 MakeNode = Callable[..., Behaviour]
 """Takes the node's name, the task's context, and what else it needs."""
 
 
-def plugged(left_out: Mapping[str, str] = NONE) -> Loaded[MakeNode]:
+def plugged(left_out: Mapping[str, str] = UNTRIED) -> Loaded[MakeNode]:
     """Return the nodes of other packages.
 
     Args:

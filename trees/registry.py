@@ -7,12 +7,12 @@ import pkgutil
 from collections.abc import Mapping
 
 from tandem.skills.ports.message import Message
-from tandem.skills.ports.plugins import NONE, Group, Loaded, load
+from tandem.skills.ports.plugins import UNTRIED, Group, Loaded, load
 from tandem.trees import tasks
 from tandem.trees.task import TaskType
 
 
-def discover(left_out: Mapping[str, str] = NONE) -> dict[str, TaskType[Message]]:
+def discover(left_out: Mapping[str, str] = UNTRIED) -> dict[str, TaskType[Message]]:
     """Return the tasks by name, in alphabetical order: those that ship, and those of plug-ins that load.
 
     Args:
@@ -24,7 +24,7 @@ def discover(left_out: Mapping[str, str] = NONE) -> dict[str, TaskType[Message]]
     return dict(sorted({**shipped(), **plugged(left_out).found}.items()))
 
 
-def plugged(left_out: Mapping[str, str] = NONE) -> Loaded[TaskType[Message]]:
+def plugged(left_out: Mapping[str, str] = UNTRIED) -> Loaded[TaskType[Message]]:
     """Return the tasks of other packages."""
     return load(Group.TASKS, _checked, taken=shipped(), left_out=left_out)
 

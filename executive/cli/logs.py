@@ -6,10 +6,16 @@ import logging
 import sys
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Final
+
+import typer
 
 from tandem.executive.cli.errors import CommandError
 from tandem.executive.config.log_format import LogFormat
 from tandem.executive.telemetry.logs import formatter
+
+_OF_PLUGINS: Final = "tandem.skills.ports.plugins"
+"""The log of their loader, which most commands have no need to import."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +41,8 @@ class LogOptions:
                 raise CommandError(f"--log {self.file}: cannot write: {error.strerror}") from error
         if self.verbose:
             handlers.append(logging.StreamHandler(sys.stderr))
+        else:
+            self._say_what_is_broken()
         for handler in handlers:
             handler.setFormatter(formatter(self.format, "tandem"))
         logging.basicConfig(
@@ -42,3 +50,26 @@ class LogOptions:
             handlers=handlers or [logging.NullHandler()],
             force=True,
         )
+
+    @staticmethod
+    def _say_what_is_broken() -> None:
+        """Say on standard error which plug-ins a command leaves out, once; a process of ours logs it only."""
+        log = logging.getLogger(_OF_PLUGINS)
+        for handler in [each for each in log.handlers if isinstance(each, _Teller)]:
+            log.removeHandler(handler)
+        log.addHandler(_Teller())
+
+
+class _Teller(logging.Handler):
+    """Says each warning once, in plain words."""
+
+    def __init__(self) -> None:
+        super().__init__(logging.WARNING)
+        self._said: set[str] = set()
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Say it on what standard error is now."""
+        text = record.getMessage()
+        if text not in self._said:
+            self._said.add(text)
+            typer.secho(text, err=True, fg=typer.colors.YELLOW if sys.stderr.isatty() else None)

@@ -12,7 +12,7 @@ from tandem.executive.config.extras import Extra, words_on
 from tandem.executive.config.run_options import BusOptions
 from tandem.executive.security.holders import KeysError
 from tandem.executive.security.identity import Identity, refuse_other_hosts, robot_in
-from tandem.skills.ports.plugins import NONE
+from tandem.skills.ports.plugins import UNTRIED
 from tandem.skills.wire.endpoints import is_loopback
 
 
@@ -69,7 +69,7 @@ def checked_endpoints(bus: BusOptions, listen: Sequence[str], *, insecure: bool)
     return tuple(listen)
 
 
-def checked_roles(only: str | None, left_out: Mapping[str, str] = NONE) -> tuple[str, ...]:
+def checked_roles(only: str | None, left_out: Mapping[str, str] = UNTRIED) -> tuple[str, ...]:
     """Return the roles named, in the order in which they are started; none when none is named.
 
     Args:

@@ -8,22 +8,20 @@ from __future__ import annotations
 
 import json
 import os
-import select
-import subprocess
 import sys
-import time
 from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Final
 
 from tandem.executive.config.extras import words_on_module
-from tandem.executive.system.isolation import isolated, python
 from tandem.executive.system.plugins import GROUPS
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.plugin_memory import remember
+from tandem.skills.ports.plugin_trials import STARTS_WITHIN, ChildEndedError, told_by_child
 from tandem.skills.ports.plugins import LOADS_WITHIN, OURS, Broken, Group, Plugin, in_words, installed
 
-STARTS_WITHIN: Final = 20.0
-"""Seconds that the child has besides: for Python, for our own modules, for a busy machine."""
+_MODULE: Final = "tandem.executive.system.plugin_probe"
+"""This module: in the child it is ``__main__``."""
 
 
 class Fared(Message):
@@ -65,6 +63,7 @@ def probe(*, within: float = LOADS_WITHIN) -> tuple[Fared, ...]:
     while True:
         fared, at, why = _run_child(left_out, within)
         if fared is not None:
+            remember({each.plugin(): left_out.get(each.plugin().key, "") for each in fared})
             return fared
         if not at:
             raise RuntimeError(f"the process that tries the plug-ins {why}")
@@ -73,38 +72,20 @@ def probe(*, within: float = LOADS_WITHIN) -> tuple[Fared, ...]:
 
 def _run_child(left_out: Mapping[str, str], within: float) -> tuple[tuple[Fared, ...] | None, str, str]:
     """Return what the child found; or where it was when it ended or fell silent, and which of the two."""
-    ours, theirs = os.pipe()
-    child = subprocess.Popen(  # noqa: S603 - our own interpreter and our own module
-        python("-m", "tandem.executive.system.plugin_probe", str(theirs), json.dumps(dict(left_out))),
-        env=isolated(),
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        pass_fds=(theirs,),
-        start_new_session=True,
-    )
-    os.close(theirs)
-    at, text = "", b""
+
+    def patience(last: bytes) -> float:
+        return within if last and _Told.model_validate_json(last).next else STARTS_WITHIN
+
+    at = ""
     try:
-        deadline = time.monotonic() + STARTS_WITHIN
-        while select.select([ours], [], [], max(0.0, deadline - time.monotonic()))[0]:
-            came = os.read(ours, 65_536)
-            if not came:
-                code = child.wait()
-                how = f"was ended by signal {-code}" if code < 0 else f"ended its process (exit code {code})"
-                return None, at, how
-            *lines, text = (text + came).split(b"\n")
-            for line in lines:
-                told = _Told.model_validate_json(line)
-                if told.fared is not None:
-                    return told.fared, "", ""
-                at = told.next
-                deadline = time.monotonic() + (within if at else STARTS_WITHIN)
-        return None, at, f"took longer than {within:g} s"
-    finally:
-        child.kill()
-        child.wait()
-        os.close(ours)
+        for line in told_by_child(_MODULE, json.dumps(dict(left_out)), patience):
+            told = _Told.model_validate_json(line)
+            if told.fared is not None:
+                return told.fared, "", ""
+            at = told.next
+    except ChildEndedError as ended:
+        return None, at, str(ended)
+    return None, at, "told nothing"
 
 
 def _try_all(pipe: int, left_out: Mapping[str, str]) -> None:

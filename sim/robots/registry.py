@@ -17,7 +17,7 @@ from tandem.sim import robots
 from tandem.sim.model import RobotModel
 from tandem.sim.robots.model_check import check_model
 from tandem.sim.robots.robot import Robot
-from tandem.skills.ports.plugins import NONE, Group, Loaded, installed, load
+from tandem.skills.ports.plugins import UNTRIED, Group, Loaded, installed, load
 from tandem.skills.ports.plugins import in_words as raised_in_words
 from tandem.skills.ports.problems import in_words, problems_of
 from tandem.skills.ports.sources import DocumentError
@@ -98,7 +98,7 @@ def robot_named(name: str) -> Robot:
     raise RobotError(f"no robot {name!r}; expected one of {', '.join((*shipped_here, *loaded.found))}{why}")
 
 
-def plugged(left_out: Mapping[str, str] = NONE) -> Loaded[Robot]:
+def plugged(left_out: Mapping[str, str] = UNTRIED) -> Loaded[Robot]:
     """Return the robots of other packages.
 
     Args:

@@ -12,7 +12,7 @@ from typing import Final
 
 from tandem.skills.ports.image import RgbdImage
 from tandem.skills.ports.message import Vector3
-from tandem.skills.ports.plugins import NONE, Group, Loaded, load
+from tandem.skills.ports.plugins import UNTRIED, Group, Loaded, load
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.site import SiteItem
 
@@ -39,7 +39,7 @@ TAGS: Final = "tags"
 """The name of the detector that ships."""
 
 
-def detectors(left_out: Mapping[str, str] | None = NONE) -> Mapping[str, Detector]:
+def detectors(left_out: Mapping[str, str] | None = UNTRIED) -> Mapping[str, Detector]:
     """Return the detectors by name, the one that ships first.
 
     Args:
@@ -51,7 +51,7 @@ def detectors(left_out: Mapping[str, str] | None = NONE) -> Mapping[str, Detecto
     return MappingProxyType({TAGS: of_items, **others})
 
 
-def plugged(left_out: Mapping[str, str] = NONE) -> Loaded[Detector]:
+def plugged(left_out: Mapping[str, str] = UNTRIED) -> Loaded[Detector]:
     """Return the detectors of other packages."""
     return load(Group.DETECTORS, _checked, taken=(TAGS,), left_out=left_out)
 

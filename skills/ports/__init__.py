@@ -10,5 +10,5 @@ Protocols: bus, forwarding_bus, clocks, compute, node, skill, steps.
 Serving and hearing: serving, endpoint, limits, hearing, checks, refusals.
 Who commands: lease, fencing; reflex, reflex_setting.
 Robot descriptions: packages, urdf_check, description_check.
-What other packages add: plugins. What is kept: records.
+What other packages add: plugins, plugin_trials, plugin_memory. What is kept: records.
 """

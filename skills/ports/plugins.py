@@ -1,12 +1,13 @@
 """What other packages add: the one loader of entry points, and what becomes of a plug-in that is broken.
 
 A package declares a plug-in in its ``pyproject.toml`` under ``[project.entry-points."tandem.tasks"]`` and the
-like. A plug-in that raises, hangs at import, is of the wrong kind or claims a taken name is left out and
-named with its error; the others are loaded. See docs/plugins.md.
+like. A plug-in that raises, hangs at import, ends its process, is of the wrong kind or claims a taken name is
+left out and named with its error; the others are loaded. See docs/plugins.md.
 """
 
 from __future__ import annotations
 
+import logging
 import re
 import signal
 import sys
@@ -30,10 +31,11 @@ LOADS_WITHIN: Final = 10.0
 slow computer; a plug-in should import such a library where it uses it."""
 NAME: Final = re.compile(r"[a-z][a-z0-9_]{0,63}")
 """A plug-in's name: it becomes a word of commands, of keys on the bus and of file names."""
-NONE: Final[Mapping[str, str]] = MappingProxyType({})
-"""No plug-in is known not to load."""
+UNTRIED: Final[Mapping[str, str]] = MappingProxyType({})
+"""Nobody has tried the plug-ins before: ``load`` does it, each new one in a process of its own first."""
 OURS: Final = "tandem-executive"
 """The package whose entry points are Tandem's own."""
+_LOG = logging.getLogger(__name__)
 
 
 class Group(StrEnum):
@@ -135,7 +137,7 @@ def load(
     checked: Callable[[str, object], Value],
     *,
     taken: Collection[str] = (),
-    left_out: Mapping[str, str] = NONE,
+    left_out: Mapping[str, str] = UNTRIED,
     within: float = LOADS_WITHIN,
 ) -> Loaded[Value]:
     """Load the plug-ins of a group. Never raises for what a plug-in does.
@@ -145,13 +147,16 @@ def load(
         checked: takes the name and the object of an entry point, and returns the object when it is of the
             right kind; ``TypeError`` says what was expected. It calls nothing of the plug-in's.
         taken: names that the group has without plug-ins.
-        left_out: errors by ``Plugin.key`` of those that are known not to load; they are not tried again.
-        within: seconds for the import of one. Only the main thread can keep it.
+        left_out: errors by ``Plugin.key`` of those that are known not to load; they are not tried again, and
+            neither are the others. UNTRIED: those that are new are tried in a process of their own
+            (``plugin_trials``), and what is broken is logged as a warning.
+        within: seconds for the import of one. In this process only the main thread can keep it.
     """
     found: dict[str, Value] = {}
     broken, origins = list[Broken](), dict[str, Plugin]()
+    known = _harm_of(group, within) if left_out is UNTRIED else left_out
     for plugin in installed(group):
-        error = left_out.get(plugin.key) or _misnamed(plugin, taken, origins)
+        error = known.get(plugin.key) or _misnamed(plugin, taken, origins)
         if not error:
             try:
                 with _time_limit(within):
@@ -166,7 +171,28 @@ def load(
             broken.append(Broken(plugin, error))
         else:
             origins[plugin.name] = plugin
+    for each in broken if left_out is UNTRIED else ():
+        _LOG.warning("%s", each)
     return Loaded(MappingProxyType(found), tuple(broken), MappingProxyType(origins))
+
+
+def _harm_of(group: Group, within: float) -> Mapping[str, str]:
+    """Return why plug-ins of a group must not be imported in this process, by key; try those that are new."""
+    others = [plugin for plugin in installed(group) if plugin.package != OURS]
+    if not others:
+        return UNTRIED
+    from tandem.skills.ports.plugin_memory import remembered  # noqa: PLC0415 - only where there are plug-ins
+
+    known = remembered(others)
+    if new := [plugin for plugin in others if plugin.key not in known]:
+        from tandem.skills.ports.plugin_trials import try_out  # noqa: PLC0415 - costs 10 ms
+
+        known |= try_out(new, within)
+    return {
+        plugin.key: f"{why}; mend {plugin.package} or uninstall it, and try it with `tandem plugins`"
+        for plugin in others
+        if (why := known[plugin.key])
+    }
 
 
 def _misnamed(plugin: Plugin, taken: Collection[str], origins: Mapping[str, Plugin]) -> str:

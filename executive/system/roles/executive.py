@@ -13,7 +13,7 @@ from tandem.executive.system.roles.role import Role, Stage, process_rights
 from tandem.skills.ports.bus import Bus, Commons
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.node import Node
-from tandem.skills.ports.plugins import NONE
+from tandem.skills.ports.plugins import UNTRIED
 from tandem.skills.ports.site import Site
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def executive_node(
     ledger: Ledger | None = None,
     on_restart: OnRestart = "resume",
     died: str = "",
-    left_out: Mapping[str, str] | None = NONE,
+    left_out: Mapping[str, str] | None = UNTRIED,
     commons: Commons | None = None,
     robot: str = "",
 ) -> Node:

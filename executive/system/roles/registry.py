@@ -18,7 +18,7 @@ from tandem.executive.security.role import Part
 from tandem.executive.system import roles
 from tandem.executive.system.roles.role import Family, Kind, Role
 from tandem.executive.system.roles.skill_type import SkillType
-from tandem.skills.ports.plugins import NONE, Group, Loaded, installed, load
+from tandem.skills.ports.plugins import UNTRIED, Group, Loaded, installed, load
 from tandem.skills.ports.robot_description import RobotDescription
 
 _PART: Final[Mapping[Kind, Part]] = MappingProxyType(
@@ -54,24 +54,24 @@ def families() -> tuple[Family, ...]:
     return tuple(module.FAMILY for module in _modules() if hasattr(module, "FAMILY"))
 
 
-def plugged_roles(left_out: Mapping[str, str] = NONE) -> Loaded[Role]:
+def plugged_roles(left_out: Mapping[str, str] = UNTRIED) -> Loaded[Role]:
     """Return the roles of other packages."""
     return load(Group.ROLES, _checked_role, taken=_taken(), left_out=left_out)
 
 
-def plugged_skills(left_out: Mapping[str, str] = NONE) -> Loaded[Role]:
+def plugged_skills(left_out: Mapping[str, str] = UNTRIED) -> Loaded[Role]:
     """Return the skills of other packages, each as the role of the process that serves it."""
     taken = {*_taken(), *plugged_roles(left_out).found}
     return load(Group.SKILLS, _checked_skill, taken=taken, left_out=left_out)
 
 
-def plugged(left_out: Mapping[str, str] = NONE) -> Mapping[str, Role]:
+def plugged(left_out: Mapping[str, str] = UNTRIED) -> Mapping[str, Role]:
     """Return the roles that other packages add, with those of their skills, in the order of their start."""
     found = {**plugged_roles(left_out).found, **plugged_skills(left_out).found}
     return MappingProxyType({role.name: role for role in _in_order(found.values())})
 
 
-def every(left_out: Mapping[str, str] = NONE) -> Mapping[str, Role]:
+def every(left_out: Mapping[str, str] = UNTRIED) -> Mapping[str, Role]:
     """Return all roles but those of families, in the order in which they are started."""
     found = _in_order((*shipped().values(), *plugged(left_out).values()))
     return MappingProxyType({role.name: role for role in found})
@@ -140,7 +140,7 @@ def part_of(role: Role) -> Part:
     return _PART[role.kind]
 
 
-def rights_of_parts(left_out: Mapping[str, str] = NONE) -> Mapping[Part, Rights]:
+def rights_of_parts(left_out: Mapping[str, str] = UNTRIED) -> Mapping[Part, Rights]:
     """Return what each part of the robot may do: all that any of its roles may, plug-ins' with them."""
     found: dict[Part, Rights] = {}
     of_families = [family.role("any") for family in families()]

@@ -8,7 +8,7 @@ from typing import Any, Final
 
 from tandem.skills.base.reflexes import approach, avoid_collision, base_guard, bumper, cliff
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
-from tandem.skills.ports.plugins import NONE, Group, Loaded, installed, load
+from tandem.skills.ports.plugins import UNTRIED, Group, Loaded, installed, load
 from tandem.skills.ports.reflex import BASE
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
@@ -23,7 +23,7 @@ SHIPPED: Final[Mapping[str, BaseReflex]] = MappingProxyType(
 """Those that come along, by name."""
 
 
-def reflexes(left_out: Mapping[str, str] | None = NONE) -> tuple[BaseReflex, ...]:
+def reflexes(left_out: Mapping[str, str] | None = UNTRIED) -> tuple[BaseReflex, ...]:
     """Return the base's reflexes, those that come along first.
 
     Args:
@@ -55,7 +55,7 @@ def chosen_for(
     return chosen(types, robot, (BASE,), declared, elsewhere=elsewhere)
 
 
-def plugged(left_out: Mapping[str, str] = NONE) -> Loaded[BaseReflex]:
+def plugged(left_out: Mapping[str, str] = UNTRIED) -> Loaded[BaseReflex]:
     """Return the reflexes of other packages."""
     return load(Group.REFLEXES, _checked, taken=SHIPPED, left_out=left_out)
 

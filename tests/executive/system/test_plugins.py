@@ -153,7 +153,7 @@ def test_what_is_of_another_kind_is_left_out(
 
 
 def test_one_that_raises_one_that_hangs_one_that_ends_its_process_and_one_that_claims_a_taken_name(
-    installed: Installed,
+    installed: Installed, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     entries = {
         "raises": "raises:TASK",
@@ -185,11 +185,31 @@ def test_one_that_raises_one_that_hangs_one_that_ends_its_process_and_one_that_c
     loaded = plugged_tasks(left_out)
     assert list(loaded.found) == ["good"]
     assert {each.error for each in loaded.broken} == set(left_out.values())
+    monkeypatch.setattr("tandem.skills.ports.plugin_trials._tried", None)  # later commands try none again
+    harm = {each.plugin.name: each.error.partition(";")[0] for each in plugged_tasks().broken}
+    assert {name: harm[name] for name in ("hangs", "ends")} == {
+        name: errors[name] for name in ("hangs", "ends")
+    }
 
 
 def test_where_only_our_own_are_installed_no_process_is_started(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tandem.executive.system.plugin_probe._run_child", None)
     assert broken() == ()
+
+
+def test_a_command_names_one_that_ends_its_process_and_does_its_work(
+    capsys: pytest.CaptureFixture[str], installed: Installed
+) -> None:
+    modules = {"ends": "import os\nos._exit(3)", "good": TASK.format(name="good")}
+    installed.add("somebody", modules, {"tandem.tasks": {"a_bad": "ends:TASK", "good": "good:TASK"}})
+    for _ in range(2):
+        assert main(["tree", "list"]) == 0
+        said = capsys.readouterr()
+        assert "good" in said.out
+        assert said.err == (
+            "plug-in tasks/a_bad (somebody 1.0) is left out: its import ended its process (exit code 3); "
+            "mend somebody or uninstall it, and try it with `tandem plugins`\n"
+        )
 
 
 @pytest.mark.usefixtures("somebody")

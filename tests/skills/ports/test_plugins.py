@@ -13,6 +13,8 @@ from tandem.skills.ports.plugins import installed as declared
 from tests.fakes.packages import Installed
 
 GOOD = "VALUE = 'mine'\n"
+TRIED: Final[dict[str, str]] = {}
+"""All were tried before: none is tried in a process of its own."""
 BAD = {
     "raises": ("raise ValueError('no licence\\nfound')", "ValueError: no licence found (", "raises.py:1)"),
     "exits": ("raise SystemExit(3)", "SystemExit: 3 (", "exits.py:1)"),
@@ -40,7 +42,7 @@ def test_one_that_can_not_be_loaded_is_named_and_the_rest_runs(installed: Instal
     source, error, place = BAD[bad]
     entries = {"a_bad": f"{bad}:VALUE", "good": "good:VALUE"}
     installed.add("somebody", {bad: source, "good": GOOD}, {"tandem.nodes": entries})
-    loaded = load(Group.NODES, text, within=0.3)
+    loaded = load(Group.NODES, text, left_out=TRIED, within=0.3)
     assert dict(loaded.found) == {"good": "mine"}
     (broken,) = loaded.broken
     assert str(broken).startswith(f"plug-in nodes/a_bad (somebody 1.0) is left out: {error}")
@@ -65,7 +67,7 @@ TAKEN: Final = (
 def test_a_name_is_taken_once(installed: Installed, name: str, taken: tuple[str, ...], error: str) -> None:
     installed.add("a-first", {"first": GOOD}, {"tandem.nodes": {"theirs": "first:VALUE"}})
     installed.add("somebody", {"good": GOOD}, {"tandem.nodes": {name: "good:VALUE"}})
-    loaded = load(Group.NODES, text, taken=taken)
+    loaded = load(Group.NODES, text, taken=taken, left_out=TRIED)
     assert dict(loaded.found) == {"theirs": "mine"}
     assert [(each.plugin.package, each.error) for each in loaded.broken] == [("somebody", error)]
     assert loaded.origins["theirs"].package == "a-first"
@@ -81,7 +83,7 @@ def test_one_that_is_known_not_to_load_is_not_tried(installed: Installed) -> Non
 def test_ctrl_c_is_no_fault_of_a_plug_in(installed: Installed) -> None:
     installed.add("somebody", {"bad": "raise KeyboardInterrupt"}, {"tandem.nodes": {"bad": "bad:VALUE"}})
     with pytest.raises(KeyboardInterrupt):
-        load(Group.NODES, text)
+        load(Group.NODES, text, left_out=TRIED)
 
 
 def test_what_packages_declare_is_read_once_until_one_is_added(
