@@ -17,6 +17,8 @@ from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
+from tandem.skills.ports.plain_json import read_json
+
 if TYPE_CHECKING:
     from tandem.skills.ports.plugins import Plugin
 
@@ -116,7 +118,7 @@ def _name(plugin: Plugin) -> str:
 def _read(path: Path) -> dict[str, tuple[str, str]]:
     """Return what a memory holds, by the plug-ins' names in it; nothing where it can't be read."""
     try:
-        held = json.loads(path.read_bytes())
+        held = read_json(path.read_bytes())
     except (OSError, ValueError):
         return {}
     return {

@@ -19,6 +19,7 @@ from collections.abc import Callable, Iterator, Sequence
 from importlib.metadata import EntryPoint
 from typing import IO, TYPE_CHECKING, Final
 
+from tandem.skills.ports.plain_json import read_json
 from tandem.skills.ports.plugin_memory import remember
 
 if TYPE_CHECKING:
@@ -143,7 +144,7 @@ def _last_of(words: IO[bytes]) -> str:
 
 
 def _try_all(pipe: int, given: str) -> None:
-    told = json.loads(given)
+    told = read_json(given)
     sys.path[:] = told["path"]
     for number, (name, target, group) in enumerate(told["entries"]):
         os.write(pipe, b"%d\n" % number)
