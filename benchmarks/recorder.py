@@ -13,10 +13,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from tandem.executive.config.run_options import BusOptions, RunOptions
-from tandem.executive.system.isolation import isolate_children
 from tandem.executive.system.process_system import ProcessSystem
 from tandem.executive.system.process_usage import processor_seconds
 from tandem.executive.system.roles.recorder import NAME
+from tandem.skills.ports.isolation import isolate_children
 from tandem.skills.ports.tasks import REQUEST
 from tandem.skills.wire.clocks import HostClocks
 

@@ -7,5 +7,5 @@ What leaves hand to each other: board, hand_board, hand_task, fetch_notes, inspe
 The same on wheels: course, rounds, pursuit.
 In requests: places, item_number.
 Failures: recovery_kinds, item_failures, closing.
-A tree as data: snapshot, possible, breakpoints; its end: dissolve.
+A tree as data: node_paths, snapshot, possible, breakpoints; its end: dissolve.
 """

@@ -11,6 +11,7 @@ from py_trees.common import Status
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.tasks import ForcedStatus, Side
 from tandem.trees.context import TreeContext
+from tandem.trees.node_paths import paths
 
 
 @dataclass(eq=False)
@@ -47,8 +48,11 @@ class Breakpoints:
     _gates: dict[Behaviour, _Gate] = field(default_factory=dict)
 
     def find(self, name: str) -> Behaviour | str:
-        """Return the node of this name or path, or why there is none."""
-        named = [(path, node) for path, node in _paths(self.root) if name in {path, node.name}]
+        """Return the node of this path or name, or why there is none. The root's name is its path."""
+        every = tuple(paths(self.root))
+        named = [each for each in every if name == each[0]] or [
+            each for each in every if name == each[1].name
+        ]
         if not named:
             return f"no node {name[:80]!r} in the tree"
         if len(named) > 1:
@@ -95,7 +99,7 @@ class Breakpoints:
 
     def _by_path(self) -> Iterator[tuple[str, _Gate]]:
         if self._gates:
-            yield from ((path, self._gates[node]) for path, node in _paths(self.root) if node in self._gates)
+            yield from ((path, self._gates[node]) for path, node in paths(self.root) if node in self._gates)
 
     def release(self) -> None:
         """Let the tree go on from where it is held."""
@@ -152,10 +156,3 @@ class Breakpoints:
             text = "the node was forced to fail, for a test"
             self.context.failures.add(Failure(kind=FailureKind.SKILL_CRASHED, message=text, where=node.name))
         node.status = status
-
-
-def _paths(root: Behaviour, above: str = "") -> Iterator[tuple[str, Behaviour]]:
-    path = f"{above}/{root.name}" if above else root.name
-    yield path, root
-    for child in root.children:
-        yield from _paths(child, path)

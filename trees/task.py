@@ -16,6 +16,7 @@ from tandem.skills.ports.site import Site
 from tandem.trees.context import TreeContext
 from tandem.trees.knowledge import Knowledge
 from tandem.trees.needs import Needs, unable
+from tandem.trees.node_paths import check_paths
 
 MAX_RESULT_BYTES: Final = 16 * 1024
 """Of a result as JSON. Each status carries it, and a page of the history has a hundred; what is larger
@@ -115,11 +116,15 @@ class TaskType(Generic[Asked]):
         """Build the tree.
 
         Raises:
-            TypeError: when the kind's own ``build`` returns no node.
+            TypeError: when the kind's own ``build`` returns no node, or a tree with two nodes that nothing
+                tells apart (``tandem.trees.node_paths``).
         """
         root: object = self.build(request, context)
         if not isinstance(root, Behaviour):
             raise TypeError(f"expected a node of py_trees from `build`, found {root!r}")
+        for each in (root, context.wind_down):
+            if each is not None:
+                check_paths(each)
         return root
 
     def waiting(self, knowledge: Knowledge) -> str:

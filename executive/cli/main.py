@@ -51,8 +51,8 @@ from tandem.executive.cli.exit_codes import MEANINGS, ExitCode
 from tandem.executive.cli.logs import LogOptions
 from tandem.executive.config.extras import words_on_module
 from tandem.executive.config.log_format import LogFormat
-from tandem.executive.system.isolation import isolate_children
 from tandem.executive.system.quiet_screen import Screen
+from tandem.skills.ports.isolation import isolate_children
 from tandem.skills.ports.sources import DocumentError
 from tandem.skills.wire.threads import few_threads
 

@@ -13,7 +13,7 @@ What runs is never left out. Every function returns a new tree; paths stay those
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Final
 
 from tandem.executive.render.folded import FoldedNode
@@ -70,9 +70,15 @@ def fits(layout: Layout) -> bool:
 
 
 def find(root: TreeNode, name: str) -> list[TreeNode]:
-    """Return the nodes with this name or path."""
-    here = [root] if name in {root.name, root.path} else []
-    return here + [found for child in root.children for found in find(child, name)]
+    """Return the node of this path; without one, the nodes of this name."""
+    every = list(_every(root))
+    return [each for each in every if each.path == name] or [each for each in every if each.name == name]
+
+
+def _every(root: TreeNode) -> Iterator[TreeNode]:
+    yield root
+    for child in root.children:
+        yield from _every(child)
 
 
 def size(root: TreeNode) -> int:

@@ -1,7 +1,6 @@
 """How processes are put together. ``roles/`` has one file for each role.
 
-One process: worker, playing, leased_loop, skill_process, router, isolation, command_line,
-    quiet_screen.
+One process: worker, playing, leased_loop, skill_process, router, command_line, quiet_screen.
 All of them: systems, process_system, settings_of_processes, processes, births, nursery, deferred_signals,
     crews, hung_processes, process_usage, lockstep.
 Plug-ins: plugins, plugin_probe.

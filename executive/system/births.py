@@ -19,8 +19,8 @@ from collections.abc import Callable, Iterator
 from typing import IO, Final
 
 from tandem.executive.system.deferred_signals import signals_later
-from tandem.executive.system.isolation import isolated, python
 from tandem.executive.system.process_usage import processor_seconds
+from tandem.skills.ports.isolation import isolated, python
 
 ROOM: Final = 8192
 """Characters that the nursery's command line has for that of a process which is born."""

@@ -20,8 +20,8 @@ from typing import Final
 from tandem.executive.config.process_settings import WorkerSettings
 from tandem.executive.system import playing, worker
 from tandem.executive.system.command_line import show
-from tandem.executive.system.isolation import python
 from tandem.executive.system.roles.registry import role_named
+from tandem.skills.ports.isolation import python
 
 MOST: Final = 65536
 """Bytes of a message."""

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Final
 from tandem.executive.config.extras import words_on
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
 from tandem.executive.system.command_line import show
-from tandem.executive.system.isolation import python
 from tandem.executive.system.roles.registry import part_of, role_named, role_of
 from tandem.executive.system.roles.role import Role, Stage
+from tandem.skills.ports.isolation import python
 from tandem.skills.ports.lease import Claim
 
 if TYPE_CHECKING:

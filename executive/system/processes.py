@@ -23,11 +23,11 @@ from typing import IO, Final, Self
 from tandem.executive.config.process_settings import REFUSED, UNKEPT, WAIT, WorkerSettings
 from tandem.executive.system.births import Birth, Births, possible
 from tandem.executive.system.deferred_signals import signals_later
-from tandem.executive.system.isolation import isolated, python
 from tandem.executive.system.roles.registry import role_of
 from tandem.executive.system.roles.role import Kind
 from tandem.executive.telemetry.log_files import trim
 from tandem.skills.ports.hardware import StopState
+from tandem.skills.ports.isolation import isolated, python
 
 ENDS_WITHIN: Final = 5.0
 """Seconds that a process has for its own end; then it is killed."""

@@ -11,4 +11,5 @@ Serving and hearing: serving, endpoint, limits, hearing, checks, refusals.
 Who commands: lease, fencing; reflex, reflex_setting.
 Robot descriptions: packages, urdf_check, description_check.
 What other packages add: plugins, plugin_trials, plugin_memory. What is kept: records.
+How Python programs of ours are started: isolation.
 """

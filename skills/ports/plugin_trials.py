@@ -19,6 +19,7 @@ from collections.abc import Callable, Iterator, Sequence
 from importlib.metadata import EntryPoint
 from typing import IO, TYPE_CHECKING, Final
 
+from tandem.skills.ports.isolation import isolated, python
 from tandem.skills.ports.plain_json import read_json
 from tandem.skills.ports.plugin_memory import remember
 
@@ -91,8 +92,8 @@ def told_by_child(module: str, given: str, patience: Callable[[bytes], float]) -
     ours, theirs = os.pipe()
     with tempfile.TemporaryFile() as words:
         child = subprocess.Popen(  # noqa: S603 - our own interpreter and our own module
-            [sys.executable, "-P", "-m", module, str(theirs), given],
-            env={**os.environ, "PYTHONSAFEPATH": "1"},
+            python("-m", module, str(theirs), given),
+            env=isolated(),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=words,

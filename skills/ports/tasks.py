@@ -185,7 +185,7 @@ class Breakpoint(Message):
 
     task: str
     node: str
-    """The node's name, or its path if two have the same name."""
+    """The node's path, or its name if no other node has it."""
     when: Side = "before"
     on: bool = True
 

@@ -103,8 +103,8 @@ def test_truth_is_read_by_tests_and_reports_only() -> None:
 
 
 def test_python_programs_of_ours_are_isolated_from_the_current_folder() -> None:
-    """``executive.system.isolation`` makes their command lines; the benchmarks are found in the checkout."""
+    """``skills.ports.isolation`` makes their command lines; the benchmarks are found in the checkout."""
     makers = {
         str(path.relative_to(ROOT)) for path in sources() if "sys.executable" in path.read_text("utf-8")
     }
-    assert makers == {"executive/system/isolation.py", "executive/cli/commands/bench_command.py"}
+    assert makers == {"skills/ports/isolation.py", "executive/cli/commands/bench_command.py"}

@@ -170,3 +170,9 @@ def test_the_bench_forces_a_leaf_of_a_fetch() -> None:
     bench, status = in_a_fetch(lambda bench: bench.force("close", Status.FAILURE))
     assert status is Status.FAILURE
     assert bench.context.failures.all[-1].kind is FailureKind.SKILL_CRASHED or bench.failure() is not None
+
+
+def test_a_root_is_found_by_its_name_though_a_node_below_has_it_too(steps: dict[str, Step]) -> None:
+    root = Sequence("a", memory=True, children=list(steps.values()))
+    gates = Breakpoints(root, TreeBench(load("lab"), items={}).context)
+    assert (gates.find("a"), gates.find("a/a")) == (root, steps["a"])

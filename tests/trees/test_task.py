@@ -8,6 +8,7 @@ from typing import Literal
 
 import pytest
 from py_trees.behaviours import Success
+from py_trees.composites import Sequence
 from pydantic import create_model
 
 from tandem.executive.ledger.sender import BY_FIELD
@@ -15,6 +16,8 @@ from tandem.executive.service.intake.request_parser import ID_FIELD
 from tandem.skills.ports.message import Message
 from tandem.skills.site import load
 from tandem.testing import TreeBench
+from tandem.trees.context import TreeContext
+from tandem.trees.node_paths import AmbiguousNodesError
 from tandem.trees.task import RESERVED, TaskType
 
 
@@ -67,3 +70,19 @@ def test_a_check_that_returns_no_problems_is_told_so() -> None:
         with pytest.raises(TypeError, match="expected a tuple of Problem from `problems` of wave, found"):
             waving(problems=lambda _, __, found=found: found).contradictions(Waving(), site)
     assert waving().contradictions(Waving(), site) == ()
+
+
+def test_a_tree_whose_nodes_nothing_tells_apart_is_refused_also_by_a_bench() -> None:
+    bench = TreeBench(load("lab"), items={})
+    twice = [Success("look"), Success("look")]
+    with pytest.raises(AmbiguousNodesError, match="two nodes are called 'look' below tour"):
+        bench.run(waving(build=lambda _, __: Sequence("tour", memory=True, children=twice)), {})
+
+
+def test_what_is_done_after_a_cancel_is_checked_too() -> None:
+    def build(_: Message, context: TreeContext) -> Success:
+        context.wind_down = Success("put/back")
+        return Success("done")
+
+    with pytest.raises(AmbiguousNodesError, match="the root, a Success: expected a name without '/'"):
+        TreeBench(load("lab"), items={}).run(waving(build=build), {})

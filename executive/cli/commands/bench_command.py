@@ -11,7 +11,7 @@ from typing import Annotated
 import typer
 
 from tandem.executive.cli.errors import CommandError
-from tandem.executive.system import isolation
+from tandem.skills.ports import isolation
 
 Names = Annotated[
     list[str] | None, typer.Argument(metavar="[NAME]...", help="Benchmarks to run. Default: all.")

@@ -17,7 +17,7 @@ from tandem.executive.cli.exit_codes import ExitCode
 from tandem.executive.cli.start import unsupported
 from tandem.executive.config.extras import DEV, EXTRAS, PACKAGE, SIM, Extra, absent, command, is_begun
 from tandem.executive.config.run_options import BusOptions
-from tandem.executive.system.isolation import isolated, python
+from tandem.skills.ports.isolation import isolated, python
 
 BARE: Final = (
     ("eclipse-zenoh", "zenoh", "the bus between processes"),

@@ -17,9 +17,14 @@ from tandem.executive.config.run_options import DEFAULT_SITE, BusOptions
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from pydantic import JsonValue
+
     from tandem.executive.trials.exploration.exploring import Coverage
     from tandem.executive.trials.exploration.worlds import Make
+    from tandem.skills.ports.message import Message
+    from tandem.skills.ports.site import Site
     from tandem.skills.ports.tasks import TreeNode
+    from tandem.trees.task import TaskType
 
 
 class Format(StrEnum):
@@ -268,9 +273,9 @@ def built(task: str, request: str, site_name: str) -> TreeNode:
     """Return the tree of a task, for a request as JSON or for an example of one.
 
     Raises:
-        CommandError: when there is no such task, or the request does not fit.
+        CommandError: when there is no such task, the request does not fit, or the task can't build its tree.
     """
-    from tandem.executive.render.example import NoExampleError, example_request, tree_of  # noqa: PLC0415
+    from tandem.executive.render.example import NoExampleError, example_request  # noqa: PLC0415
     from tandem.executive.service.intake.request_parser import Refused, read_request  # noqa: PLC0415
     from tandem.skills.ports.documents import parse  # noqa: PLC0415
     from tandem.skills.site import load  # noqa: PLC0415
@@ -282,7 +287,7 @@ def built(task: str, request: str, site_name: str) -> TreeNode:
     site = load(site_name)
     if not request:
         try:
-            return tree_of(installed[task], site, example_request(installed[task], site))
+            return _tree_of(installed[task], site, example_request(installed[task], site))
         except NoExampleError as error:
             raise CommandError(str(error)) from error
     asked = read_request(request.encode(), installed, site)
@@ -293,4 +298,18 @@ def built(task: str, request: str, site_name: str) -> TreeNode:
             f"  {each.path}: expected {each.expected}, found {each.found or 'nothing'}" for each in problems
         ]
         raise CommandError("\n".join(("--request is invalid:", *lines)))
-    return tree_of(installed[task], site, document)
+    return _tree_of(installed[task], site, document)
+
+
+def _tree_of(kind: TaskType[Message], site: Site, document: dict[str, JsonValue]) -> TreeNode:
+    """Return a task's tree; whatever its builder raises is a mistake in the task, and told in words."""
+    from tandem.executive.render.example import tree_of  # noqa: PLC0415
+    from tandem.skills.ports.plugins import in_words  # noqa: PLC0415
+    from tandem.trees.node_paths import AmbiguousNodesError  # noqa: PLC0415
+
+    try:
+        return tree_of(kind, site, document)
+    except AmbiguousNodesError as error:
+        raise CommandError(f"task {kind.name!r} can't build its tree: {error}") from error
+    except Exception as error:
+        raise CommandError(f"task {kind.name!r} can't build its tree: {in_words(error)}") from error
