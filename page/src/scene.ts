@@ -4,6 +4,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { CSS2DObject, CSS2DRenderer } from "three/examples/jsm/renderers/CSS2DRenderer.js";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
 import { cubes } from "./cubes";
+import { Drawing } from "./drawing";
 import { label, spread, write } from "./labels";
 import type { Live } from "./state";
 import type { Box, RobotDescription, Site } from "./types";
@@ -22,6 +23,11 @@ export class RobotScene {
   private labels = new CSS2DRenderer();
   private scene = new THREE.Scene();
   private camera = new THREE.PerspectiveCamera(45, 1, 0.05, 100);
+  private drawing: Drawing;
+  private seen = new THREE.PerspectiveCamera(); // from where the picture under way is seen
+  private size = { width: 0, height: 0 };
+  private complete = false; // whether all of the robot is there, and whether the picture under way has it
+  private whole = false;
   private controls: OrbitControls;
   private robot: URDFRobot | null = null;
   private base = new THREE.Group();
@@ -45,8 +51,9 @@ export class RobotScene {
   frames = 0;
 
   constructor(private box: HTMLElement, private picked: Picked) {
-    this.renderer = new THREE.WebGLRenderer({ antialias: devicePixelRatio < 2, powerPreference: "low-power" });
+    this.renderer = new THREE.WebGLRenderer({ antialias: false, depth: false, powerPreference: "low-power" }); // pictures are drawn beside it
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.drawing = new Drawing(this.renderer);
     this.labels.domElement.className = "labels";
     box.append(this.renderer.domElement, this.labels.domElement);
     this.camera.up.set(0, 0, 1);
@@ -68,23 +75,32 @@ export class RobotScene {
     const draw = () => {
       if (this.over) return;
       requestAnimationFrame(draw);
-      if (!this.dirty) return;
+      if (this.drawing.show()) return this.name(); // the next picture begins after this one is on the screen, or it would be waited for
+      if (!this.dirty || this.drawing.busy || !this.size.width) return;
       this.dirty = false;
-      this.frames += 1;
-      this.renderer.render(this.scene, this.camera);
-      this.labels.render(this.scene, this.camera);
-      for (const each of this.gone.splice(0)) each.remove();
-      spread(this.scene, this.camera, this.box.clientWidth, this.box.clientHeight);
-      this.box.dataset.frames = String(this.frames);
-      this.box.dataset.shapes = String(this.renderer.info.memory.geometries);
+      this.seen.copy(this.camera);
+      this.whole = this.complete;
+      this.drawing.begin(this.scene, this.seen, this.size);
     };
     draw();
+  }
+
+  // What is shown has its names, and says of itself what it is.
+  private name() {
+    this.frames += 1;
+    this.labels.render(this.scene, this.seen);
+    for (const each of this.gone.splice(0)) each.remove();
+    spread(this.scene, this.seen, this.size.width, this.size.height);
+    this.box.dataset.frames = String(this.frames);
+    if (this.whole) this.box.dataset.robot = "loaded";
+    this.box.dataset.shapes = String(this.renderer.info.memory.geometries);
   }
 
   close() {
     this.over = true;
     this.watch.disconnect();
     this.controls.dispose();
+    this.drawing.close();
     this.renderer.dispose();
     this.box.replaceChildren();
   }
@@ -119,7 +135,7 @@ export class RobotScene {
   private resize() {
     const { clientWidth: width, clientHeight: height } = this.box;
     if (!width || !height) return;
-    this.renderer.setSize(width, height);
+    this.size = { width, height };
     this.labels.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -145,7 +161,7 @@ export class RobotScene {
   }
 
   private loaded() {
-    this.box.dataset.robot = "loaded";
+    this.complete = true;
     this.touch();
   }
 

@@ -159,6 +159,42 @@ def test_the_points_of_all_lasers_are_drawn(page: Page, robot: FakeRobot) -> Non
     expect(page.locator(".canvas")).to_have_attribute("data-beams", "5")
 
 
+COUNTED = """() => {
+  const gl = WebGL2RenderingContext.prototype, frame = window.requestAnimationFrame.bind(window);
+  let on = null, count = {canvas: 0, beside: 0};
+  window.drawn = [];
+  const before = (name, act) => {
+    const was = gl[name];
+    gl[name] = function (...given) { act(...given); return was.apply(this, given); };
+  };
+  const draws = () => { count[on ? "beside" : "canvas"] += 1; };
+  before("bindFramebuffer", (target, found) => {
+    if (target !== gl.READ_FRAMEBUFFER) on = found;
+  });
+  for (const name of ["drawElements", "drawArrays", "drawElementsInstanced"]) before(name, draws);
+  window.requestAnimationFrame = draw => frame(time => {
+    count = {canvas: 0, beside: 0};
+    draw(time);
+    if (count.canvas || count.beside) window.drawn.push(count);
+  });
+}"""
+"""Has the page count what each of its frames draws on the canvas, and beside it."""
+
+
+def test_the_page_never_waits_for_a_picture_of_the_robot(page: Page, robot: FakeRobot) -> None:
+    # What is drawn on a canvas, and what was ordered before it, holds up all clicks until it is done.
+    page.add_init_script(f"({COUNTED})()")
+    page.goto("/")
+    expect(page.locator(".canvas")).to_have_attribute("data-robot", "loaded")
+    tell(robot)
+    expect(page.locator(".canvas")).to_have_attribute("data-plan", "3")
+    page.wait_for_function("() => document.querySelector('.canvas').dataset.frames > 2")
+    drawn = page.evaluate("window.drawn")
+    assert max(each["beside"] for each in drawn) > 1, "pictures are drawn beside the canvas"
+    assert {each["canvas"] for each in drawn} == {0, 1}, "the canvas gets them whole"
+    assert not [each for each in drawn if each["canvas"] and each["beside"]], "never with the next one begun"
+
+
 def test_the_planned_way_is_drawn(page: Page, robot: FakeRobot) -> None:
     page.goto("/")
     expect(page.locator(".link")).to_contain_text("nothing heard")
@@ -375,7 +411,6 @@ def test_items_are_called_by_their_names_and_tins_are_round(page: Page, robot: F
     canvas = page.locator(".canvas")
     expect(canvas).to_have_attribute("data-robot", "loaded")
     drawn = "Number(document.querySelector('.canvas').dataset.shapes)"
-    page.wait_for_function(f"{drawn} > 4")
     shapes = page.evaluate(drawn)
     for version in range(2, 7):
         things = (thing(29, "cylinder"), thing(7 + version, "box"))
