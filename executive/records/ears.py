@@ -11,6 +11,7 @@ from tandem.executive.records.recording import Encoding, Recorded
 from tandem.skills.ports.keys import CLOCK
 from tandem.skills.ports.match import matches
 from tandem.skills.ports.message import Message, RobotTime, RobotTimer, read_leniently
+from tandem.skills.ports.whereabouts import whereabouts
 from tandem.skills.wire.memory import Kind, MemoryHub
 
 HEARD: Final = (
@@ -34,6 +35,9 @@ HEARD: Final = (
     "refused",
 )
 """All but beats and pictures. A camera that somebody listens to is exposed and sent: 4.6 MB a picture."""
+OF_SITE: Final = (whereabouts("*").key,)
+"""Relative to ``<site>``: where its robots are. In a record it stands among the robot's own keys, of which
+none is like it."""
 JSON: Final[Encoding] = "json"
 BYTES: Final[Encoding] = "bytes"
 PICTURES: Final = "hw/camera/*/rgbd"

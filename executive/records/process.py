@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 from tandem.executive.config.extras import words_on_module
 from tandem.executive.config.process_settings import RefusalError, WorkerSettings
 from tandem.executive.records.boxes import FOLDER, Boxes
-from tandem.executive.records.ears import DEPTH, HEARD
+from tandem.executive.records.ears import DEPTH, HEARD, OF_SITE
 from tandem.executive.records.recorder import Recorder
 from tandem.executive.records.recording import Facts
 from tandem.executive.records.recordings import recordings_in
@@ -41,7 +41,7 @@ def record(settings: WorkerSettings, bus: ZenohBus, stopped: Callable[[], bool])
     """
     clocks = HostClocks()
     boxes = None if settings.data is None else Boxes(Path(settings.data) / FOLDER)
-    ears = bus.gather(HEARD, depth=DEPTH)
+    ears = bus.gather(HEARD, depth=DEPTH, of_site=OF_SITE)
     facts = facts_of(settings, clocks.utc())
     sink, pictures = _recording(settings, bus, clocks, facts) if settings.record else (None, None)
     sinks = () if sink is None else (sink,)

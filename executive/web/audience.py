@@ -80,7 +80,9 @@ class Audience:
                 ears.close()
 
     async def _hear_by(self, ears: Ears) -> None:
-        feed = self._feed = Feed(ears.bus, self._monotonic, ears.commons, self._robot.options.robot)
+        feed = self._feed = Feed(
+            ears.bus, self._monotonic, ears.commons, self._robot.options.robot, age=ears.age
+        )
         knowing: asyncio.Task[None] | None = None
         self._tell_link("")
         there, empty_since, turn = False, None, self._monotonic()

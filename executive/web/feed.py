@@ -18,6 +18,7 @@ from tandem.skills.ports.bus import Bus, Commons
 from tandem.skills.ports.hardware import Clock, JointStates
 from tandem.skills.ports.keys import CLOCK, JOINT_STATES, STOP_STATE, Latest, laser
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.records import TASK_RECORDING
 from tandem.skills.ports.reflex import before_off, pipeline_state, reflex_state
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.sensors import LaserScan
@@ -55,18 +56,26 @@ class Feed:
         monotonic: seconds of the host.
         commons: where the robots of the site tell where they are; None: there is no such place.
         own: the robot's own name among them.
+        age: seconds by which what they told grows old; None: those of the host.
     """
 
     def __init__(
-        self, bus: Bus, monotonic: Callable[[], float], commons: Commons | None = None, own: str = ""
+        self,
+        bus: Bus,
+        monotonic: Callable[[], float],
+        commons: Commons | None = None,
+        own: str = "",
+        *,
+        age: Callable[[], float] | None = None,
     ) -> None:
         self._bus, self._monotonic = bus, monotonic
-        self._others = Others(commons, monotonic, own)
+        self._others = Others(commons, monotonic if age is None else age, own)
         self._space = OccupiedSpace(monotonic)
         self._clock = Latest(bus, CLOCK, depth=1)
         self._joints = Latest(bus, JOINT_STATES, depth=1)
         self._pose = Latest(bus, ROBOT_POSE, depth=1)
         self._stop = Latest(bus, STOP_STATE, depth=4)
+        self._recording = Latest(bus, TASK_RECORDING, depth=1)
         self._people = Latest(bus, PEOPLE, depth=1)
         self._scene = Latest(bus, SCENE, depth=1)
         self._world = Latest(bus, WORLD, depth=1)
@@ -149,7 +158,7 @@ class Feed:
         for heard in (
             self._clock, self._joints, self._pose, self._stop, self._people, self._scene, self._world,
             self._pulse, self._statuses, self._trees, self._reflexes, self._pipelines, self._sightings,
-            self._drive,
+            self._drive, self._recording,
         ):  # fmt: skip
             heard.close()
         for scans in self._lasers.values():
@@ -202,6 +211,7 @@ class Feed:
             scene = scene.model_copy(update={"occupied": None})
         news: Mapping[str, Message | None] = {
             "stop": self._fresh(self._stop),
+            "recording": self._fresh(self._recording),
             "pulse": self._fresh(self._pulse),
             "scene": scene,
             "world": self._fresh(self._world),

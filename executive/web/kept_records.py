@@ -37,7 +37,7 @@ HELD: Final = 3
 """Records that are kept open: a slider goes to and fro between two recordings and a black box at the most."""
 SHOWN: Final = (
     "tree", "nodes", "board", "gates", "world", "scene", "occupied", "pose", "joints", "lasers", "people",
-    "plan", "hands", "now",
+    "plan", "hands", "now", "robots",
 )  # fmt: skip
 """Parts of an update that tell of a moment; tasks, stop, reflexes and pulse have other views."""
 
@@ -150,7 +150,7 @@ def _boot_with(record: Recording, asked: Asked) -> tuple[BootSpan | None, str]:
 def _told(record: Recording, at: float) -> dict[str, JsonValue]:
     """Return what was known at a moment of a record, as the page was told it then."""
     player = Player(record)
-    feed = Feed(player.bus, lambda: 0.0)
+    feed = Feed(player.bus, lambda: 0.0, player.bus, record.facts.robot)
     described = next((each.data for each in record.attachments if each.name == DESCRIPTION.key), None)
     if described is not None:
         feed.describe(read_leniently(RobotDescription, described))

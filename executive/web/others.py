@@ -12,7 +12,7 @@ from tandem.skills.ports.hearing import Heard
 from tandem.skills.ports.whereabouts import RobotWhereabouts, whereabouts
 
 SILENT_AFTER: Final = 3.0
-"""Host seconds without a word after which a robot may be elsewhere; it tells ten times a second."""
+"""Seconds without a word after which a robot may be elsewhere; it tells ten times a second."""
 
 
 class Others:
@@ -20,19 +20,19 @@ class Others:
 
     Args:
         commons: where they tell; None: there are no others.
-        monotonic: seconds of the host.
+        age: seconds by which what they told grows old: of the host, or of a record.
         own: the robot's own name, which is left out.
     """
 
-    def __init__(self, commons: Commons | None, monotonic: Callable[[], float], own: str) -> None:
-        self._monotonic, self._own = monotonic, own
+    def __init__(self, commons: Commons | None, age: Callable[[], float], own: str) -> None:
+        self._age, self._own = age, own
         every = whereabouts("*")
         self._heard = None if commons is None else Heard(commons, every.key, every.decode, depth=8)
         self._last: dict[str, tuple[RobotWhereabouts, float]] = {}
 
     def take(self) -> dict[str, JsonValue]:
         """Return how each stands, by its name."""
-        now = self._monotonic()
+        now = self._age()
         for key, told, _ in () if self._heard is None else self._heard.take():
             if key == whereabouts(told.name).key and told.name != self._own:
                 self._last[told.name] = (told, now)

@@ -84,7 +84,14 @@ class Replay:
                 self.player.say_known()
             return self._turn()
 
-        return Ears(self.player.bus, lambda: None, turn=turn, over=lambda: self._moves != moves)
+        return Ears(
+            self.player.bus,
+            lambda: None,
+            commons=self.player.bus,
+            age=lambda: self.player.at,
+            turn=turn,
+            over=lambda: self._moves != moves,
+        )
 
     async def close(self) -> None:
         """Close the record."""

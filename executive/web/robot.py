@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, Protocol
@@ -78,6 +79,8 @@ class Ears:
     close: Callable[[], None]
     commons: Commons | None = None
     """Where the robots of the site tell where they are."""
+    age: Callable[[], float] = time.monotonic
+    """Seconds by which what they told grows old."""
     turn: Callable[[], Update] = dict
     """Called before each poll; returns what else is new."""
     over: Callable[[], bool] = lambda: False

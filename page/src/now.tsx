@@ -18,6 +18,7 @@ export function NowView() {
       <View3d />
       <div class="side">
         {shown ? <TaskCard status={shown} /> : <section class="card"><h2>Nothing runs</h2><p class="quiet">No task yet. <a href="/request">Send a request</a></p></section>}
+        <NotRecorded />
         <Overridden />
         <Queue />
         <Resources />
@@ -25,6 +26,17 @@ export function NowView() {
         <section class="card grow"><h2>Tree</h2><LiveTree failed={shown?.state === "FAILED"} /></section>
       </div>
     </div>
+  );
+}
+
+// Only where recording was asked for, and has stopped.
+function NotRecorded() {
+  const told = useLive((live) => live.recording);
+  if (!told || told.recording) return null;
+  return (
+    <section class="card warn" role="status">
+      <p><strong>Recording has stopped:</strong> {told.reason}. It goes on by itself once there is space on the disk of the robot's computer.{told.file && <span class="quiet"> Until then: <code>tandem log recover {told.file}</code></span>}</p>
+    </section>
   );
 }
 

@@ -41,6 +41,7 @@ export type Live = {
   scene: Omit<PlanningScene, "stamp" | "version" | "occupied"> | null;
   world: Omit<WorldState, "stamp" | "version"> | null;
   stop: StopState | null;
+  recording: { recording: boolean; file: string; reason: string } | null;
   pulse: ExecutivePulse | null;
   now: Now | null;
   reflexes: Record<string, Reflex>;
@@ -50,7 +51,7 @@ export type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path
 
 const EMPTY: Live = {
   connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, board: {}, gates: { breakpoints: {}, forced: {} }, joints: {},
-  pose: null, path: [], plan: [], hands: {}, tags: null, replay: null, robots: {}, people: {}, lasers: {}, occupied: null, scene: null, world: null, stop: null, pulse: null, now: null, reflexes: {},
+  pose: null, path: [], plan: [], hands: {}, tags: null, replay: null, robots: {}, people: {}, lasers: {}, occupied: null, scene: null, world: null, stop: null, recording: null, pulse: null, now: null, reflexes: {},
   pipelines: {},
 };
 const PATH = 2000;

@@ -65,7 +65,7 @@ class Records(Message):
 
 
 class RecordingState(Message):
-    """Whether the robot is recorded; published when it changes."""
+    """Whether the robot is recorded; told when it changes, and every 10 s while recording has stopped."""
 
     recording: bool
     file: str = ""

@@ -8,6 +8,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Final
 
 import zenoh
@@ -165,12 +166,15 @@ class ZenohBus:
         """Receive what is put on the key expression from now on."""
         return self._subscriptions.add(key, depth)
 
-    def gather(self, keys: Sequence[str], *, depth: int) -> Gathered:
+    def gather(self, keys: Sequence[str], *, depth: int, of_site: Sequence[str] = ()) -> Gathered:
         """Receive what is put on any of several key expressions, in the order in which it arrives.
+
+        ``of_site`` are relative to ``<site>``: what all its robots share.
 
         It wakes nobody: who gathers looks now and then. Of each key ``depth`` are kept until they are taken.
         """
-        return Gathered(self._session, self._prefix, keys, depth)
+        site = self._prefix.partition("/")[0]
+        return Gathered(self._session, {self._prefix: keys, site: of_site}, depth)
 
     def commons(self) -> ZenohCommons:
         """Return the end, on the same session, of what all robots of the site share."""
@@ -364,23 +368,25 @@ class Gathered:
 
     Args:
         session: it ends with its owner.
-        prefix: put before every key.
-        keys: expressions; a message that two of them stand for comes twice.
+        keys: expressions, by what is put before each; a message that two of them stand for comes twice.
         depth: how many of each key are kept.
     """
 
-    def __init__(self, session: zenoh.Session, prefix: str, keys: Sequence[str], depth: int) -> None:
+    def __init__(self, session: zenoh.Session, keys: Mapping[str, Sequence[str]], depth: int) -> None:
         self._waiting: KeyedQueue[Arrival] = KeyedQueue(depth, "oldest goes")
-        start = len(prefix) + 1
 
-        def arrived(sample: zenoh.Sample) -> None:
+        def arrived(start: int, sample: zenoh.Sample) -> None:
             whole = str(sample.key_expr)
             if is_stray(whole, sample):
                 return
             key = whole[start:]
             self._waiting.put(key, Arrival(key, sample.payload.to_bytes(), time.monotonic_ns()))
 
-        self._subscribers = [session.declare_subscriber(f"{prefix}/{key}", direct(arrived)) for key in keys]
+        self._subscribers = [
+            session.declare_subscriber(f"{prefix}/{key}", direct(partial(arrived, len(prefix) + 1)))
+            for prefix, of_it in keys.items()
+            for key in of_it
+        ]
 
     def drain(self) -> list[Arrival]:
         """Take all that has arrived."""

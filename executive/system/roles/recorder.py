@@ -21,6 +21,7 @@ RIGHTS: Final = process_rights(
         hears=("hw/**", "world/**", "skill/**", "task/**", "tree/**", "beat/**", "refused"),
         asks=("hw/description", "task/site", "task/info", "task/kinds", "task/timeline"),
         serves=("task/records",),
+        hears_site=("world/robots/*",),
     )
 )
 ROLES = (Role(name=NAME, starts=15, kind="recorder", play=_play, rights=RIGHTS, on_request=True),)

@@ -5,7 +5,9 @@ from __future__ import annotations
 import errno
 import io
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
+from typing import IO
 
 import pytest
 from mocked_fetch import FACTS, MockedFetch
@@ -15,7 +17,7 @@ from tandem.executive.records.ears import HEARD, Said, Stamper
 from tandem.executive.records.json_schemas import JsonSchemas
 from tandem.executive.records.known import ALIVE
 from tandem.executive.records.recording import Recorded, Recording, Span, open_recording
-from tandem.executive.records.recording_sink import Bounds, RecordingSink
+from tandem.executive.records.recording_sink import AGAIN_EVERY, SPACE, Bounds, RecordingSink
 from tandem.executive.records.ring import BLOCK, Ring
 from tandem.skills.ports.match import matches
 from tandem.skills.ports.message import RobotTime
@@ -152,6 +154,57 @@ def test_on_a_full_disk_recording_stops_and_says_so_and_the_task_goes_on(tmp_pat
     system.recorder.close()
     assert [each.recording for each in told] == [True, False]
     assert told[-1].reason == "No space left on device"
+
+
+class NoSpace(FullDisk):
+    """Has room for nothing."""
+
+    room = 0
+
+
+@dataclass
+class Disk:
+    """Takes a recording, or does not."""
+
+    folder: Path
+    full: bool = False
+    free: int = 0
+
+    def __post_init__(self) -> None:
+        self.told: list[RecordingState] = []
+        self.clocks = SteppedClocks()
+        self.sink = RecordingSink(
+            self.folder, FACTS, self.clocks, schema_of=JsonSchemas().of, tell=self.told.append,
+            opens=self.open, free=lambda _: self.free,
+        )  # fmt: skip
+
+    def open(self, path: Path) -> IO[bytes]:
+        path.touch()
+        return NoSpace() if self.full else path.open("wb")
+
+    def says(self, key: str, at: float) -> None:
+        """Have a message recorded, and wait as long as the recorder does between two looks."""
+        self.sink.take([Recorded(key, at, RobotTime(boot="a", seconds=at), 0, b"{}")])
+        self.clocks.advance(AGAIN_EVERY)
+
+
+def test_recording_goes_on_with_what_is_known_once_there_is_space(tmp_path: Path) -> None:
+    disk = Disk(tmp_path, full=True)
+    disk.says("hw/one", 1.0)
+    disk.says("hw/two", 2.0)
+    assert [each.reason for each in disk.told] == ["No space left on device"] * 2, "for who came meanwhile"
+    assert list(tmp_path.iterdir()) == [], "a file that could not be begun is taken away"
+    disk.full = False
+    disk.says("hw/three", 3.0)
+    assert not disk.told[-1].recording, "a disk that is nearly full would be full again at once"
+    disk.free = SPACE
+    disk.says("hw/four", 4.0)
+    disk.says("hw/five", 5.0)
+    disk.sink.close()
+    assert [each.recording for each in disk.told[-2:]] == [False, True]
+    record = open_recording(Path(disk.told[-1].file))
+    assert [each.key for each in record.messages()] == ["hw/one", "hw/two", "hw/three", "hw/four", "hw/five"]
+    assert record.span.begin == 4.0
 
 
 def test_a_black_box_that_can_not_be_written_harms_nobody(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -10,12 +11,17 @@ import pytest
 from starlette.testclient import TestClient
 from web_record import MOMENTS, STEP, Run, record, whole
 
-from tandem.executive.records.recording import open_recording
+from tandem.executive.records.lines_file import write_lines
+from tandem.executive.records.recording import Facts, Recorded, Span, open_recording
 from tandem.executive.web.app import application
 from tandem.executive.web.feed import Feed
 from tandem.executive.web.replay import Move, Replay
 from tandem.executive.web.verbs import VERBS
 from tandem.executive.web.viewers import Update, merge
+from tandem.skills.ports.message import RobotTime
+from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.whereabouts import RobotWhereabouts, whereabouts
+from tandem.skills.wire.clocks import SteppedClocks
 
 AT = "http://127.0.0.1:8447"
 
@@ -70,6 +76,32 @@ def test_a_viewer_moves_through_it_and_the_tasks_are_as_they_were(run: tuple[Run
                 assert len(known["tasks"]) == count  # type: ignore[arg-type]
         for wrong in ({"at": "soon"}, {"speed": -1}, {"speed": 1e9}, {"colour": 1}):
             assert page.post("/api/replay", json=wrong).status_code == 422
+
+
+def test_other_robots_are_where_they_were_and_grow_old_by_the_record_s_time(tmp_path: Path) -> None:
+    told = RobotWhereabouts(
+        name="r3", start="a", sequence=1, base_in_map=FloorPose(x=1.0, y=0.5, yaw=0.0), kind="follow"
+    )
+    payload = told.model_dump_json().encode()
+    heard = Recorded(whereabouts("r3").key, 5.0, RobotTime(boot="b", seconds=5.0), 0, payload)
+    path, host = tmp_path / "box.jsonl.gz", SteppedClocks()
+    write_lines(path, Facts(site="lab", robot="r2", release="", began=0.0), Span(0.0, 20.0), (), (heard,))
+    replay = Replay(open_recording(path), host.monotonic)
+    replay.move(Move(at=5.5, speed=0.0))
+    ears = asyncio.run(replay.listen())
+    feed = Feed(ears.bus, host.monotonic, ears.commons, "r2", age=ears.age)
+
+    def robots() -> object:
+        ears.turn()
+        feed.poll()
+        return feed.whole()["robots"]
+
+    there = {"at": [1.0, 0.5, 0.0], "task": "", "kind": "follow", "phase": "", "silent": False}
+    assert robots() == {"r3": there}
+    host.advance(60.0)  # as it stands
+    assert robots() == {"r3": there}
+    replay.player.seek(15.0)
+    assert robots() == {"r3": there | {"silent": True}}
 
 
 def test_a_robot_is_no_record(page: TestClient) -> None:
