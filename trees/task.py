@@ -13,6 +13,7 @@ from tandem.skills.ports.message import Message
 from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
+from tandem.skills.ports.whereabouts import Following
 from tandem.trees.context import TreeContext
 from tandem.trees.knowledge import Knowledge
 from tandem.trees.needs import Needs, unable
@@ -35,6 +36,10 @@ def _for_nothing(_: Knowledge) -> str:
 
 def _fits_any(_: Message, __: RobotDescription) -> tuple[Problem, ...]:
     return ()
+
+
+def _follows_nobody(_: Message) -> None:
+    return None
 
 
 def _problems(told: object, whose: str) -> tuple[Problem, ...]:
@@ -60,6 +65,7 @@ class TaskType(Generic[Asked]):
             what is known now; nothing when it can.
         needs: the parts of a robot without which no task of this kind can be done.
         misfits: what of a well-formed request the robot can't do, once its description is known.
+        follows: which robot a task of this kind follows, and how far behind; told to the robots of the site.
     """
 
     name: str
@@ -71,6 +77,7 @@ class TaskType(Generic[Asked]):
     result: type[Message] | None = None
     needs: Needs = _NOTHING
     misfits: Callable[[Asked, RobotDescription], tuple[Problem, ...]] = _fits_any
+    follows: Callable[[Asked], Following | None] = _follows_nobody
 
     def __post_init__(self) -> None:
         """Refuse a kind whose requests nobody could send.
@@ -126,6 +133,17 @@ class TaskType(Generic[Asked]):
             if each is not None:
                 check_paths(each)
         return root
+
+    def following(self, request: Asked) -> Following | None:
+        """Return whom a task follows, None: nobody.
+
+        Raises:
+            TypeError: when the kind's own ``follows`` returns something else.
+        """
+        told: object = self.follows(request)
+        if not (told is None or isinstance(told, Following)):
+            raise TypeError(f"expected a Following or None from `follows` of {self.name}, found {told!r}")
+        return told
 
     def waiting(self, knowledge: Knowledge) -> str:
         """Return what a task has to wait for, in words; nothing when it can begin.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tandem.skills.ports.whereabouts import EVERY, RobotWhereabouts, whereabouts
+from tandem.skills.ports.whereabouts import EVERY, Following, RobotWhereabouts, whereabouts
 
 if TYPE_CHECKING:
     from tandem.skills.ports.bus import Commons
@@ -29,12 +29,15 @@ class Whereabouts:
         self._sequence = 0
         self._told_at = float("-inf")
 
-    def step(self, pose: RobotPose | None, status: TaskStatus | None) -> None:
+    def step(
+        self, pose: RobotPose | None, status: TaskStatus | None, follows: Following | None = None
+    ) -> None:
         """Tell, if it is time to.
 
         Args:
             pose: the robot's, as far as it is known.
             status: of the task that runs.
+            follows: whom that task follows.
         """
         now = self._clocks.passed()
         if now - self._told_at < EVERY - 1e-9:
@@ -48,6 +51,7 @@ class Whereabouts:
             task="" if status is None else status.task,
             kind="" if status is None else status.kind,
             phase="" if status is None else status.progress.phase[:200],
+            follows=follows,
         )
         self._topic.publish(self._commons, told)
         self._sequence += 1

@@ -5,7 +5,7 @@ Where the robot is: whereabouts; localiser, matcher, search, scan, odometry, odo
 floor; fixed.
 The way: planner, quicker, path, journey, journey_context, leg, headway, obstacles, occupied, cliffs, ranger;
 ``people/`` has who walks about, ``band/`` how the path is left for them.
-Where nothing is mapped: pose_filter, surround, macros, go, follow_robot, sights, way_back.
+Where nothing is mapped: pose_filter, surround, macros, go, company, follow_robot, sights, way_back.
 Driving it: with_wheels, wheels_run, path_follower, ending, wheels, guard, way_watch, status;
 ``reflexes/`` take the wheels from it.
 """

@@ -1,9 +1,10 @@
-"""GO: straight to a place in the map. What stands in the way is left to the reflexes."""
+"""GO: straight to a place in the map, round robots that tell where they are; the rest is the reflexes'."""
 
 from __future__ import annotations
 
 from typing import Final
 
+from tandem.skills.base.company import Company
 from tandem.skills.base.guard import Guard
 from tandem.skills.base.macros import Macros, Steps
 from tandem.skills.base.status import BaseStatusBoard
@@ -40,6 +41,7 @@ class Go:
         guard: whether it may move.
         board: who has the wheels.
         surround: what the base sees; what it can't see makes it slow.
+        company: the other robots of the site.
     """
 
     def __init__(
@@ -52,9 +54,10 @@ class Go:
         guard: Guard,
         board: BaseStatusBoard,
         surround: Surround,
+        company: Company,
     ) -> None:
         self._clocks, self._monitor, self._guard, self._board = clocks, monitor, guard, board
-        self._surround = surround
+        self._surround, self._company = surround, company
         self._wheels = Wheels(bus, clocks, drive, lambda: board.pipeline.normal(GO.name))
 
     @property
@@ -80,6 +83,7 @@ class Go:
 
     def _go(self, goal: GoGoal) -> Run[GoFeedback, GoResult]:
         self._wheels.begin(self._monitor.odometry)
+        self._company.begin()
         macros = Macros(self._clocks, self._monitor, self._wheels, self._speed)
         steps = self._steps(goal, macros)
         nearest, since = float("inf"), robot_seconds(self._clocks)
@@ -87,12 +91,12 @@ class Go:
         while _goes_on(steps):
             left = macros.distance(goal.x, goal.y) + abs(self._off(goal, macros))
             now = robot_seconds(self._clocks)
-            if left < nearest - PROGRESS or stopping or paused:
+            if left < nearest - PROGRESS or stopping or paused or self._company.why:
                 nearest, since = min(left, nearest), now
             elif now - since > STUCK_AFTER:
                 return failed(self._stuck(goal, macros))
             command = yield self._feedback(goal, macros)
-            self._board.pipeline.doing = macros.doing
+            self._board.pipeline.doing = self._doing(macros)
             if command is Command.CANCEL and not stopping:
                 stopping = True
                 steps.close()
@@ -111,7 +115,8 @@ class Go:
         return succeeded(GoResult(base_in_map=here, position_error=macros.distance(goal.x, goal.y)))
 
     def _steps(self, goal: GoGoal, macros: Macros) -> Steps:
-        yield from macros.go_to(goal.x, goal.y, NEARER * goal.position_tolerance)
+        yield from macros.go_to(goal.x, goal.y, NEARER * goal.position_tolerance, self._company.advice)
+        self._company.begin()  # it is there: nobody is the reason for what follows
         if goal.yaw is not None and abs(wrap(goal.yaw - macros.pose.yaw)) > NEARER * goal.yaw_tolerance:
             yield from macros.turn_angle(wrap(goal.yaw - macros.pose.yaw))
 
@@ -126,10 +131,15 @@ class Go:
             return macros.bearing(goal.x, goal.y)
         return 0.0 if goal.yaw is None else wrap(goal.yaw - macros.pose.yaw)
 
-    @staticmethod
-    def _feedback(goal: GoGoal, macros: Macros) -> GoFeedback:
+    def _doing(self, macros: Macros) -> tuple[str, ...]:
+        """Return what is at work: the macro-actions, and what of it is for another robot."""
+        return (*macros.doing[:1], *((self._company.why,) if self._company.why else ()), *macros.doing[1:])
+
+    def _feedback(self, goal: GoGoal, macros: Macros) -> GoFeedback:
         return GoFeedback(
-            base_in_map=macros.pose, remaining=macros.distance(goal.x, goal.y), doing=macros.doing
+            base_in_map=macros.pose,
+            remaining=macros.distance(goal.x, goal.y),
+            doing=self._doing(macros),
         )
 
     @staticmethod

@@ -34,6 +34,8 @@ STEER: Final = 1.5
 """rad/s for each radian off the way."""
 
 Steps = Generator[None, None, None]
+Advise = Callable[[float, float], tuple[float, float]]
+"""Tells, on the way to a place (m), which direction to take in the map (rad) and which share of the speed."""
 
 
 class Macros:
@@ -102,13 +104,23 @@ class Macros:
         with self.named("TurnTo"):
             yield from self.turn_angle(self.bearing(x, y))
 
-    def go_to(self, x: float, y: float, near: float) -> Steps:
-        """Turn to a place in the map and go there, until it is within ``near`` metres (GoToOrigin)."""
+    def go_to(self, x: float, y: float, near: float, advice: Advise | None = None) -> Steps:
+        """Turn to a place in the map and go there, until it is within ``near`` metres (GoToOrigin).
+
+        Args:
+            x: of the place (m).
+            y: of the place (m).
+            near: metres from it at which the way ends.
+            advice: tells how to go on for now; None: straight.
+        """
+        asked = advice or self._straight
         with self.named("GoTo"):
             while self.distance(x, y) > near:
-                if abs(self.bearing(x, y)) > OFF:
-                    yield from self.turn_to(x, y)
-                yield from self._approach(x, y, near)
+                off = wrap(asked(x, y)[0] - self.pose.yaw)
+                if abs(off) > OFF:
+                    with self.named("TurnTo"):
+                        yield from self.turn_angle(off)
+                yield from self._approach(x, y, near, asked)
             yield from self.brake()
 
     def bearing(self, x: float, y: float) -> float:
@@ -121,12 +133,18 @@ class Macros:
         here = self.pose
         return math.hypot(x - here.x, y - here.y)
 
-    def _approach(self, x: float, y: float, near: float) -> Steps:
+    def _straight(self, x: float, y: float) -> tuple[float, float]:
+        return self.pose.yaw + self.bearing(x, y), 1.0
+
+    def _approach(self, x: float, y: float, near: float, advice: Advise) -> Steps:
         with self.named("SetWheelSpeed"):
-            while self.distance(x, y) > near and abs(self.bearing(x, y)) <= OFF:
-                left = self.distance(x, y)
+            while (left := self.distance(x, y)) > near:
+                way, pace = advice(x, y)
+                off = wrap(way - self.pose.yaw)
+                if abs(off) > OFF:
+                    return
                 speed = stopping_speed(left, self.wheels.drive.acceleration, LATENCY)
-                self.wheels.send(min(speed, self._speed()), STEER * self.bearing(x, y))
+                self.wheels.send(min(speed, pace * self._speed()), STEER * off)
                 yield from self._cycle()
 
     def _cycle(self) -> Steps:

@@ -57,11 +57,10 @@ def build_map(site: Site, description: RobotDescription) -> SiteMap:
     height = mount.position[2]
     boxes = [box for furniture in site.furniture for box in furniture.boxes]
     seen = [b for b in boxes if abs(b.centre[2] - height) <= b.size[2] / 2]
-    hit = [b for b in boxes if b.centre[2] - b.size[2] / 2 < description.height]
     return SiteMap(
         bounds=site.bounds,
         laser=surface_field(seen, site.bounds),
-        plan=clearance_field(hit, site.bounds),
+        plan=floor_field(site, description.height),
         laser_in_base=to_floor(mount),
     )
 
@@ -97,6 +96,12 @@ def _field(
     bounds: tuple[float, float, float, float], values: FloatArray, shape: tuple[int, int]
 ) -> DistanceField:
     return DistanceField(bounds[0] - RIM, bounds[1] - RIM, STEP, np.ascontiguousarray(values.reshape(shape)))
+
+
+def floor_field(site: Site, height: float) -> DistanceField:
+    """Return the distance to what a robot so high (m) could hit, and to the floor's end."""
+    boxes = [box for furniture in site.furniture for box in furniture.boxes]
+    return clearance_field([box for box in boxes if box.centre[2] - box.size[2] / 2 < height], site.bounds)
 
 
 def clearance_field(boxes: list[SiteBox], bounds: tuple[float, float, float, float]) -> DistanceField:

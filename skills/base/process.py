@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from tandem.skills.base.cliffs import Cliffs
+from tandem.skills.base.company import Company
 from tandem.skills.base.drive import Drive
 from tandem.skills.base.fixed import FixedBase
 from tandem.skills.base.follow_robot import Follow
@@ -14,7 +15,7 @@ from tandem.skills.base.guard import Guard
 from tandem.skills.base.journey_context import JourneyContext
 from tandem.skills.base.localise import Localise
 from tandem.skills.base.localiser import Localiser
-from tandem.skills.base.map import build_map
+from tandem.skills.base.map import build_map, floor_field
 from tandem.skills.base.obstacles import Obstacles
 from tandem.skills.base.occupied import OccupiedFloor
 from tandem.skills.base.people.caution import Caution
@@ -170,15 +171,9 @@ def _by_pose_sensor(
     )
     ranges = sees if description.range_sensors else None
     around = BaseSurroundings(bus, clocks, description, tracker, guard, board, ranges, cliffs)
-    servers: list[Node] = [
-        ActionServer(
-            bus,
-            clocks,
-            Go(bus, clocks, drive, tracker, guard=guard, board=board, surround=sees),
-            charge=charge,
-            pipelines=(pipeline,),
-        )
-    ]
+    floor = floor_field(site, description.height)
+    company = Company(clocks, tracker, neighbours, floor, description.footprint_radius)
+    go = Go(bus, clocks, drive, tracker, guard=guard, board=board, surround=sees, company=company)
     follow = Follow(
         bus,
         clocks,
@@ -186,11 +181,13 @@ def _by_pose_sensor(
         tracker,
         sees,
         sights=Sights(clocks, tracker, sees, neighbours),
-        way_back=WayBack(site, description.footprint_radius, description.height),
+        way_back=WayBack(floor, description.footprint_radius),
         guard=guard,
         board=board,
     )
-    servers.append(ActionServer(bus, clocks, follow, charge=charge, pipelines=(pipeline,)))
+    servers = [
+        ActionServer(bus, clocks, skill, charge=charge, pipelines=(pipeline,)) for skill in (go, follow)
+    ]
     runner = Reflexes(bus, clocks, (pipeline,), _fitted(types, around, site))
     return [tracker, sees, *([] if cliffs is None else [cliffs]), board, runner, *servers]
 

@@ -12,10 +12,10 @@ from typing import Final
 
 import numpy as np
 
-from tandem.skills.base.map import clearance_field
+from tandem.skills.base.field import DistanceField
 from tandem.skills.base.sights import Sight
+from tandem.skills.base.surround import OTHER_RADIUS
 from tandem.skills.ports.pose import FloorPose
-from tandem.skills.ports.site import Site
 
 STEP: Final = 0.05
 """Metres between two places that are asked about."""
@@ -26,8 +26,6 @@ SPARE: Final = 0.20
 its direction, comes 0.2 m nearer to it, and may not see what is beside it."""
 OTHERS_SPEED: Final = 0.3
 """m/s at which a robot may have come nearer since it was seen."""
-OTHERS_RADIUS: Final = 0.30
-"""Metres: of a robot of which only the middle is told."""
 REMEMBERED: Final = 10.0
 """Robot seconds for which a robot that is not seen counts: after 3 m on its way it may be anywhere."""
 
@@ -36,15 +34,12 @@ class WayBack:
     """Says how far is free behind a base.
 
     Args:
-        site: what is known of the room.
+        floor: distance to what the site's map has (m).
         radius: of the base's footprint (m).
-        height: of the robot (m): what hangs above it is not in its way.
     """
 
-    def __init__(self, site: Site, radius: float, height: float) -> None:
-        boxes = [box for furniture in site.furniture for box in furniture.boxes]
-        low = [box for box in boxes if box.centre[2] - box.size[2] / 2 < height]
-        self._clear, self._radius = clearance_field(low, site.bounds), radius
+    def __init__(self, floor: DistanceField, radius: float) -> None:
+        self._clear, self._radius = floor, radius
 
     def free(self, pose: FloorPose, robots: Mapping[str, Sight], now: float) -> float:
         """Return how many metres straight back are free.
@@ -64,6 +59,6 @@ class WayBack:
             if age > REMEMBERED or (ahead and age < 1.0):
                 continue
             away = np.hypot(places[:, 0] - sight.x, places[:, 1] - sight.y)
-            clear = np.minimum(clear, away - OTHERS_RADIUS - OTHERS_SPEED * age)
+            clear = np.minimum(clear, away - OTHER_RADIUS - OTHERS_SPEED * age)
         blocked = np.flatnonzero(clear < self._radius)
         return float(backs[blocked[0]] - STEP if len(blocked) else backs[-1])

@@ -24,6 +24,15 @@ EVERY: Final = 0.1
 _AREA: Final = "world/robots/"
 
 
+class Following(Message):
+    """That a robot follows another one."""
+
+    robot: Annotated[str, Field(min_length=1, max_length=64)]
+    """Whom it follows."""
+    distance: Annotated[float, Field(gt=0.0, le=10.0)]
+    """Metres between the two centres that it keeps."""
+
+
 class RobotWhereabouts(Message):
     """Where a robot believes that it is, and what it does; owner: its executive."""
 
@@ -41,6 +50,8 @@ class RobotWhereabouts(Message):
     """Of that task, such as ``patrol``."""
     phase: Annotated[str, Field(max_length=200)] = ""
     """Of that task."""
+    follows: Following | None = None
+    """Whom that task follows, if anybody."""
 
 
 def whereabouts(robot: str) -> Topic[RobotWhereabouts]:
@@ -70,6 +81,11 @@ class Neighbours:
         decode = whereabouts("*").decode
         self._heard = None if commons is None else Heard(commons, f"{_AREA}*", decode, depth=4)
         self._came: dict[str, tuple[RobotWhereabouts, float]] = {}
+
+    @property
+    def own(self) -> str:
+        """The robot's own name."""
+        return self._own
 
     def refresh(self) -> None:
         """Take in what has arrived; a message under another robot's key, or an older one, is none."""

@@ -126,8 +126,7 @@ def box(
 class JointsOnly:
     """The hardware of one group; a ``Node``. ``stray_at`` aborts a motion at that share of its time.
 
-    The joint ``stuck`` stays where it is, and aborts motions in which it strays or does not arrive. So many
-    answers to goals as ``answers_lost`` says never arrive.
+    So many answers to goals as ``answers_lost`` says never arrive.
     """
 
     bus: MemoryBus
@@ -136,7 +135,6 @@ class JointsOnly:
     positions: dict[str, float]
     stray_at: float | None = None
     answers_lost: int = 0
-    stuck: str = ""
     goals: list[TrajectoryGoal] = field(default_factory=list)
     _began: float = 0.0
     _active: Trajectory | None = None
@@ -192,19 +190,11 @@ class JointsOnly:
     def _follow(self, active: Trajectory) -> None:
         t = self.clocks.seconds - self._began
         q = active.sample(np.array([t]))[0]
-        there, off = dict(zip(self.group.joints, map(float, q), strict=True)), 0.0
-        goal, late = self.goals[-1], t - active.duration
-        if self.stuck:
-            off = abs(there.pop(self.stuck) - self.positions[self.stuck])
-        if off > goal.path_tolerance or (off > goal.goal_tolerance and late >= goal.goal_time):
-            self._active = None
-            self._tell(MotionState.ABORTED, at_rest=True, joint=self.stuck, error=off)
-            return
-        self.positions |= there
+        self.positions |= dict(zip(self.group.joints, map(float, q), strict=True))
         if self.stray_at is not None and t >= self.stray_at * active.duration:
             self._active = None
             self._tell(MotionState.ABORTED, at_rest=True, joint=self.group.joints[0], error=0.2)
-        elif late >= 0.0 and off <= goal.goal_tolerance:
+        elif t >= active.duration:
             self._active = None
             self._tell(MotionState.SUCCEEDED, at_rest=True)
 

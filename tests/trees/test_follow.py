@@ -8,6 +8,7 @@ from py_trees.common import Status
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.actions.base import FollowGoal, FollowSource
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.whereabouts import Following
 from tandem.skills.site import load
 from tandem.skills.testing.mock_base import FOR_EVER, MockReflex
 from tandem.skills.testing.mock_description import mock_description
@@ -86,3 +87,7 @@ def test_the_goal_says_how_the_other_is_found() -> None:
     run = bench()
     assert run.run("follow", {"robot": "r2", "seconds": 5.0, "source": "belief"}) is Status.SUCCESS
     assert {each.source for each in goals(run)} == {FollowSource.BELIEF}
+
+
+def test_whom_it_follows_is_told_to_the_site() -> None:
+    assert TASK.following(FollowRequest(robot="r2", distance=1.0)) == Following(robot="r2", distance=1.0)

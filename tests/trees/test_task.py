@@ -86,3 +86,9 @@ def test_what_is_done_after_a_cancel_is_checked_too() -> None:
 
     with pytest.raises(AmbiguousNodesError, match="the root, a Success: expected a name without '/'"):
         TreeBench(load("lab"), items={}).run(waving(build=build), {})
+
+
+def test_one_that_does_not_say_rightly_whom_it_follows_is_told_so() -> None:
+    with pytest.raises(TypeError, match="expected a Following or None from `follows` of wave, found 'r2'"):
+        waving(follows=lambda _: "r2").following(Waving())
+    assert waving().following(Waving()) is None

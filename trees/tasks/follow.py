@@ -13,6 +13,7 @@ from tandem.skills.ports.message import Count, Message
 from tandem.skills.ports.problems import Problem
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
+from tandem.skills.ports.whereabouts import Following
 from tandem.trees.behaviours.check import Check
 from tandem.trees.behaviours.each import Each
 from tandem.trees.behaviours.give_way import GiveWay
@@ -78,6 +79,11 @@ def misfits(asked: FollowRequest, robot: RobotDescription) -> tuple[Problem, ...
         return ()
     expected = f"{FollowSource.BELIEF}: {robot.name} has no sensor for other robots"
     return (Problem(path="source", expected=expected, found=asked.source),)
+
+
+def follows(asked: FollowRequest) -> Following:
+    """Return whom, and how far behind."""
+    return Following(robot=asked.robot, distance=asked.distance)
 
 
 def build(asked: FollowRequest, context: TreeContext) -> Behaviour:
@@ -149,4 +155,5 @@ TASK = TaskType(
     result=FollowedResult,
     needs=Needs(drive=True, place=True),
     misfits=misfits,
+    follows=follows,
 )

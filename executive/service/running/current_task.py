@@ -16,6 +16,7 @@ from tandem.executive.service.tasks.task_book import TaskBook
 from tandem.executive.service.tasks.time_left import Expectation
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.tasks import Progress, TaskState, TaskStatus
+from tandem.skills.ports.whereabouts import Following
 
 _LOG = logging.getLogger(__name__)
 PROGRESS_STEP: Final = 0.01
@@ -32,6 +33,7 @@ class CurrentTask:
         book: where it stands there.
         clocks: robot time, UTC.
         expectation: what is left of it, as a rule.
+        follows: which robot it follows.
     """
 
     run: Run
@@ -39,6 +41,7 @@ class CurrentTask:
     book: TaskBook
     clocks: Clocks
     expectation: Expectation
+    follows: Following | None = None
     _began: float | None = None
 
     @property

@@ -88,7 +88,8 @@ class TaskBuilder:
             waits=lambda: self.holds.robot(asked.kind),
         )
         expectation = Expectation(self.ledger.past(asked.kind.name))
-        return CurrentTask(run, asked, self.book, self.clocks, expectation)
+        follows = asked.kind.following(asked.request)
+        return CurrentTask(run, asked, self.book, self.clocks, expectation, follows)
 
     def _context(self, task: str) -> TreeContext:
         """Return what the tree is built with: the hands that it was made for before a restart, its notes."""

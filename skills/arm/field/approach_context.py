@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from tandem.skills.arm.doubt import Doubt
 from tandem.skills.arm.field.live import Live
 from tandem.skills.arm.field.target import TargetTracker
 from tandem.skills.arm.field.teller import Teller
@@ -29,4 +28,3 @@ class Parts:
     planner: MovePlanner
     gate: Gate
     teller: Teller
-    doubt: Doubt

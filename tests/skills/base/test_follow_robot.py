@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from tandem.skills.base.map import floor_field
 from tandem.skills.base.sights import Sight
 from tandem.skills.base.way_back import WayBack
 from tandem.skills.ports.action import GoalState
@@ -71,7 +72,7 @@ def test_it_backs_up_from_one_that_comes_near() -> None:
 def test_it_backs_up_only_where_map_and_sights_leave_room(
     x: float, yaw: float, others: dict[str, tuple[float, float]], goes: float
 ) -> None:
-    back = WayBack(load("rocs"), radius=0.46, height=0.4)
+    back = WayBack(floor_field(load("rocs"), 0.4), radius=0.46)
     seen = {name: Sight(*at, at=9.9) for name, at in others.items()}
     free = back.free(FloorPose(x=x, y=0.0, yaw=yaw), seen, now=10.0)
     assert free == pytest.approx(goes, abs=0.051) if goes < 0.3 else free > goes
