@@ -21,8 +21,11 @@ from tandem.skills.ports.message import Quaternion, Vector3
 from tandem.skills.ports.packages import resolve
 
 PAD_FRICTION: Final = 1.0
+"""Of fingertips, chosen as rubber: a hand holds by contact and friction alone."""
 SKIN_FRICTION: Final = 0.5
+"""Of the robot's other surfaces, chosen as metal and plastic."""
 SPAWN_HEIGHT: Final = 0.001
+"""Metres above the floor at which a robot is made, so that nothing starts inside the floor."""
 
 
 @dataclass(frozen=True)

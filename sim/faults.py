@@ -21,6 +21,7 @@ Step = Annotated[float, Field(ge=-5.0, le=5.0)]
 """Metres by which something is displaced along one axis."""
 
 PARCEL: Final = BoxShape(size=(0.07, 0.07, 0.07))
+"""Metres: as large as the cubes with tags."""
 
 
 class _Event(Message):

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from tandem.skills.ports.message import Vector3
 
 SEGMENTS: Final = 32
+"""Sides of a prism that stands for a cylinder: it is nowhere off by more than 0.5 % of the radius."""
 _BOX_SIDES: Final = (
     ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
     ((-1, 0, 0), (0, -1, 0), (0, 0, 1)),

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from tandem.sim.scene import SceneBody
 
 MOST_PEOPLE: Final = 3
+"""Of one scenario: as many as the crossings draw at the most."""
 RADIUS: Final = 0.20
 """Metres around a person's axis that its trunk and its legs take."""
 NEAREST: Final = 0.05

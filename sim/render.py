@@ -28,7 +28,9 @@ if TYPE_CHECKING:
     from tandem.sim.scene import SceneBody
 
 RESULT_BYTES: Final = 24 * 1024 * 1024
+"""Shared with the process that draws: colour and depth of 1280 x 720 pixels take 6.5 MB, larger ones more."""
 PHOTO_OVERSAMPLING: Final = 2
+"""Pixels that are drawn along both axes for one of a photograph, whose edges are smooth then."""
 NICENESS: Final = 10
 """Of the process that draws: software rendering takes every core there is, and the physics goes first."""
 NO_NOISE: Final = Noise()

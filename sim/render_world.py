@@ -47,8 +47,11 @@ TINY_SHIFT: Final = (0.5, -0.5)
 """Pixels (right, down) by which TinyRenderer misplaces everything; measured, and taken back."""
 
 FLOOR_EDGE: Final = 12.0
+"""Metres: of the slab that is drawn as the floor, with its middle in the map's origin."""
 FLOOR_COLOUR: Final = (0.58, 0.55, 0.50)
+"""Red, green, blue from 0 to 1: neither black nor white, as tags are."""
 LIGHT_FROM: Final = (2.0, -3.0, 6.0)
+"""A direction in the map: from above and aside, so that the faces of a box differ in brightness."""
 
 
 Part = tuple[int, int, int, int]

@@ -31,7 +31,9 @@ GAP: Final = 0.0005
 """Metres above its support at which a body is made, so that nothing starts inside something else."""
 
 FURNITURE_FRICTION: Final = 0.6
+"""Chosen as wood."""
 ITEM_COLOUR: Final = (1.0, 1.0, 1.0)
+"""White, which leaves the colours of a texture as they are."""
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 TRUNK: Final = (0.75, 1.70)
 """Metres above the floor: from where to where the trunk is."""
 LEG_RADIUS: Final = 0.055
+"""Metres, chosen: a lower leg with trousers."""
 LEGS_APART: Final = 0.20
 """Metres between the middles of two legs side by side."""
 CLEARANCE: Final = 0.01

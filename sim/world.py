@@ -29,6 +29,7 @@ RESTING_SPEED: Final = 0.002
 FIGURE: Final = CylinderShape(radius=RADIUS - 0.01, height=1.70)
 """What is drawn of a person."""
 CLOTHES: Final = (0.28, 0.36, 0.55)
+"""Red, green, blue from 0 to 1: of a person as drawn."""
 
 
 class World:

@@ -15,6 +15,7 @@ LONGEST: Final = 100
 SHOWN: Final = 4
 """Values of a list that are told; of a longer one their number too."""
 DIGITS: Final = 3
+"""After the point: millimetres and milliradians."""
 
 
 def told_board(board: object) -> dict[str, str]:

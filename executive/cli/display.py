@@ -14,6 +14,7 @@ from tandem.executive.cli.errors import CommandError
 _DISPLAY: Final = re.compile(r"(?:unix|(?P<host>[^:]*)):(?P<number>\d+)(?:\.\d+)?")
 _SOCKETS: Final = Path("/tmp/.X11-unix")  # noqa: S108 - where X11 has its sockets
 _FIRST_PORT: Final = 6000
+"""Of display 0, by the X protocol."""
 WITHIN: Final = 2.0
 """Seconds in which an X server on another host must take a connection."""
 

@@ -6,6 +6,7 @@ import re
 from typing import Final
 
 LAST_PORT: Final = 65535
+"""Of TCP."""
 METRICS_EXAMPLE: Final = "127.0.0.1:9464"
 """9464 is the port by which exporters of OpenTelemetry serve Prometheus."""
 _WITH_PORT: Final = re.compile(r"(tcp|tls|udp|quic|ws)/[^/\s]+:(?P<port>\d{1,5})")

@@ -28,6 +28,7 @@ ROLE: Final = "hardware_check"
 ANSWER_WITHIN: Final = 2.0
 """Host seconds for an answer: a query's usual time-out. What is unanswered is asked three times."""
 ASKED: Final = 3
+"""Times that an unanswered query is sent: that one is lost is not the hardware's fault."""
 HOLDER_GONE_WITHIN: Final = 3.0
 """Host seconds in which the hardware notices that the holder of a lease has gone."""
 SILENT_AFTER: Final = 3.0

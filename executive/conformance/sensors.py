@@ -21,6 +21,7 @@ SCAN_JITTER: Final = 0.2
 PICTURE_WITHIN: Final = 3.0
 """Robot seconds after which a look gives a camera up (CAMERA_SILENT)."""
 PICTURES: Final = 2
+"""That are waited for: the second one shows that the camera goes on."""
 FOCAL: Final = 0.02
 """Share by which a focal length may differ from the described field of view: 1 cm in 50 cm sideways, which is
 what a hand forgives."""

@@ -28,6 +28,7 @@ INDENT: Final = 13
 LETTERS: Final = 0.42
 """OpenCV's scale: about 12 pixels high."""
 MARGIN: Final = 12
+"""Pixels around the tree."""
 WEBP_QUALITY: Final = 70
 """Of 100: letters stay sharp, and a fetch takes 0.4 MB."""
 _INK: Final[Colour] = (40, 38, 34)

@@ -15,6 +15,7 @@ from tandem.executive.render.folded import note_of
 from tandem.skills.ports.tasks import TreeNode
 
 BOX_HEIGHT: Final = 24.0
+"""Pixels of a box with one line."""
 NOTED_HEIGHT: Final = 36.0
 """Pixels of a box with a second line, which says what is left out."""
 BETWEEN: Final = 8.0
@@ -22,6 +23,7 @@ BETWEEN: Final = 8.0
 GAP: Final = 26.0
 """Pixels between two columns, for the edges."""
 MARGIN: Final = 16.0
+"""Pixels around the drawing."""
 CHARACTER: Final = 6.6
 """Pixels that a character takes, about, at a size of 12."""
 NOTE_CHARACTER: Final = 5.5

@@ -35,7 +35,9 @@ from tandem.executive.security.role import PARTS, Part, Role
 LOOPBACK: Final = ("localhost", "127.0.0.1", "::1")
 """Names under which every router may be reached."""
 DAYS: Final = 365
+"""For which a holder's certificate is valid unless said otherwise; chosen: keys are made anew once a year."""
 AUTHORITY_DAYS: Final = 3650
+"""For which the authority's own is; chosen, as a new authority means new keys for every holder."""
 BACKDATED: Final = dt.timedelta(minutes=5)
 """Clocks of two hosts may differ by this."""
 

@@ -34,6 +34,7 @@ PATIENCE: Final = 3
 AT_ONCE: Final = 8
 """Births that are asked for before the first is answered: Linux takes 11 messages that nobody has read."""
 PR_SET_CHILD_SUBREAPER: Final = 36
+"""From linux/prctl.h."""
 ONE_THREAD: Final = {"OPENBLAS_NUM_THREADS": "1"}
 """numpy would start threads as it is loaded, and what has threads must not be forked. A robot's matrices are
 small: more than one thread does them no sooner."""

@@ -17,6 +17,7 @@ from typing import Final, TextIO
 FROM_C: Final = (1, 2)
 """What C knows as standard output and standard error."""
 STANDARD: Final = (0, *FROM_C)
+"""Those, and standard input."""
 
 
 class Screen:

@@ -31,7 +31,9 @@ CAMERA: Final = "camera_optical_frame"
 FOOTPRINT_RADIUS: Final = 0.21
 """Metres. The arm folded at home reaches 0.190 m from the base's axis, the base itself 0.178 m."""
 HEIGHT: Final = 0.63
+"""Metres: the top of the camera's tower."""
 BODY_RADIUS: Final = 0.178
+"""Metres: of the base alone."""
 DRIVE: Final = DifferentialDrive(
     forward=0.7, backward=0.2, acceleration=0.5, turn=1.5, turn_acceleration=1.5, dead_man=0.3, braking=3.0
 )
@@ -48,7 +50,9 @@ CLIFF_LEAD: Final = 0.041
 that brakes with its caster in the air dives."""
 WHEELS: Final = Wheels(("left_wheel_joint",), ("right_wheel_joint",), radius=0.035, track=0.230, effort=3.0)
 FLOOR_FRICTIONS: Final = {"left_wheel_link": 1.0, "right_wheel_link": 1.0, CASTERS: 0.0}
+"""Chosen: tyres grip, and the casters roll to all sides."""
 SIXTH: Final = math.pi / 6
+"""Radians: the bumpers' borders lie on multiples of it."""
 BUMPERS: Final = (
     Sector("front_left", SIXTH, 3 * SIXTH),
     Sector("front_center", -SIXTH, SIXTH),

@@ -32,6 +32,7 @@ WHEELS: Final = Wheels(("left_wheel_joint",), ("right_wheel_joint",), radius=0.0
 """The wheels' diameter is 195 mm. ARIA turns with a track of 357 mm, for tyres that give; these are stiff."""
 CASTER_LINK: Final = "caster_link"
 FLOOR_FRICTIONS: Final = {"left_wheel_link": 1.0, "right_wheel_link": 1.0, CASTER_LINK: 0.0}
+"""Chosen: tyres grip, and the caster rolls to all sides."""
 
 SONARS: Final = (
     (69, 136, 90),

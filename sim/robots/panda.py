@@ -31,7 +31,9 @@ HEIGHT: Final = 1.6
 PEDESTAL: Final = (0.24, 0.24, 0.60)
 """Edges in metres."""
 POST_XY: Final = (0.05, 0.62)
+"""Metres in the base: the camera's post stands at the arm's left."""
 CAMERA_HEIGHT: Final = 1.25
+"""Metres above the floor: half a metre above where it looks."""
 LOOKS_AT: Final = (0.62, 0.0, 0.76)
 """Where the camera looks, in the base (m): the middle of a table before the robot."""
 SMOOTH: Final = Smoothness(acceleration=5.0, jerk=50.0)

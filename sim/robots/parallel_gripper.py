@@ -14,8 +14,11 @@ if TYPE_CHECKING:
     from tandem.sim.urdf import UrdfDocument
 
 FINGER_TRAVEL: Final = 0.045
+"""Metres of one finger."""
 FINGER_FORCE: Final = 16.0
+"""Newtons of one finger."""
 FINGER_SPEED: Final = 0.05
+"""m/s of one finger."""
 PALM_LENGTH: Final = 0.06
 FINGER_LENGTH: Final = 0.085
 FINGER_THICKNESS: Final = 0.012

@@ -16,7 +16,9 @@ DRIVE: Final = DifferentialDrive(
 )
 """PAL's configuration, and our dead-man."""
 WHEELS: Final = Wheels(("wheel_left_joint",), ("wheel_right_joint",), radius=0.0985, track=0.4044, effort=6.0)
+"""PAL's radius, track and limit of effort."""
 FLOOR_FRICTIONS: Final = {"wheel_left_link": 1.0, "wheel_right_link": 1.0, "casters_link": 0.0}
+"""Chosen: tyres grip, and the casters roll to all sides."""
 CASTERS_LINK: Final = "casters_link"
 BUMPER_LINKS: Final = (ROOT, "torso_lift_link")
 

@@ -10,15 +10,21 @@ from tandem.skills.ports.sensors import Bumper, CameraSensor, LaserSensor, PoseS
 
 CAMERA_WIDTH: Final = 1280
 CAMERA_HEIGHT: Final = 720
+"""Pixels, of colour and depth alike."""
 CAMERA_FIELD: Final = math.radians(60.0)
 """Horizontal."""
 
 LASER_BEAMS: Final = 541
+"""Half a degree apart."""
 LASER_FIELD: Final = math.radians(270.0)
+"""Radians: behind is the robot itself."""
 LASER_RANGE: Final = (0.05, 10.0)
+"""Metres."""
 LASER_PERIOD: Final = 0.1
+"""Robot seconds between two scans; ours, as small scanners have it."""
 
 CAPTURE_PERIOD: Final = 0.05
+"""Robot seconds between two poses; ours."""
 CAPTURE_SIGMA: Final = 0.010
 CAPTURE_YAW_SIGMA: Final = math.radians(0.5)
 """10 mm and 0.5 degrees (RoCS, experiments)."""

@@ -42,6 +42,7 @@ SIDEWAYS: Final = 0.1
 """Friction along the axles as a share of that along the way. With this track the robot turns by 0.94 to
 1.09 of what it is told, in place and in arcs, slowly and fast; at 0.3 that spreads by half as much again."""
 FLOOR_FRICTIONS: Final = {joint.replace("_joint", "_link"): 1.0 for joint in WHEELS.joints}
+"""Along the way; see ``SIDEWAYS`` for along the axles."""
 
 RANGE_HEADINGS: Final = {"left": 30.0, "middle": 0.0, "right": -30.0}
 """Degrees. As far apart as a cone is wide: 90 degrees ahead are seen without a gap, and the middle one looks
@@ -51,11 +52,13 @@ RANGE_XYZ: Final = (0.365, 0.15, 0.20)
 CONE: Final = math.radians(30.0)
 RANGE: Final = (0.15, 5.0)
 PERIOD: Final = 0.1
+"""Radians, metres and robot seconds: as the sonars of the Pioneer (``p3dx``)."""
 WAY: Final = 0.8
 """Metres that it goes on after turning from something: its sides, which see nothing, are past it then."""
 ROBOTS_FRAME: Final = "robots_frame"
 ROBOTS_FIELD: Final = math.radians(120.0)
 ROBOTS_RANGE: Final = 5.0
+"""Ours: a field in radians, half to each side of ahead, and metres."""
 
 
 def compose() -> RobotModel:

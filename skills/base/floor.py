@@ -15,6 +15,7 @@ IntArray = npt.NDArray[np.int64]
 BoolArray = npt.NDArray[np.bool_]
 
 ORIGIN = FloorPose(x=0.0, y=0.0, yaw=0.0)
+"""Where odometry begins."""
 
 
 def compose(a_in_b: FloorPose, point_in_a: FloorPose) -> FloorPose:

@@ -30,6 +30,7 @@ WAIT: Final = 1.0
 WAIT_FOR_PEOPLE: Final = 4.0
 """The same where people walk about: they stay longer than things that are carried by."""
 MOST_REPLANS: Final = 4
+"""Chosen: a way that is blocked again and again is the tree's matter."""
 MOST_REPLANS_FOR_PEOPLE: Final = 8
 """Where people walk about: each who stops is gone round, or waited for."""
 MOST_CORRECTIONS: Final = 3

@@ -37,10 +37,13 @@ SLACK: Final = 0.008
 RUN_UP: Final = 0.4
 """Metres that the last straight piece should have."""
 CHECK_STEP: Final = 0.02
+"""Metres between two checked points of a path, less than the margin of a plan (``journey.MARGIN``)."""
 STRIDE: Final = 2
+"""Cells of the field from one node to the next, for a quarter of the nodes."""
 END: Final = -1
 """Stands for the goal among the nodes."""
 TINY: Final = 1e-9
+"""Metres, or cost: what is less is rounding."""
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,7 @@ from tandem.skills.ports.robot_description import Drive
 from tandem.skills.ports.skill import ActionType, Outcome, Run, canceled, failed, succeeded
 
 MOST_CORRECTIONS: Final = 2
+"""Turns after the first that may make up for what it has missed."""
 SETTLE: Final = 0.15
 """Robot seconds at rest, at the most, before the angle is judged: by then a scan has been taken there."""
 

@@ -23,7 +23,9 @@ from tandem.skills.ports.pose import FloorPose
 CELL: Final = 0.05
 """Metres: the score grid."""
 PLACE_STEP: Final = 0.1
+"""Metres between two places that are scored; the fine match makes up for the rest."""
 HEADINGS: Final = 120
+"""Of a whole circle: 3 degrees apart."""
 BEAMS: Final = 50
 """Beams that a coarse score takes, spread evenly."""
 FINE_BEAMS: Final = 360

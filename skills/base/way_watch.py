@@ -16,6 +16,7 @@ from tandem.skills.base.people.tracker import Tracker
 AHEAD: Final = 2.2
 """Metres of path that are watched: more than the base needs to stop."""
 STEP: Final = 0.04
+"""Metres between watched points of the path: much less than a footprint's radius."""
 SURE: Final = 0.03
 """Metres inside the footprint's radius from which a hit counts even where a map knows of something."""
 HITS: Final = 3

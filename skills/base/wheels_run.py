@@ -37,6 +37,7 @@ STUCK_AFTER: Final = 4.0
 PATIENCE: Final = 30.0
 """Robot seconds for which the base waits for people without a break."""
 GIVE_UP_RESTING: Final = 5.0
+"""Robot seconds in which a base that is told to stand must be at rest: ours brake within 2."""
 CREEP: Final = 0.15
 """m/s ahead at which the last centimetres are corrected."""
 CLOSE: Final = 0.002

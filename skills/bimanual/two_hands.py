@@ -63,6 +63,7 @@ EASE: Final = 0.4
 TRY_COST: Final = 2.5e-4
 """Robot seconds that lockstep charges for a pose that is tried on both arms."""
 HEARD_WITHIN: Final = 2.0
+"""Robot seconds in which pose, world, joints and both wrists must have been heard."""
 BRAKING: Final = 0.25
 """Robot seconds in which a motion on its way comes to rest, on its path."""
 

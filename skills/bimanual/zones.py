@@ -38,14 +38,17 @@ TABLE: Final = 0.71
 ABOVE: Final = 0.035
 """Metres above it at which a hand grasps."""
 CELL: Final = 0.05
+"""Metres: the edge of a square of the table."""
 NEAREST: Final = 0.25
 FARTHEST: Final = 0.95
 ASIDE: Final = 0.90
 """Metres in the base: x from and to, and y to both sides."""
 PITCHES: Final = (math.radians(30.0), math.radians(15.0), math.radians(60.0))
+"""Radians by which a hand points down, in the order in which they are tried."""
 TURNS: Final = (0.0, math.radians(35.0), math.radians(-35.0), math.radians(70.0), math.radians(-70.0))
 """Headings from where a hand works best, in the order in which they are tried."""
 STARTS: Final = 3
+"""Postures that the inverse kinematics begins from for each pose."""
 BATCH: Final = 60
 """Poses that are solved at once."""
 COST: Final = 2.0

@@ -26,6 +26,7 @@ SIDE = 128
 FIRST = 8
 """Squares along each axis to begin with."""
 BOTH = 2
+"""Joints of a table, at the most: its answers are a square."""
 SAFE = 1e-4
 """Metres by which a measurement may be wrong: coal's iterations end sooner than balls' arithmetic does."""
 

@@ -38,6 +38,7 @@ SIDES = 16
 ROUNDING = 1e-6
 """Metres by which balls are larger, or smaller, than reckoned."""
 CLIMBS = 20
+"""Steps of a ball's centre away from the nearest faces; each that does not gain is halved."""
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,9 @@ HEAD: Final = "head"
 APART: Final = 0.1
 """Radians between neighbouring head positions of the lattice, at the most."""
 _ROUNDS: Final = 12
+"""Of Gauss-Newton at the most; a step of less than ``_STEP`` ends it sooner."""
 _STEP: Final = 1e-4
+"""Radians: of a finite difference, and what is taken for none."""
 
 
 class Aim:

@@ -18,6 +18,7 @@ from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.world import ROBOT_POSE, RobotPose
 
 _KEPT: Final = 256
+"""States of the joints, and poses of the robot: the last seconds, longer than a picture takes to come."""
 _MAX_GAP: Final = 0.25
 """Seconds: what lies farther from a picture says nothing about it."""
 

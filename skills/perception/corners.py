@@ -23,9 +23,13 @@ _ALONG: Final = 24
 _ACROSS: Final = 4
 """Samples a pixel across an edge."""
 _ROUNDS: Final = 3
+"""Of all four lines; each begins at the corners that the one before has found."""
 _CELLS: Final = 8
+"""Along an edge of a 36h11 tag, its border included."""
 _MIN_REACH: Final = 1.5
 _MAX_REACH: Final = 4.0
+"""Pixels to both sides of an edge that are looked at: 0.6 of a cell, so that the next cell's edge is not
+taken for it, within these bounds."""
 
 
 def refine(grey: NDArray[np.uint8], corners: Corners) -> tuple[Corners, float] | None:

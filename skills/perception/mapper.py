@@ -69,6 +69,7 @@ NOT_PLACED: Final = (
 SWINGS: Final = 0.03
 """Radians that the camera may turn in ``BEFORE`` seconds: the picture is off by 3 mm a metre then."""
 BEFORE: Final = 0.1
+"""Robot seconds before a picture from which on the camera must have been as good as still."""
 REST: Final = 0.3
 """Robot seconds to wait after a picture that was left out."""
 OFFERED: Final = 4

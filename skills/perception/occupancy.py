@@ -45,6 +45,7 @@ UPRIGHT_SHARE: Final = 0.5
 FLOOR_GROWTH: Final = 0.005
 """Metres a metre, by which what counts as floor rises with the distance."""
 DIAGONAL: Final = math.sqrt(3.0)
+"""Of a cube with edges of 1."""
 SHOWN: Final = 0.01
 """Share of the pixels with a depth below which a picture shows nothing."""
 

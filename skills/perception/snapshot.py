@@ -27,6 +27,7 @@ WORK_AFTER: Final = 1.0
 WIDEST: Final = 640
 """Pixels across, at the most."""
 QUALITY: Final = 80
+"""JPEG's, of 100: people look at it, and nothing is measured in it."""
 
 
 class Snapshots:

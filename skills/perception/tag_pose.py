@@ -33,12 +33,15 @@ _DEPTH_BIAS: Final = 0.002
 _NEIGHBOURS: Final = 9.0
 """Depth pixels that are as good as one independent one."""
 _UPRIGHT_SIGMA: Final = math.radians(0.7)
+"""Radians, chosen: by which an item that stands may lean, and the camera's own tilt be off."""
 _UPRIGHT_LIMIT: Final = math.radians(15.0)
 """Tilted more than this, an item does not stand upright, and nothing is assumed."""
 _TILTED_COST: Final = 300.0
 """What it costs a solution not to be upright: believed only if the picture clearly says so."""
 _ROUNDS: Final = 6
+"""Of Gauss-Newton at the most."""
 _OUTLIER: Final = 4.0
+"""Standard deviations of the depth from which on a point is not on the face."""
 
 
 @dataclass(frozen=True)

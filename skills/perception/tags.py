@@ -31,8 +31,11 @@ _CLOSE: Final = 3.0
 _MAX_SCATTER: Final = 0.5
 """Pixels: edges that are less straight are not a tag's."""
 _MAX_VIEWING_ANGLE: Final = math.radians(75.0)
+"""Between the face's normal and the line of sight: a tag is a quarter as wide as it is from there."""
 _MAX_PIXEL_ERROR: Final = 1.0
+"""Pixels, root mean square, by which corners may miss the pose that explains them."""
 _DEPTH_POINTS: Final = 150
+"""Of a face, at the most."""
 
 
 def of_items(image: RgbdImage, items: tuple[SiteItem, ...], up_in_camera: Vector3) -> tuple[Detection, ...]:

@@ -19,6 +19,7 @@ Matrix = NDArray[np.float64]
 TOP: Final = 1.7
 """Metres above the floor up to which space is mapped: higher than the robots are."""
 OUTSIDE: Final = -1
+"""Stands for the index of a cell where there is none."""
 U32: Final = np.dtype("<u4")
 
 

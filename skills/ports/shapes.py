@@ -17,6 +17,7 @@ from tandem.skills.ports.message import Vector3
 ShapeName = Literal["box", "cylinder"]
 
 QUARTER: Final = math.pi / 2.0
+"""Radians: from one side of a box to the next."""
 RING: Final = 12
 """Directions in which a hand may go for a cylinder. No heading is farther than 15 degrees from one of them,
 the step between two stands (``tag_grasps.STAND_ANGLES``): finer ones would be tried from the next stand. A

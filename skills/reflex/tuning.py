@@ -38,8 +38,10 @@ TURN: Final = 1.2
 STEEPEST: Final = 1.3
 """Radians by which a hand points down at the most."""
 STARTS: Final = 6
+"""Postures that the inverse kinematics begins from for each pose."""
 GAMMAS: Final = tuple(round(0.01 * k, 3) for k in range(21))
 MUS: Final = tuple(round(0.02 * k, 3) for k in range(16))
+"""Values of gamma and mu that ``tune`` tries, each with each."""
 
 
 @dataclass(frozen=True)

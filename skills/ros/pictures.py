@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 TOGETHER: Final = 0.05
 """ROS seconds by which colour and depth of one picture may differ."""
 MILLIMETRES: Final = 1000.0
+"""In a metre."""
 FARTHEST: Final = 65535.0
 """Millimetres that a depth can hold."""
 

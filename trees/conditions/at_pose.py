@@ -14,6 +14,7 @@ from tandem.trees.context import TreeContext
 POSITION_TOLERANCE: Final = 0.06
 """Metres within which the base need not be driven again."""
 YAW_TOLERANCE: Final = math.radians(5.0)
+"""Radians, likewise."""
 
 
 def near(context: TreeContext, pose: FloorPose) -> bool:

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 REFRESH: Final = 0.1
 """Seconds between two pictures, at the least."""
 BAR: Final = 30
+"""Characters of a task's bar."""
 
 
 @dataclass

@@ -10,6 +10,7 @@ from tandem.skills.ports.message import PLAIN_TEXT, Message
 from tandem.skills.ports.utc import Utc
 
 MOST_LABELS: Final = 16
+"""Of one request, chosen: each is told with every status of its task."""
 Word = Annotated[str, Field(max_length=64, pattern=PLAIN_TEXT)]
 
 

@@ -25,6 +25,7 @@ KIND_FIELD: Final = "task"
 ID_FIELD: Final = "id"
 """The client's own name for its request: repeated in the answer."""
 MAX_ID: Final = 64
+"""Characters: room for a UUID and a prefix; it is told with every status."""
 PLAIN: Final = re.compile(PLAIN_TEXT)
 """Ids stand in logs, in files and on screens."""
 

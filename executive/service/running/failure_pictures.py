@@ -19,6 +19,7 @@ from tandem.trees.context import TreeContext
 STORED_PICTURE: Final = Service(TASK_PICTURE, AskPicture, Nothing, reads=True)
 """Answered with a JPEG."""
 KEPT_OF_A_TASK: Final = 8
+"""Pictures of one task: one that fails often leaves room for others."""
 KEPT: Final = 64
 """Pictures in memory, of all tasks; the oldest go."""
 TOLD: Final = 32

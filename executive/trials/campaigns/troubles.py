@@ -48,8 +48,11 @@ from tandem.skills.ports.site import Site
 from tandem.skills.testing.faulty_bus import BusFaults
 
 MOST_FAULTS: Final = 3
+"""Of one run."""
 PERSON: Final = BoxShape(size=(0.35, 0.35, 1.2))
+"""Metres: trunk and legs of whoever stands in the way, as one box."""
 BAD_NETWORK: Final = BusFaults(delay=0.05, drop=0.03, double=0.05, reorder=0.05)
+"""Seconds at the most, and shares of all messages."""
 
 
 @dataclass(frozen=True)

@@ -30,12 +30,15 @@ ACROSS: Final = (0.3, 0.7)
 APART: Final = 1.0
 """Metres between anybody and the robot, and between two people, at the start."""
 SPEED: Final = (0.3, 1.4)
+"""m/s, from and to: what a ``Person`` allows."""
 BEGINS: Final = (1.5, 4.5)
 """Seconds after which a person sets out; the drive begins after 1.5 s, when the base knows where it is."""
 STEP: Final = 0.05
+"""Metres by which a person's way grows while it is free."""
 CHAIR: Final = 0.36
 """Metres between the legs of a chair that no map knows."""
 MOST_DRAWS: Final = 2000
+"""After which nothing is taken to fit."""
 
 
 def draw(site: Site, rng: np.random.Generator) -> tuple[Scenario, FloorPose]:

@@ -21,6 +21,7 @@ from tandem.sim.scenario import Scenario, load_scenario
 from tandem.skills.ports.message import Message
 
 MOST_DRAWS: Final = 200
+"""After which nothing is taken to fit."""
 APART: Final = 0.14
 """Metres between the centres of two cubes: room for the fingers of both."""
 DELAY: Final = {"field": (0.1, 0.9), "grasp": (0.03, 0.25)}

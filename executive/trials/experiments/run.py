@@ -220,6 +220,7 @@ class _Running:
 
 
 LYING: Final = math.radians(45.0)
+"""Radians by which a cube that has been knocked over leans: half-way to its side."""
 STANDS: Final = 0.01
 """Metres by which the carton's underside may be off the table in the end."""
 TABLE: Final = 0.71

@@ -18,6 +18,7 @@ from tandem.skills.testing.mock_skill import Fault
 from tandem.trees.behaviours.act import Act
 
 MOST_FAULTS: Final = 6
+"""Of one run."""
 LATE: Final = (0.5, 5.0, 30.0)
 """Robot seconds by which an answer may be late."""
 CANCEL_WITHIN: Final = 600

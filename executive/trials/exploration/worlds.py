@@ -30,7 +30,9 @@ OTHER: Final = 42
 TAG: Final = Pose(position=(0.9, 0.1, 0.74), orientation=from_axes((1, 0, 0), (0, 0, 1), (0, -1, 0)))
 DOUBLE: Final = Pose(position=(0.9, 0.9, 0.74), orientation=TAG.orientation)
 STEP: Final = 0.05
+"""Robot seconds between two ticks: as the executive has them."""
 NEVER: Final = 10**6
+"""The number of a look that no task comes to."""
 AFTER_ONE_SPOT: Final = 28
 """The number of the look that is the second one at the second spot."""
 

@@ -29,6 +29,7 @@ ROOM: Final = 1.9
 DISTANCE: Final = 1.3
 """Metres between the two centres at the start of EXP3, and as the SUMMIT-XL is to keep them."""
 MOST_DRAWS: Final = 1000
+"""After which nothing is taken to fit."""
 
 
 def draw(case: Case, rng: np.random.Generator) -> Scenario:

@@ -22,6 +22,7 @@ from tandem.skills.base.floor import FloatArray
 STEPS: Final = 6
 """Of Gauss-Newton for each plan; bands that are carried on need fewer than new ones."""
 FIRST_STEPS: Final = 14
+"""Of a plan into which no band is carried on."""
 LOYAL: Final = 0.9
 """Times the present route's price another one has to be cheaper: it is not changed for nothing."""
 SAME: Final = 0.08

@@ -18,6 +18,7 @@ from tandem.skills.base.floor import BoolArray, FloatArray
 SHORTEST: Final = 0.03
 """Seconds between two poses at least."""
 LONGEST: Final = 1.0
+"""Seconds between two poses at the most."""
 DAMPING: Final = (0.2, 1e-5, 1e4)
 """To begin with, at least and at the most."""
 EASES: Final = 0.3

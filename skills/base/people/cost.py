@@ -16,7 +16,9 @@ from tandem.skills.base.people.forecast import Forecast
 AHEAD: Final = (0.45, 0.35)
 """Metres, and metres for each m/s."""
 BEHIND: Final = 0.35
+"""Metres, at any speed."""
 ASIDE: Final = 0.35
+"""Metres to both sides. All are standard deviations, chosen."""
 
 
 def costs(points: FloatArray, times: FloatArray, forecast: Forecast) -> FloatArray:

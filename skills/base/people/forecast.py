@@ -19,6 +19,7 @@ from tandem.skills.base.people.person_track import STANDS, Track
 HORIZON: Final = 4.0
 """Seconds: a base at 0.7 m/s stands after 1.7 s, and has stood for one after 2.7 s; the rest is room."""
 STEP: Final = 0.1
+"""Seconds: a person at 1.4 m/s goes 0.14 m in it, less than their radius."""
 RELAXES: Final = 0.5
 """Seconds in which a velocity is drawn back to the wished one: their tau."""
 REPULSION: Final = 2.1 / 0.3

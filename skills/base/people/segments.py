@@ -15,6 +15,7 @@ from tandem.skills.base.localiser import PlacedScan
 UNMAPPED: Final = 0.10
 """Metres from everything mapped at which a hit is something else; grows with the range."""
 UNMAPPED_GROWTH: Final = 0.02
+"""Metres a metre: a heading that is off by 1.1 degrees moves a hit by as much."""
 FARTHEST: Final = 6.0
 """Metres: farther away a leg is hit by one beam of 0.9 degrees at the most."""
 GAP: Final = 0.12

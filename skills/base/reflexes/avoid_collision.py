@@ -31,6 +31,7 @@ CORRIDOR: Final = math.radians(40.0)
 SIDE_FOR: Final = 8.0
 """Robot seconds for which the side of the last turn is kept."""
 STEP: Final = math.radians(15.0)
+"""Radians between two headings that are tried: 24 of a whole circle."""
 PATIENCE: Final = 3.0
 """Times as long as the way away takes at its speed, after which something holds the base."""
 MOVES: Final = 0.02
