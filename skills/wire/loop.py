@@ -23,7 +23,7 @@ than the period of the clock of a robot that rests, or each of its ticks would c
 
 CALM: Final = 0.045
 """Host seconds between two ticks that wake a process which moves nothing: every fifth tick of 10 ms does, as
-often as a tree looks at its timers (``tree_run.TICK_PERIOD``). Half a tick less than that, for ticks that
+often as a tree looks at its timers (``tick_timer.TICK_PERIOD``). Half a tick less than that, for ticks that
 come early. What is asked of it, and news, wake it at once."""
 
 FOLLOWS: Final = "follows/"
