@@ -3,7 +3,8 @@
 """The arithmetic of ``quick`` and ``spheres``, compiled by numba: some 2 us a state.
 
 Imported only where numba is installed (extra ``fast``). The code is written out plainly because that is what
-the compiler makes fast. ``judge`` is one function for the same reason.
+the compiler makes fast. ``judge`` is one function for the same reason: a call for each body, with its dozen
+arrays, costs as much as what it does.
 """
 
 from __future__ import annotations
@@ -89,7 +90,8 @@ def judge(  # noqa: C901, PLR0912, PLR0915, PLR0917
         answers: of each table (t, side, side).
         least: of the field, flat.
         samples: of the field, flat.
-        numbers: moving bodies, strides (2), slack and spare in metres and cells.
+        numbers: moving bodies, strides (2), metres to spare, slack in metres, cells to spare, a cell in
+            metres, and the base's frame (12,) in cells.
         stop: end at the first state that is not free.
         out: the answers (m,).
     """
@@ -113,6 +115,7 @@ def judge(  # noqa: C901, PLR0912, PLR0915, PLR0917
     side = answers.shape[1]
     for s in range(len(states)):
         verdict = FREE
+        # What tables of two joints' angles tell; outside of them they tell nothing.
         for t in range(len(tables)):
             a = math.floor((states[s, tables[t, 0]] - ranges[t, 0]) * ranges[t, 1])
             b = math.floor((states[s, tables[t, 1]] - ranges[t, 2]) * ranges[t, 3])
@@ -121,6 +124,7 @@ def judge(  # noqa: C901, PLR0912, PLR0915, PLR0917
             else:
                 verdict = max(verdict, answers[t, a, b])
         if verdict != CONTACT:
+            # Where the joints are.
             for j in range(len(parents)):
                 q = states[s, columns[j]]
                 first, second = q, 0.0
@@ -137,6 +141,7 @@ def judge(  # noqa: C901, PLR0912, PLR0915, PLR0917
                         if k == 3:  # noqa: PLR2004
                             value += frames[up, i, 3]
                         frames[j + 1, i, k] = value
+            # Each moving body in the world: by some balls, by all, and by those inside it.
             for body in range(moving):
                 joint = joints[body]
                 _balls(frames, joint, few, body, at_few[body])
@@ -170,6 +175,7 @@ def judge(  # noqa: C901, PLR0912, PLR0915, PLR0917
                 if verdict == CONTACT:
                     break
         if verdict == FREE:
+            # Pairs of bodies: by one ball of each, by some, by all.
             for p in range(len(pairs)):
                 a, b = pairs[p, 0], pairs[p, 1]
                 if _apart(at_one[a], one, a, at_one[b], one, b, spare):
