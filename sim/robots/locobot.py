@@ -68,7 +68,6 @@ casters rocks as the arm moves; one that stands on its casters has no grip."""
 PLATE: Final = 0.124
 """Metres: the top of the base, on which all else stands."""
 ARM_AT: Final = (0.097277, 0.0, PLATE + 0.0095)
-TOWER: Final = (-0.045, 0.0, PLATE)
 PAN: Final = (0.002, 0.0, PLATE + 0.44425)
 """On the large tower, which comes with this arm: 6 cm higher than on the small one. It stands on a tongue of
 the tower's plate, 64 mm wide, then 34, that ends 18 mm before the pan's axis; the plate itself ends 58 mm

@@ -115,7 +115,6 @@ class _Running:
         things = tuple(dict.fromkeys(self._items.values()))
         self._witness = Witness(system.lockstep.station, things)
         self._offsets: dict[HandName, Vector3] = {}
-        self._held_up: dict[str, bool] = {}
         self._mover: Mover | None = None
         self._rule, self._stops = Latest(system.bus, RIGHT_OF_WAY), 0
 
