@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -110,19 +110,23 @@ def write_mcap(
     cameras: tuple[str, ...] = ("head",),
     size: tuple[int, int] = (36, 64),
     facts: Facts = FACTS,
+    shown: Callable[[float], bool] = lambda _: True,
 ) -> Path:
-    """Write a recording: the messages in order, and five pictures a second, blue until 2 s, then red."""
+    """Write a recording: the messages in order, and five pictures a second, blue until 2 s, then red.
+
+    ``shown`` says at which times there is one.
+    """
     with path.open("wb") as file:
         made = McapFile(file, facts, 0.0, JsonSchemas().of)
         made.attach(Attachment(DESCRIPTION.key, 0.0, mock_description().model_dump_json().encode()))
-        shown = 0.0
+        at = 0.0
         for each in sorted(messages, key=lambda one: one.at):
             made.put(each)
-            while shown <= each.at:
-                for camera in cameras:
-                    jpeg = picture(camera, BLUE if shown < 2.0 - 1e-6 else RED, size)
-                    put_picture(made, rgbd(camera), camera, jpeg, message("x", round(shown, 9), stamp(shown)))
-                shown += 0.2
+            while at <= each.at:
+                for camera in cameras if shown(at) else ():
+                    jpeg = picture(camera, BLUE if at < 2.0 - 1e-6 else RED, size)
+                    put_picture(made, rgbd(camera), camera, jpeg, message("x", round(at, 9), stamp(at)))
+                at += 0.2
         made.finish()
     return path
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +12,8 @@ from tandem.executive.records.lerobot.layout import ACTION, STATE, Features
 from tandem.executive.records.lerobot.sampling import (
     BASE_ACTION,
     BASE_STATE,
+    LONGEST,
+    OFTEN,
     Numbers,
     Signals,
     description_of,
@@ -60,8 +62,16 @@ class Episode:
         return tuple(self.span.leaves[max(place, 0)][1] for place in places.tolist())
 
 
-def episodes(record: Recording, fps: int) -> Iterator[Episode | LeftOut]:
-    """Yield the tasks of a record as episodes, in order, and those that can't be one."""
+def episodes(
+    record: Recording, fps: int, cameras: Sequence[str] | None = None
+) -> Iterator[Episode | LeftOut]:
+    """Yield the tasks of a record as episodes, in order, and those that can't be one.
+
+    Args:
+        record: to be sampled.
+        fps: frames a second.
+        cameras: those of which pictures are wanted; None: all.
+    """
     robot = description_of(record)
     name = record.facts.robot if robot is None else robot.name
     found, left_out = spans(record)
@@ -73,5 +83,26 @@ def episodes(record: Recording, fps: int) -> Iterator[Episode | LeftOut]:
             continue
         moments = moments_of(span.begin, span.end, fps)
         shown = {each.camera: each for each in films(record, moments)}
+        lacks = _lacks(
+            span, heard, moments, [each for name, each in shown.items() if cameras is None or name in cameras]
+        )
+        if lacks:
+            yield LeftOut(span.task, lacks)
+            continue
         drives = heard.pose is not None if robot is None else robot.drive is not None
         yield Episode(record, span, heard, moments, shown, drives, name)
+
+
+def _lacks(span: TaskSpan, heard: Signals, moments: Numbers, shown: Iterable[Film]) -> str:
+    """Say what a task's record lacks for frames at even steps; empty: nothing."""
+    if span.boots > 1:
+        return "the hardware started anew while it ran"
+    count = int(np.count_nonzero((heard.positions.at >= moments[0]) & (heard.positions.at <= moments[-1])))
+    gaps = [("joints", heard.positions.gap(moments, LONGEST))]
+    gaps += [(f"picture of {each.camera}", each.gap) for each in shown]
+    for what, gap in gaps:
+        if gap is not None:
+            return f"no {what} came for {gap[0]:.1f} s, {gap[1] - span.begin:.1f} s after its start"
+    if len(moments) > OFTEN * count + 1:
+        return f"joints came {count} times while it ran, too seldom for {len(moments)} frames (--fps)"
+    return ""

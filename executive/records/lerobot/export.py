@@ -63,13 +63,17 @@ class _Making:
         self._set: DataSet | None = None
         self._features, self._first = Features((), ()), ""
         self._left_out: list[tuple[Path, LeftOut]] = []
+        self._taken: dict[tuple[object, ...], Path] = {}
+        """Files of the tasks that are in the set: a black box has what a recording of its time has."""
 
     def take(self, file: Path) -> None:
         record = open_recording(file)
         try:
-            for each in episodes(record, self._wanted.fps):
+            for each in episodes(record, self._wanted.fps, self._wanted.cameras):
                 if isinstance(each, LeftOut):
                     self._left_out.append((file, each))
+                elif (known := self._taken.setdefault(_identity(each), file)) is not file:
+                    self._left_out.append((file, LeftOut(each.span.task, f"it is in {known.name}, too")))
                 else:
                     self._add(record, each)
         finally:
@@ -132,6 +136,12 @@ class _Making:
         expected = f"the joints and cameras of the first episode ({self._first})"
         found = _difference(self._features, features)
         raise RecordError(record.path, expected, found, "export each robot into a folder of its own")
+
+
+def _identity(episode: Episode) -> tuple[object, ...]:
+    """Return what two records of one task have in common. Tasks of two starts may have one name."""
+    facts, span = episode.record.facts, episode.span
+    return facts.site, facts.robot, facts.began, facts.seed, span.task, round(span.begin, 3)
 
 
 def _difference(one: Features, other: Features) -> str:

@@ -30,6 +30,14 @@ BEFORE: Final = 2.0
 """Robot seconds before an episode that are read, so that its first frame knows what came last."""
 AFTER: Final = 0.5
 """Robot seconds after its last step that are read."""
+LONGEST: Final = 0.5
+"""Robot seconds without joints that an episode may have. They come 20 to 100 times a second; what was lost
+for longer is not to be learnt as standing still."""
+OFTEN: Final = 1.5
+"""Frames for each message of the joints that an episode may have: with more, most frames repeat the one
+before, and its action is to stand still."""
+LONGEST_PICTURE: Final = 2.0
+"""The same of a camera's pictures, which come five times a second, and less often from one that is busy."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +51,19 @@ class Track:
     def places(self, moments: Numbers) -> NDArray[np.intp]:
         """Return the place of the row that counts at each moment; before the first one -1."""
         return np.searchsorted(self.at, moments + 1e-9, side="right") - 1
+
+    def gap(self, moments: Numbers, longest: float) -> tuple[float, float] | None:
+        """Return the longest time for which a row counts, and when it begins; None: none is too long.
+
+        Before the first row, the time until it comes.
+        """
+        first, last = float(moments[0]), float(moments[-1])
+        before = int(self.places(moments[:1])[0])
+        within = self.at[(self.at > first) & (self.at < last)]
+        edges = np.array([first if before < 0 else self.at[before], *within, last])
+        worst = int(np.argmax(np.diff(edges)))
+        length = float(edges[worst + 1] - edges[worst])
+        return (length, max(first, float(edges[worst]))) if length > longest else None
 
     def sampled(self, moments: Numbers) -> Numbers:
         """Return the row that counts at each moment; before the first one that one."""

@@ -39,6 +39,8 @@ class TaskSpan:
     """Kind of its failure; empty if there is none."""
     leaves: tuple[tuple[float, str], ...]
     """From when on which leaves ran."""
+    boots: int = 1
+    """Of the robot, in which it ran: between two, nobody knows what it did."""
 
 
 @dataclass(frozen=True)
@@ -107,5 +109,8 @@ def _span(record: Recording, task: str, said: list[tuple[float, TaskStatus]]) ->
         end=end,
         state=last.state,
         failure="" if last.failure is None else last.failure.kind.value,
+        boots=sum(
+            each.begin + each.offset <= end and each.end + each.offset >= begin for each in record.boots()
+        ),
         leaves=tuple((at, " and ".join(each.running) or NO_LEAF) for at, each in running),
     )

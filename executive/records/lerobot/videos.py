@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
@@ -14,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tandem.executive.records.lerobot.layout import PIXELS, VIDEO, VIDEO_MB, Place, image_key
-from tandem.executive.records.lerobot.sampling import BEFORE, Numbers, Track
+from tandem.executive.records.lerobot.sampling import BEFORE, LONGEST_PICTURE, Numbers, Track
 from tandem.executive.records.recording import Recording
 
 Picture = NDArray[np.uint8]
@@ -38,6 +39,8 @@ class Film:
     jpegs: tuple[bytes, ...]
     places: tuple[int, ...]
     """Of each frame's picture among them."""
+    gap: tuple[float, float] | None = None
+    """The longest time without one, and when it began, in robot seconds; None: none was too long."""
 
     @property
     def size(self) -> tuple[int, int]:
@@ -54,9 +57,7 @@ def films(record: Recording, moments: Numbers) -> tuple[Film, ...]:
         camera = picture.key.split("/")[2]
         at.setdefault(camera, []).append(picture.at)
         jpegs.setdefault(camera, []).append(picture.payload)
-    return tuple(
-        Film(camera, tuple(jpegs[camera]), _places(np.array(at[camera]), moments)) for camera in sorted(at)
-    )
+    return tuple(_film(camera, jpegs[camera], np.array(at[camera]), moments) for camera in sorted(at))
 
 
 def picture_of(jpeg: bytes) -> Picture | None:
@@ -167,5 +168,7 @@ class VideoFiles:
         return found
 
 
-def _places(at: Numbers, moments: Numbers) -> tuple[int, ...]:
-    return tuple(np.maximum(Track(at, at[:, None]).places(moments), 0).tolist())
+def _film(camera: str, jpegs: Sequence[bytes], at: Numbers, moments: Numbers) -> Film:
+    track = Track(at, at[:, None])
+    places = tuple(np.maximum(track.places(moments), 0).tolist())
+    return Film(camera, tuple(jpegs), places, track.gap(moments, LONGEST_PICTURE))

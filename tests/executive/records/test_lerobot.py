@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import av
@@ -33,9 +34,12 @@ from tandem.executive.records.lines_file import write_lines
 from tandem.executive.records.recording import Recorded, RecordError, Span
 from tandem.skills.ports.hardware import SetPoint
 from tandem.skills.ports.keys import JOINT_STATES, group_setpoint
+from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.tasks import TaskState
 
 HEAD = "observation.images.head"
+OTHER = FACTS.model_copy(update={"seed": 8})
+"""Of another run, whose task has the same name."""
 FRAMES = 21
 """Of two seconds at ten frames a second, both ends included."""
 PUBLISHED = {
@@ -63,7 +67,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Exported]:
     (folder / "runs").mkdir()
     write_mcap(folder / "runs" / "a.mcap", [*motion(), *one_fetch()])
     failing = [*one_fetch()[:-1], status(3.0, state=TaskState.FAILED)]
-    write_mcap(folder / "runs" / "b.mcap", [*motion(), *failing])
+    write_mcap(folder / "runs" / "b.mcap", [*motion(), *failing], facts=OTHER)
     root = folder / "set"
     return root, export([folder / "runs"], root, Wanted())
 
@@ -223,6 +227,71 @@ def test_a_black_box_becomes_one_too(tmp_path: Path) -> None:
     assert info(tmp_path / "set")["video_path"] is None
 
 
+def lost(since: float, until: float) -> list[Recorded]:
+    """Return the motion without what came in between."""
+    return [each for each in motion() if not since < each.at < until]
+
+
+GAPS = {
+    "joints": (lost(1.5, 2.3), {}, 10, r"no joints came for 0\.8 s, 0\.5 s after its start"),
+    "joints at the start": (lost(-1.0, 2.0), {}, 10, r"no joints came for 1\.0 s, 0\.0 s after its start"),
+    "pictures": ([*motion()], {"shown": lambda at: at < 0.5}, 10, r"no picture of head came for 2\.6 s"),
+    "fewer than frames": (
+        [*motion()],
+        {},
+        50,
+        "joints came 41 times while it ran, too seldom for 101 frames",
+    ),
+}
+
+
+@pytest.mark.parametrize(("moved", "more", "fps", "words"), GAPS.values(), ids=GAPS.keys())
+def test_a_task_of_which_something_was_lost_is_no_episode(
+    tmp_path: Path, moved: list, more: dict, fps: int, words: str
+) -> None:
+    write_mcap(tmp_path / "a.mcap", [*moved, *one_fetch()], **more)
+    with pytest.raises(RecordError, match=f"fetch-0001: {words}"):
+        export([tmp_path / "a.mcap"], tmp_path / "set", Wanted(fps=fps))
+
+
+def test_pictures_that_nobody_wants_may_be_missing(tmp_path: Path) -> None:
+    write_mcap(tmp_path / "a.mcap", [*motion(), *one_fetch()], shown=lambda at: at < 0.5)
+    assert export([tmp_path / "a.mcap"], tmp_path / "set", Wanted(cameras=())).episodes == 1
+
+
+def test_a_task_during_which_the_hardware_started_anew_is_no_episode(tmp_path: Path) -> None:
+    again = [
+        replace(each, stamp=RobotTime(boot="c", seconds=each.at - 2.0)) for each in motion() if each.at > 2.0
+    ]
+    write_mcap(tmp_path / "a.mcap", [*lost(2.0, 9.0), *again, *one_fetch()], cameras=())
+    with pytest.raises(RecordError, match="the hardware started anew while it ran"):
+        export([tmp_path / "a.mcap"], tmp_path / "set", Wanted())
+
+
+def test_a_task_that_two_records_have_is_one_episode(tmp_path: Path) -> None:
+    messages = sorted([*motion(), *one_fetch()], key=lambda each: each.at)
+    write_mcap(tmp_path / "a.mcap", messages, cameras=())
+    write_lines(tmp_path / "b.jsonl.gz", FACTS, Span(0.0, 4.0), [], messages)
+    told = export([tmp_path / "a.mcap", tmp_path / "b.jsonl.gz"], tmp_path / "set", Wanted())
+    assert told.episodes == 1
+    assert [(path.name, each.reason) for path, each in told.left_out] == [
+        ("b.jsonl.gz", "it is in a.mcap, too")
+    ]
+
+
+def test_a_task_that_goes_on_in_the_next_file_is_in_neither(tmp_path: Path) -> None:
+    messages = sorted([*motion(), *one_fetch()], key=lambda each: each.at)
+    first = [each for each in messages if each.at < 2.0]
+    known = {each.key: each for each in first}
+    write_mcap(tmp_path / "a.mcap", first, cameras=())
+    write_lines(
+        tmp_path / "b.jsonl.gz", FACTS, Span(2.0, 4.0), [], [*known.values(), *messages[len(first) :]]
+    )
+    both = r"its end is not in the record; fetch-0001: it had begun before the record does"
+    with pytest.raises(RecordError, match=both):
+        export([tmp_path / "a.mcap", tmp_path / "b.jsonl.gz"], tmp_path / "set", Wanted())
+
+
 UNUSABLE = {
     "still running": (one_fetch()[:-1], "fetch-0001: its end is not in the record"),
     "never started": ([one_fetch()[0]], "fetch-0001: it did not start in the record"),
@@ -241,9 +310,15 @@ def test_a_record_without_a_whole_task_is_refused(tmp_path: Path, states: list, 
 def test_records_that_do_not_fit_together_are_refused(tmp_path: Path) -> None:
     first = write_mcap(tmp_path / "a.mcap", [*motion(), *one_fetch()])
     others = {
-        write_mcap(tmp_path / "b.mcap", [*motion((*JOINTS, "tail")), *one_fetch()]): "also tail.pos",
-        write_mcap(tmp_path / "c.mcap", [*motion(), *one_fetch()], size=(18, 32)): "head with 32 x 18",
-        write_mcap(tmp_path / "d.mcap", [*motion(), *one_fetch()], cameras=()): "found no pictures",
+        write_mcap(
+            tmp_path / "b.mcap", [*motion((*JOINTS, "tail")), *one_fetch()], facts=OTHER
+        ): "also tail.pos",
+        write_mcap(
+            tmp_path / "c.mcap", [*motion(), *one_fetch()], size=(18, 32), facts=OTHER
+        ): "head with 32 x 18",
+        write_mcap(
+            tmp_path / "d.mcap", [*motion(), *one_fetch()], cameras=(), facts=OTHER
+        ): "found no pictures",
     }
     for other, words in others.items():
         with pytest.raises(RecordError, match=words):
