@@ -34,6 +34,7 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
   const pose = useLive((live) => live.pose);
   const path = useLive((live) => live.path);
   const robots = useLive((live) => live.robots);
+  const trails = useLive((live) => live.trails);
   const people = useLive((live) => live.people);
   const scene = useLive((live) => live.scene);
   const [x0, y0, x1, y1] = site.bounds;
@@ -55,6 +56,7 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
         <rect key={`${piece.name}${i}`} class="furniture" x={-box.size[0] / 2} y={-box.size[1] / 2} width={box.size[0]} height={box.size[1]}
           transform={turned(box.centre[0], box.centre[1], box.yaw)}><title>{piece.name}</title></rect>
       )))}
+      {Object.entries(trails).map(([name, trail]) => trail.length > 1 && <polyline key={name} class="other-path" points={trail.map(([x, y]) => `${x},${-y}`).join(" ")}><title>the way of {name}</title></polyline>)}
       {path.length > 1 && <polyline class="path" points={path.map(([x, y]) => `${x},${-y}`).join(" ")} />}
       {site.spots.map((spot) => (
         <g key={spot.name} class="spot" transform={turned(spot.pose.x, spot.pose.y, spot.pose.yaw)} aria-label={`spot ${spot.name}`}
@@ -121,7 +123,7 @@ function Offers({ site, kinds, chosen }: { site: Site; kinds: Kinds | null; chos
   return (
     <section class="card">
       <h2>{what || "Choose an item or a place"}</h2>
-      {!what && <p class="quiet">Items and depots can be chosen with Tab and Enter, too. Known are {site.items.length} items.</p>}
+      {!what && <p class="quiet">Items and depots can be chosen with Tab and Enter, too. {site.items.length} items are known here.</p>}
       {what && !may("request") && <p class="quiet">{who()?.role === "replay" ? "A record takes no requests." : "This key does not allow requests."}</p>}
       {what && may("request") && (
         <p class="verbs">{offers.map(([name, query]) => <a key={name} class="button" href={`/request?${query}`}>{name}</a>)}</p>

@@ -53,7 +53,7 @@ function Queue() {
             <span class="sign" aria-hidden="true">{STATE_SIGNS[each.state]}</span>
             <a href={`/task/${encodeURIComponent(each.task)}`}>{each.kind}</a> <span class="what">{summary(each.request)}</span>
             {each.priority !== 0 && <span class="chip">priority {each.priority}</span>}
-            {each.waits_for && <span class="quiet"> {each.waits_for}</span>}
+            {each.waits_for && <span class="quiet"> · waits for {each.waits_for}</span>}
           </li>
         ))}
       </ol>

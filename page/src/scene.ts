@@ -15,6 +15,7 @@ const KINDS = { furniture: 0xb9b2a6, clutter: 0xc98a5a, item: 0x3f7fbf };
 const REACHING = new THREE.LineDashedMaterial({ color: 0xb8267a, dashSize: 0.03, gapSize: 0.015, depthTest: false, transparent: true });
 const REACHED = new THREE.MeshBasicMaterial({ color: 0xb8267a, depthTest: false, transparent: true, opacity: 0.8 });
 const PERSON = 0x0f8a8a;
+const OTHER = 0x8a6fb0;
 const TALL = 1.7; // m, a grown-up: the laser does not see how tall
 type Picked = (what: { item?: number; x: number; y: number }) => void;
 
@@ -225,7 +226,7 @@ export class RobotScene {
       this.box.dataset.plan = String(live.plan.length);
     }
     if (live.hands !== this.shown.hands) this.reach(live.hands);
-    if (live.robots !== this.shown.robots) this.placeOthers(live.robots);
+    if (live.robots !== this.shown.robots || live.trails !== this.shown.trails) this.placeOthers(live.robots, live.trails);
     if (live.people !== this.shown.people) this.placePeople(live.people);
     if (live.occupied !== this.shown.occupied) this.fill(live.occupied);
     if (live.lasers !== this.shown.lasers) this.beams(live.lasers);
@@ -251,12 +252,18 @@ export class RobotScene {
   }
 
   // Of another robot only its place is told: a drum with its name, and a nose that says where it looks.
-  private placeOthers(robots: Live["robots"]) {
+  private placeOthers(robots: Live["robots"], trails: Live["trails"]) {
     discard(this.others, this.gone);
     this.others.clear();
+    for (const trail of Object.values(trails)) {
+      const way = new THREE.BufferGeometry().setFromPoints(trail.map(([x, y]) => new THREE.Vector3(x, y, 0.012)));
+      const line = new THREE.Line(way, new THREE.LineDashedMaterial({ color: OTHER, dashSize: 0.08, gapSize: 0.05 }));
+      line.computeLineDistances();
+      this.others.add(line);
+    }
     for (const [name, { at, silent }] of Object.entries(robots)) {
       if (!at) continue;
-      const colour = new THREE.MeshLambertMaterial({ color: 0x8a6fb0, transparent: true, opacity: silent ? 0.3 : 0.75 });
+      const colour = new THREE.MeshLambertMaterial({ color: OTHER, transparent: true, opacity: silent ? 0.3 : 0.75 });
       const drum = new THREE.Mesh(new THREE.CylinderGeometry(0.27, 0.27, 0.5, 32), colour);
       const nose = new THREE.Mesh(new THREE.BoxGeometry(0.2, 0.06, 0.06), colour);
       drum.rotation.x = Math.PI / 2;

@@ -35,6 +35,7 @@ export type Live = {
   tags: Tags | null;
   replay: Replayed | null;
   robots: Record<string, Other>; // the others of the site
+  trails: Record<string, [number, number][]>; // the ways they went, while this page looked on
   people: Record<string, Person>; // by number
   lasers: Record<string, number[]>; // what each measured last
   occupied: Occupied | null;
@@ -47,11 +48,11 @@ export type Live = {
   reflexes: Record<string, Reflex>;
   pipelines: Record<string, Omit<PipelineState, "stamp">>;
 };
-export type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path">> & { whole?: boolean };
+export type Update = Partial<Omit<Live, "connected" | "heardAt" | "kept" | "path" | "trails">> & { whole?: boolean };
 
 const EMPTY: Live = {
   connected: false, heardAt: 0, link: "", executive: null, tasks: {}, tree: null, nodes: {}, kept: {}, board: {}, gates: { breakpoints: {}, forced: {} }, joints: {},
-  pose: null, path: [], plan: [], hands: {}, tags: null, replay: null, robots: {}, people: {}, lasers: {}, occupied: null, scene: null, world: null, stop: null, recording: null, pulse: null, now: null, reflexes: {},
+  pose: null, path: [], plan: [], hands: {}, tags: null, replay: null, robots: {}, trails: {}, people: {}, lasers: {}, occupied: null, scene: null, world: null, stop: null, recording: null, pulse: null, now: null, reflexes: {},
   pipelines: {},
 };
 const PATH = 2000;
@@ -104,7 +105,7 @@ export function connected(yes: boolean) {
 
 export function take(update: Update) {
   // In a replay another moment begins anew; beside a robot it is the same one, told whole once more.
-  const same = live.replay === null ? { path: live.path, kept: live.kept } : { replay: live.replay };
+  const same = live.replay === null ? { path: live.path, trails: live.trails, kept: live.kept } : { replay: live.replay };
   live = { ...merged(update.whole ? { ...EMPTY, connected: true, ...same } : live, update), heardAt: performance.now() };
   changed();
 }
@@ -125,7 +126,8 @@ function merged(before: Live, update: Update): Live {
   } else if (update.nodes) {
     next.kept = keep(before.kept, Object.entries(update.nodes));
   }
-  if (update.pose) next.path = walked(before.path, update.pose);
+  if (update.pose?.localised) next.path = walked(before.path, update.pose.x, update.pose.y);
+  if (update.robots) next.trails = { ...before.trails, ...trailed(before.trails, update.robots) };
   return next;
 }
 
@@ -153,14 +155,16 @@ function lately(tasks: Record<string, TaskStatus>): Record<string, TaskStatus> {
   return Object.fromEntries(Object.entries(tasks).filter(([task]) => !old.has(task)));
 }
 
-function walked(path: [number, number][], pose: Pose): [number, number][] {
+function walked(path: [number, number][], x: number, y: number): [number, number][] {
   const last = path.at(-1);
-  if (!pose.localised || (last && Math.hypot(last[0] - pose.x, last[1] - pose.y) < 0.03)) return path;
-  return [...path.slice(-PATH + 1), [pose.x, pose.y]];
+  return last && Math.hypot(last[0] - x, last[1] - y) < 0.03 ? path : [...path.slice(-PATH + 1), [x, y]];
 }
 
+const trailed = (before: Live["trails"], robots: Live["robots"]): Live["trails"] =>
+  Object.fromEntries(Object.entries(robots).flatMap(([name, { at }]) => (at ? [[name, walked(before[name] ?? [], at[0], at[1])]] : [])));
+
 export const clearPath = () => {
-  live = { ...live, path: [] };
+  live = { ...live, path: [], trails: {} };
   changed();
 };
 

@@ -3,7 +3,7 @@ import { move } from "./replay";
 import { mark } from "./route";
 import { useLive } from "./state";
 import type { Span, TaskStatus } from "./types";
-import { seconds, STATUS_WORDS } from "./words";
+import { KIND_SIGNS, seconds, STATUS_WORDS } from "./words";
 
 type Run = { path: string; name: string; kind: string; begin: number; end: number | null; status: string; message: string };
 
@@ -40,7 +40,7 @@ export function Timeline({ spans: told, status, at }: { spans: Span[]; status: T
           const { name, kind } = runs[0]!;
           return (
             <li key={path} class={kind}>
-              <span class="name" title={path}>{name}</span>
+              <span class="name" title={path}>{kind === "recovery" && <><span aria-hidden="true">{KIND_SIGNS[kind]} </span><span class="hidden">recovery: </span></>}{name}</span>
               <span class="lane" onClick={seek}>
                 {cursor !== null && <span class="cursor" style={{ left: `${Math.min(100, Math.max(0, share(cursor)))}%` }} />}
                 {runs.map((run) => (

@@ -51,8 +51,15 @@ export function summary(request: Record<string, unknown>): string {
   const left = new Set(["task", "id", "by", "on_cancel", "priority", "not_before", "expires", "on_restart", "test_run", "labels", "retry_of"]);
   return Object.entries(request)
     .filter(([name, value]) => !left.has(name) && value !== null && value !== undefined)
-    .map(([name, value]) => `${name} ${typeof value === "string" ? value : JSON.stringify(value)}`)
+    .map(([name, value]) => `${name} ${plain(value)}`)
     .join(", ");
+}
+
+// A value without brackets and quotes: of a list of places "x 1.2 y 0.4; x 1.2 y 1.4".
+function plain(value: unknown): string {
+  if (Array.isArray(value)) return value.map(plain).join(value.some((each) => typeof each === "object") ? "; " : " ");
+  if (typeof value === "object" && value !== null) return Object.entries(value).map(([name, each]) => `${name} ${plain(each)}`).join(" ");
+  return String(value);
 }
 
 export const command = (document: Record<string, unknown>) =>

@@ -569,3 +569,7 @@ def test_the_other_robots_of_the_site_are_on_the_map(page: Page, robot: FakeRobo
     robot.tell_site("r2", told.model_copy(update={"sequence": 2, "phase": "corner 3"}))
     expect(page.locator(".others li")).to_contain_text("corner 3")
     assert page.evaluate("window.least") == 1, "names that are drawn anew don't flicker"
+    there = FloorPose(x=1.0, y=-0.5, yaw=0.0)
+    robot.tell_site("r2", told.model_copy(update={"sequence": 3, "base_in_map": there}))
+    page.get_by_role("link", name="Map").click()
+    expect(page.locator(".room .other-path")).to_have_attribute("points", "0.3,-0.2 1,0.5")
