@@ -327,7 +327,9 @@ def _tags(seen: Sightings) -> dict[str, JsonValue]:
     }
 
 
-def _states(node: TreeNode) -> Iterable[tuple[str, list[JsonValue]]]:
-    yield node.path, [str(node.status), str(node.last), node.message]
-    for child in node.children:
-        yield from _states(child)
+def _states(root: TreeNode) -> Iterable[tuple[str, list[JsonValue]]]:
+    stack = [root]
+    while stack:
+        node = stack.pop()
+        yield node.path, [str(node.status), str(node.last), node.message]
+        stack.extend(reversed(node.children))

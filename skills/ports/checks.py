@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import singledispatch
+from math import isfinite
 from typing import Final
 
 from tandem.skills.ports.hardware import GripperState, GroupStatus, JointStates, RgbdHeader, SetPoint, Wrench
@@ -173,6 +174,8 @@ def too_large(value: object) -> bool:
     if isinstance(value, float):
         return not -LARGEST <= value <= LARGEST
     if isinstance(value, tuple):
+        if set(map(type, value)) == {float}:  # of a laser: hundreds, many times a second
+            return not (min(value) >= -LARGEST and max(value) <= LARGEST and isfinite(sum(value)))
         return any(map(too_large, value))
     if isinstance(value, RobotTime):
         return not -LONGEST <= value.seconds <= LONGEST

@@ -1,4 +1,4 @@
-"""All words of the page can be read, in light and in dark: contrast of 4.5, large ones of 3 (WCAG 2.2, AA)."""
+"""All words on the page can be read, light and dark: contrast of 4.5, large ones of 3 (WCAG 2.2, AA)."""
 
 from __future__ import annotations
 
