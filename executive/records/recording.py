@@ -173,12 +173,18 @@ class Recording(Protocol):
         ...
 
 
+NAMED: Final = 4
+"""Records of a folder that a message names."""
+
+
 def open_recording(path: Path) -> Recording:
     """Return the record in a file.
 
     Raises:
         RecordError: for a file that can't be read, is no record, was cut, or was written by a newer release.
     """
+    if path.is_dir():
+        raise RecordError(path, "a record", f"a folder {_with(path)}", "name one of its files")
     try:
         with path.open("rb") as file:
             first = file.read(len(MCAP))
@@ -226,3 +232,17 @@ def check_layout(path: Path, layout: object, release: str) -> None:
             path, expected, f"layout {layout}, of release {release}", "read it with that release"
         )
     raise RecordError(path, expected, "no record of Tandem", "open it with the program that wrote it")
+
+
+def _with(folder: Path) -> str:
+    """Tell the newest records in a folder; each of several robots has its own folder in it."""
+    found = [
+        each
+        for pattern in ("*", "*/*")
+        for each in folder.glob(pattern)
+        if each.name.endswith((".mcap", ".jsonl.gz"))
+    ]
+    newest = sorted(found, key=lambda each: each.name)[-NAMED:]
+    more = "" if len(found) <= NAMED else f" and {len(found) - NAMED} older ones"
+    names = ", ".join(str(each.relative_to(folder)) for each in reversed(newest))
+    return f"with {names}{more}" if found else "without any"

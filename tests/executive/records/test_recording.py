@@ -137,6 +137,13 @@ def other_mcap(folder: Path) -> Path:
     return _foreign_mcap(folder, None)
 
 
+def folder_of_two_robots(folder: Path) -> Path:
+    for name in ("r2/a.mcap", "r3/b.mcap"):
+        (folder / name).parent.mkdir()
+        (folder / name).touch()
+    return folder
+
+
 def newer_mcap(folder: Path) -> Path:
     return _foreign_mcap(folder, {"layout": str(LAYOUT + 1), "facts": '{"release": "9.0"}', "begin": "0"})
 
@@ -151,7 +158,8 @@ def newer_mcap(folder: Path) -> Path:
         (newer_lines, f"expected layout {LAYOUT} or older; found layout {LAYOUT + 1}, of release 9.0"),
         (newer_mcap, f"expected layout {LAYOUT} or older; found layout {LAYOUT + 1}, of release 9.0"),
         (lambda folder: folder / "absent.mcap", "No such file"),
-        (lambda folder: folder, "Is a directory"),
+        (lambda folder: folder, "found a folder without any"),
+        (folder_of_two_robots, "found a folder with r3/b.mcap, r2/a.mcap; name one of its files"),
     ],
 )
 def test_what_is_no_record_is_refused(made: Written, words: str, tmp_path: Path) -> None:
