@@ -1,4 +1,4 @@
-"""The people in the room: all walkers, and what they have touched."""
+"""The people in the room: all walkers, and whom they, and robots that a script drives, have touched."""
 
 from __future__ import annotations
 
@@ -12,8 +12,9 @@ from tandem.sim.walker import Walker
 from tandem.sim.walker_body import WalkerBody
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
 
+    from tandem.sim.body import RobotBody
     from tandem.sim.people import Person
     from tandem.sim.world import World
 
@@ -27,7 +28,7 @@ PURPOSE: Final = 6
 
 @dataclass(frozen=True)
 class PersonTouch:
-    """A contact of a person with a robot: who, and when it began (robot seconds).
+    """A contact of a person, or of a robot that a script drives, with a robot: when it began (robot seconds).
 
     ``stood`` is for how many seconds the robot had stood still then; 0 while it moved.
     """
@@ -46,10 +47,20 @@ class Crowd:
         people: who is in it.
         period: seconds between two steps.
         seed: of all that is left to chance; each person has its own.
+        scripted: names of the robots that a script drives.
     """
 
-    def __init__(self, world: World, people: Sequence[Person], *, period: float, seed: int) -> None:
+    def __init__(
+        self,
+        world: World,
+        people: Sequence[Person],
+        *,
+        period: float,
+        seed: int,
+        scripted: Collection[str] = (),
+    ) -> None:
         self._world, self._period, self._now = world, period, 0.0
+        self._scripted = frozenset(scripted)
         self.walkers: dict[str, Walker] = {}
         self._last: dict[tuple[str, str], float] = {}
         self._moved: dict[str, float] = {}
@@ -71,7 +82,7 @@ class Crowd:
                 ],
             )
             world.join(person.name, body)
-        if people:
+        if people or self._scripted:
             world.physics.watchers.append(self._look)
 
     def step(self) -> None:
@@ -91,7 +102,10 @@ class Crowd:
     def _look(self) -> None:
         now = self._now
         for name, robot in self._world.robots.items():
+            if name in self._scripted:
+                continue
             touched = [p for p, each in self.walkers.items() if each.body.touches(robot.body) > 0.0]
+            touched += self._robots_at(robot)
             for person in touched:
                 self._note(now, person, name)
             # Who is pushed does not move by itself.
@@ -99,6 +113,14 @@ class Crowd:
             (vx, vy, _), (_, _, turning) = self._world.physics.body_velocity(robot.body)
             if not pushed and (math.hypot(vx, vy) > MOVES[0] or abs(turning) > MOVES[1]):
                 self._moved[name] = now
+
+    def _robots_at(self, robot: RobotBody) -> list[str]:
+        """Return the names of the robots that a script drives and that touch another one."""
+        if not self._scripted:
+            return []
+        scripted = {self._world.robots[name].body: name for name in self._scripted}
+        contacts = self._world.physics.contacts(robot.body)
+        return sorted({scripted[c.body_b] for c in contacts if c.force > 0.0 and c.body_b in scripted})
 
     def _note(self, now: float, person: str, robot: str) -> None:
         pair = (person, robot)

@@ -2,7 +2,8 @@
 
 Only the sim reads a scenario; skills know the site file. A scenario is typed, frozen data: an unknown key or
 a wrong value is an error that names the file, the path and line in it, and what was expected. (A field can't
-be called ``on``: some parsers read that as true.)
+be called ``on``: some parsers read that as true.) A file with ``like: OTHER`` says only what is not as in
+that scenario: whole fields, not parts of them.
 """
 
 from __future__ import annotations
@@ -26,6 +27,10 @@ from tandem.skills.site import locate
 from tandem.skills.yaml_file import parse_document, read_document, validate
 
 SUFFIXES: Final = (".yaml", ".yml")
+LIKE: Final = "like"
+"""The key by which a file says from which scenario it takes what it does not say itself."""
+ONE_ROBOT: Final = ("robot", "start")
+"""The keys of the form for a single robot."""
 
 
 class ScenarioError(DocumentError):
@@ -229,15 +234,44 @@ def load_scenario(name_or_path: str | Path) -> Scenario:
 
 def read_scenario(name_or_path: str | Path) -> tuple[Scenario, Source]:
     """Return a scenario as ``load_scenario`` does, and where its parts stand in its file."""
+    data, source = _complete(name_or_path, ())
+    return validate(data, source, Scenario), source
+
+
+def _complete(name_or_path: str | Path, asked_by: tuple[str, ...]) -> tuple[dict[str, JsonValue], Source]:
+    """Return what a scenario says, with what it takes from the one that it is like, its site located.
+
+    Args:
+        name_or_path: of the scenario.
+        asked_by: the scenarios that are like it, each like the next one.
+    """
     data, source = _document(name_or_path)
     if not isinstance(data, dict):
         raise ScenarioError(f"{source.name}: expected a mapping with name, start, items, ...")
-    scenario, path = validate(data, source, Scenario), _path(name_or_path)
+    path, other = _path(name_or_path), data.pop(LIKE, None)
     try:
-        site = locate(scenario.site, beside=path)
+        if isinstance(data.get("site"), str):
+            data["site"] = locate(str(data["site"]), beside=path)
     except DocumentError as error:
         raise ScenarioError(f"{source.at('site')}: {error}") from None
-    return scenario.model_copy(update={"site": site}), source
+    if other is None:
+        return data, source
+    if not isinstance(other, str):
+        raise ScenarioError(f"{source.at(LIKE)}: expected the name or path of a scenario; found {other!r}")
+    if source.name in asked_by:
+        raise ScenarioError(
+            f"{source.at(LIKE)}: expected no circle; found {' -> '.join((*asked_by, source.name))}"
+        )
+    named = _path(other) if path is None or _path(other) is None else path.parent / other
+    try:
+        base, _ = _complete(named or other, (*asked_by, source.name))
+    except DocumentError as error:
+        raise ScenarioError(f"{source.at(LIKE)}: {error}") from None
+    if "robots" in data:  # the two forms exclude each other
+        base = {key: value for key, value in base.items() if key not in ONE_ROBOT}
+    elif data.keys() & set(ONE_ROBOT):
+        base.pop("robots", None)
+    return {**base, **data}, source
 
 
 def _path(name_or_path: str | Path) -> Path | None:

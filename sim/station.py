@@ -229,7 +229,8 @@ class Station:
 
     def _people(self, scenario: Scenario, seed: int) -> Crowd:
         period = registry.robot_model(scenario.first.robot).description.period
-        return Crowd(self.world, scenario.people, period=period, seed=seed)
+        scripted = tuple(each.name for each in scenario.placed if each.drives != "executive")
+        return Crowd(self.world, scenario.people, period=period, seed=seed, scripted=scripted)
 
     def _fill(self, scenario: Scenario) -> tuple[World, tuple[RobotBody, ...]]:
         world = spawn(self.physics, self._site, scenario)

@@ -56,7 +56,10 @@ class TruePerson(Message):
 
 
 class TrueTouch(Message):
-    """A contact of a person with a robot, from its beginning at ``at`` (robot seconds) on."""
+    """A contact of a person with a robot, from its beginning at ``at`` (robot seconds) on.
+
+    A robot that a script drives counts as a person does.
+    """
 
     at: float
     person: str
@@ -78,7 +81,7 @@ class Truth(Message):
     robots: tuple[TrueRobot, ...] = ()
     people: tuple[TruePerson, ...] = ()
     touches: tuple[TrueTouch, ...] = ()
-    """All contacts of people with robots since the start, in order."""
+    """All contacts of people, and of robots that a script drives, with the others, in order."""
 
     def robot(self, name: str) -> TrueRobot:
         """Return a robot; KeyError when there is none of that name."""

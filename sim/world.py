@@ -54,7 +54,7 @@ class World:
         self.people: dict[str, WalkerBody] = {}
         """Who walks about, by name; they are no ``bodies`` either."""
         self.touches: list[PersonTouch] = []
-        """What people and robots have touched each other."""
+        """Whom people, and robots that a script drives, have touched of the other robots."""
 
     @property
     def bodies(self) -> Mapping[str, SceneBody]:

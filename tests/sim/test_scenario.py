@@ -113,3 +113,55 @@ def test_a_demo_asks_a_robot_with_an_executive(demo: dict[str, object]) -> None:
     shown = load_scenario("Rocs3").model_dump(mode="json") | {"demo": demo}
     with pytest.raises(ValueError, match=r"demo: expected a robot with an executive \(r2, r3\); found"):
         Scenario.model_validate_json(json.dumps(shown))
+
+
+def test_a_scenario_like_another_says_only_what_differs(tmp_path: Path) -> None:
+    (tmp_path / "base.yaml").write_text(
+        "{name: base, site: room.yaml, start: {x: 0, y: 0, yaw: 0}, camera_rate: 2.0, "
+        "noise: {laser_sigma: 0.1}}"
+    )
+    (tmp_path / "more").mkdir()
+    mine = tmp_path / "more" / "mine.yaml"
+    mine.write_text("{like: ../base.yaml, name: mine, noise: {depth_sigma: 0.1}}")
+    made = load_scenario(mine)
+    assert (made.name, made.camera_rate) == ("mine", 2.0)
+    assert made.noise.laser_sigma == 0.0, "a field is taken whole"
+    assert Path(made.site) == tmp_path / "more" / ".." / "room.yaml"
+
+
+@pytest.mark.parametrize(
+    ("text", "robots"),
+    [
+        ("{like: Locobot, name: mine, robot: p3dx}", ["p3dx"]),
+        (
+            "{like: LocobotCompany, name: mine, robot: p3dx, start: {x: 0, y: 0, yaw: 0}, demo: null}",
+            ["p3dx"],
+        ),
+        (
+            "{like: Locobot, name: mine, robots: [{name: r1, robot: p3dx, start: {x: 0, y: 0, yaw: 0}}]}",
+            ["p3dx"],
+        ),
+        ("{like: LocobotCompany, name: mine}", ["locobot", "p3dx"]),
+    ],
+    ids=["another robot", "one instead of several", "several instead of one", "several"],
+)
+def test_robots_are_taken_in_one_form_only(tmp_path: Path, text: str, robots: list[str]) -> None:
+    (tmp_path / "mine.yaml").write_text(text)
+    assert [each.robot for each in load_scenario(tmp_path / "mine.yaml").placed] == robots
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("{like: Dmo, name: x}", "mine.yaml: like (line 1): no scenario 'Dmo'"),
+        ("{like: [Demo], name: x}", "expected the name or path of a scenario; found ['Demo']"),
+        ("{like: none.yaml, name: x}", "none.yaml: cannot read"),
+        ("{like: mine.yaml, name: x}", "expected no circle; found"),
+        ("{like: Demo}\nname: x", "not YAML"),
+    ],
+)
+def test_one_that_is_like_nothing_is_refused(tmp_path: Path, text: str, said: str) -> None:
+    (tmp_path / "mine.yaml").write_text(text)
+    with pytest.raises(DocumentError) as caught:
+        load_scenario(tmp_path / "mine.yaml")
+    assert said in str(caught.value)

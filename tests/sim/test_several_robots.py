@@ -139,6 +139,18 @@ def test_who_is_driven_into_another_touches_it_by_name() -> None:
         stage.station.close()
 
 
+def test_who_drives_into_a_robot_that_a_script_drives_touches_it_as_one_touches_a_person() -> None:
+    x, y = FREE
+    stage = Stage(scenario(robot("r1", x, y), robot("r2", x + 0.65, y, math.pi, drives="wander")))
+    try:
+        stage.drive(3.0, {"r1": 0.4})
+        touches = stage.station.truth().touches
+    finally:
+        stage.station.close()
+    assert {(each.person, each.robot) for each in touches} == {("r2", "r1")}
+    assert touches[0].stood < 0.1
+
+
 def test_the_keys_of_each_tell_the_truth_from_its_side(pair: Stage) -> None:
     for name in ("r1", "r2"):
         truth = pair.ask(name, TRUTH, Nothing())

@@ -45,8 +45,8 @@ class Verdict:
 
     ``misplaced``: the item is not in the slot that was reported. ``moved``: other things that moved or fell.
     ``untouched``: those of them that neither the robot nor what it held ever touched. ``touched``: furniture
-    that the robot touched. ``people``: whom it touched while it moved, or had stood for less than a second.
-    ``not_home``: base or arms are elsewhere. ``restless``: it still moves.
+    that the robot touched. ``people``: whom it touched while it moved, or had stood for less than a second,
+    a person or another robot. ``not_home``: base or arms are elsewhere. ``restless``: it still moves.
     """
 
     misplaced: tuple[str, ...]
