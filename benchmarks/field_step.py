@@ -11,6 +11,7 @@ import time
 
 from benchmarks.rows import Row, spread
 from tandem.sim.robots.registry import robot_model
+from tandem.skills.arm.doubt import Doubt
 from tandem.skills.arm.field.approach_context import Parts
 from tandem.skills.arm.field.approach_steps import Ride
 from tandem.skills.arm.field.ends import End, Ends
@@ -67,6 +68,7 @@ class _Table:
             planner=MovePlanner(arm, PlannerSettings(), "benchmark"),
             gate=Gate(self.bus, self.clocks, "left"),
             teller=Teller(self.bus, self.clocks, "arm_left", "left"),
+            doubt=Doubt(),
         )
         self.positions = {
             joint: value

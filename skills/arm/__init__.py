@@ -3,5 +3,5 @@
 Skills: move, survey, process.
 From a goal to a motion: plan_move, problem, scene, finger_space, far_path, curve, timing,
 trajectory, retreat, turned.
-While it moves: motion, motion_watch, followed, pushed, right_of_way, silence, status, hand_way.
+While it moves: motion, motion_watch, doubt, followed, pushed, right_of_way, silence, status, hand_way.
 """

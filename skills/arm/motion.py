@@ -36,6 +36,18 @@ class Ended:
     failure: Failure | None
 
 
+@dataclass(frozen=True)
+class Arrival:
+    """How near its end (rad or m) each joint must get, and in how many robot seconds after the motion's."""
+
+    tolerance: float
+    within: float
+
+
+ARRIVAL: Final = Arrival(tolerance=0.02, within=1.0)
+"""What the hardware's goals have by themselves."""
+
+
 class GroupDriver:
     """Speaks to one group of the hardware.
 
@@ -59,13 +71,17 @@ class GroupDriver:
         self._duration = 0.0
         self._id = ""
 
-    def send(self, goal_id: str, trajectory: Trajectory) -> Generator[None, None, Failure | None]:
+    def send(
+        self, goal_id: str, trajectory: Trajectory, arrives: Arrival = ARRIVAL
+    ) -> Generator[None, None, Failure | None]:
         """Hand the motion over; yields while there is no answer. A failure means that nothing moves."""
         goal = TrajectoryGoal(
             id=goal_id,
             keeper=f"skill/{self._where}",
             points=trajectory.points(),
             path_tolerance=self._tolerance,
+            goal_tolerance=arrives.tolerance,
+            goal_time=arrives.within,
         )
         self._id = goal_id
         self._cancel_again_at = float("inf")

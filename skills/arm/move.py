@@ -13,9 +13,10 @@ from typing import Final
 
 import numpy as np
 
+from tandem.skills.arm.doubt import STEP_ENDS, STUCK_AFTER, Doubt, small_step
 from tandem.skills.arm.followed import FollowedItem
 from tandem.skills.arm.hand_way import hand_way
-from tandem.skills.arm.motion import Ended, GroupDriver
+from tandem.skills.arm.motion import ARRIVAL, Ended, GroupDriver
 from tandem.skills.arm.motion_watch import MotionWatch
 from tandem.skills.arm.plan_move import MovePlanner, Steps
 from tandem.skills.arm.planning.settings import PlannerSettings
@@ -30,6 +31,7 @@ from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.compute import Compute
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.hardware import GroupStatus, MotionState
 from tandem.skills.ports.keys import JOINT_STATES, Latest
 from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
@@ -46,6 +48,9 @@ POSE_TOLERANCE: Final = 0.015
 JOINT_TOLERANCE: Final = 0.05
 """Radians (or metres), the same for joints."""
 
+STEPS_AGAIN: Final = frozenset({FailureKind.ARM_STOPPED, FailureKind.PATH_IN_COLLISION})
+"""Ends of a small step after which another one is tried: the joint did not follow, or the scene changed."""
+
 Moves = Run[MoveFeedback, MoveResult]
 
 
@@ -60,6 +65,7 @@ class Move:
         settings: the planner and its bounds.
         seed: with a goal's id, seeds its plan.
         compute: plans what can't be sliced; without one it is done in place.
+        doubt: the joint that stayed behind last, shared with the group's other skills.
     """
 
     def __init__(
@@ -72,8 +78,10 @@ class Move:
         *,
         seed: int = 0,
         compute: Compute | None = None,
+        doubt: Doubt | None = None,
     ) -> None:
         self._clocks, self._arm, self._board, self._seed = clocks, arm, board, seed
+        self._doubt = Doubt() if doubt is None else doubt
         self._action = move(arm.group.name)
         self._planner = MovePlanner(arm, settings, self._action.name, compute)
         self._driver = GroupDriver(bus, clocks, arm.group, self._action.name)
@@ -142,6 +150,7 @@ class Move:
 
     def _attempts(self, goal: MoveGoal, goal_id: str) -> Moves:
         steps, number = 0, 0
+        began = robot_seconds(self._clocks)
         while True:
             self._way = ()
             if (yield from self._held()):
@@ -152,16 +161,16 @@ class Move:
             self._followed.begin(goal)
             self._pushed.begin(goal, moment.base_in_map)
             rng = np.random.default_rng([self._seed, zlib.crc32(goal_id.encode()), number])
-            planned, slices, command = yield from self._sliced(self._planner.plan(goal, moment, rng))
+            planned, slices, command = yield from self._sliced(self._next(goal, moment, rng))
             steps += slices
             if command is Command.CANCEL:
                 return canceled()
             if isinstance(planned, Failure):
                 return failed(planned)
             if isinstance(planned, Plan):
-                outcome, command = yield from self._execute(
-                    goal, f"{goal_id}#{number}", moment, planned, steps
-                )
+                motion_id = f"{goal_id}#{number}"
+                outcome, command = yield from self._execute(goal, motion_id, moment, planned, steps)
+                outcome = self._after_step(outcome, began) if planned.proves else outcome
                 if outcome is not None:
                     return outcome
             number += 1
@@ -208,6 +217,29 @@ class Move:
                 if command in {Command.CANCEL, Command.PAUSE}:
                     return None, slices, command
 
+    def _next(self, goal: MoveGoal, moment: Moment, rng: np.random.Generator) -> Steps:
+        """Plan what to do now: the small step of a joint in doubt, else the goal's own motion."""
+        if self._doubt.joint:
+            step = yield from small_step(self._planner, self._arm, goal, moment, self._doubt)
+            if step is not None:
+                return step
+        return (yield from self._planner.plan(goal, moment, rng))
+
+    def _after_step(self, outcome: Outcome[MoveResult] | None, began: float) -> Outcome[MoveResult] | None:
+        """Return how the move ends after a joint's small step; None: it goes on."""
+        if outcome is None:
+            return None
+        if outcome.result is not None:
+            self._doubt.settle()
+            return None
+        seconds = robot_seconds(self._clocks) - began
+        if outcome.failure is None or outcome.failure.kind not in STEPS_AGAIN:
+            return outcome
+        if seconds <= STUCK_AFTER:
+            return None
+        message = f"{self._doubt.joint} has not followed a small step for {seconds:.1f} s"
+        return failed(outcome.failure.model_copy(update={"message": message}))
+
     def _execute(  # noqa: PLR0911 - one way out for each way a motion can end
         self, goal: MoveGoal, motion_id: str, moment: Moment, plan: Plan, steps: int
     ) -> Generator[MoveFeedback | Slice, Command, tuple[Outcome[MoveResult] | None, Command]]:
@@ -229,6 +261,7 @@ class Move:
         if refused is not None:
             return canceled() if command is Command.CANCEL else failed(refused), command
         ended, command, held = yield from self._watch(command, watch)
+        self._note_doubt(ended.status, plan)
         if command is Command.CANCEL:
             return canceled(), command
         if ended.failure is not None:
@@ -237,12 +270,24 @@ class Move:
             return None, command
         return self._verify(plan, steps, robot_seconds(self._clocks) - began), command
 
+    def _note_doubt(self, status: GroupStatus | None, plan: Plan) -> None:
+        """Note the joint that stayed behind its motion, and on which side of where it should be."""
+        joints, heard = self._arm.group.joints, self._joints.refresh()
+        if status is None or heard is None or status.state is not MotionState.ABORTED:
+            return
+        if status.joint not in joints:  # stopped by an operator, say
+            return
+        at = plan.trajectory.sample(np.array([self._driver.elapsed]))[0]
+        column = joints.index(status.joint)
+        self._doubt.note(status.joint, float(at[column]) - heard.position_of((status.joint,))[0])
+
     def _send(
         self, motion_id: str, plan: Plan
     ) -> Generator[MoveFeedback | Slice, Command, tuple[Failure | None, Command]]:
         """Hand the motion over; commands that come meanwhile are kept."""
         command = Command.GO_ON
-        sending = self._driver.send(motion_id, plan.trajectory)
+        arrives = STEP_ENDS if plan.proves else ARRIVAL
+        sending = self._driver.send(motion_id, plan.trajectory, arrives)
         while True:
             try:
                 next(sending)

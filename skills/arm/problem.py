@@ -61,6 +61,7 @@ class Plan:
     candidate: int
     target_in_base: Pose | None
     turned: float = 0.0
+    proves: str = ""
 
 
 class Arm:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from tandem.skills.arm.doubt import Doubt
 from tandem.skills.arm.field.approach import Approach
 from tandem.skills.arm.move import Move
 from tandem.skills.arm.planning.settings import PlannerSettings
@@ -57,13 +58,23 @@ def nodes(
         field = settings is not None and settings.field and not charge
         arm = Arm(bodies, description, name, field=field)
         board = ArmStatusBoard(bus, clocks, arm)
-        skill = Move(bus, clocks, arm, board, settings or PlannerSettings(), seed=seed, compute=compute)
+        doubt = Doubt()
+        skill = Move(
+            bus, clocks, arm, board, settings or PlannerSettings(), seed=seed, compute=compute, doubt=doubt
+        )
         made += [board, ActionServer(bus, clocks, skill, charge=charge)]
         if arm.hand is not None:
             look = Survey(bus, clocks, arm, settings or PlannerSettings(), seed)
             made.append(ActionServer(bus, clocks, look, charge=charge))
             near = Approach(
-                bus, clocks, arm, board, settings or PlannerSettings(), seed=seed, compute=compute
+                bus,
+                clocks,
+                arm,
+                board,
+                settings or PlannerSettings(),
+                seed=seed,
+                compute=compute,
+                doubt=doubt,
             )
             made.append(ActionServer(bus, clocks, near, charge=charge))
     return tuple(made)

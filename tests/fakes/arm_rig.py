@@ -126,7 +126,8 @@ def box(
 class JointsOnly:
     """The hardware of one group; a ``Node``. ``stray_at`` aborts a motion at that share of its time.
 
-    So many answers to goals as ``answers_lost`` says never arrive.
+    The joint ``stuck`` stays where it is, and aborts motions in which it strays or does not arrive. So many
+    answers to goals as ``answers_lost`` says never arrive.
     """
 
     bus: MemoryBus
@@ -135,6 +136,7 @@ class JointsOnly:
     positions: dict[str, float]
     stray_at: float | None = None
     answers_lost: int = 0
+    stuck: str = ""
     goals: list[TrajectoryGoal] = field(default_factory=list)
     _began: float = 0.0
     _active: Trajectory | None = None
@@ -190,11 +192,19 @@ class JointsOnly:
     def _follow(self, active: Trajectory) -> None:
         t = self.clocks.seconds - self._began
         q = active.sample(np.array([t]))[0]
-        self.positions |= dict(zip(self.group.joints, map(float, q), strict=True))
+        there, off = dict(zip(self.group.joints, map(float, q), strict=True)), 0.0
+        goal, late = self.goals[-1], t - active.duration
+        if self.stuck:
+            off = abs(there.pop(self.stuck) - self.positions[self.stuck])
+        if off > goal.path_tolerance or (off > goal.goal_tolerance and late >= goal.goal_time):
+            self._active = None
+            self._tell(MotionState.ABORTED, at_rest=True, joint=self.stuck, error=off)
+            return
+        self.positions |= there
         if self.stray_at is not None and t >= self.stray_at * active.duration:
             self._active = None
             self._tell(MotionState.ABORTED, at_rest=True, joint=self.group.joints[0], error=0.2)
-        elif t >= active.duration:
+        elif late >= 0.0 and off <= goal.goal_tolerance:
             self._active = None
             self._tell(MotionState.SUCCEEDED, at_rest=True)
 

@@ -153,6 +153,25 @@ def test_what_brakes_against_an_obstacle_after_it_strayed_is_not_pushed_on() -> 
     assert plant.controller.position[0] == pytest.approx(held_at), "and not 0.2 further, where it would brake"
 
 
+def test_when_one_joint_strays_the_others_are_held_where_they_are_at_once() -> None:
+    plant = Plant()
+    points = (
+        TrajectoryPoint(time=0.0, positions=(0.0, 0.0), velocities=(0.0, 0.0)),
+        TrajectoryPoint(time=1.0, positions=(1.0, 1.0), velocities=(0.0, 0.0)),
+    )
+    plant.controller.accept(TrajectoryGoal(id="g", points=points, path_tolerance=0.1))
+    plant.run(0.5)
+    plant.stuck, stood = (0,), plant.position[0]
+    for _ in range(30):
+        plant.controller.advance(PERIOD, plant.position, np.array([0.0, 1.5]))
+        if plant.controller.report.state is MotionState.ABORTED:
+            break
+        plant.position[1] = plant.controller.position[1]
+    assert plant.controller.report.state is MotionState.ABORTED
+    assert plant.controller.position == pytest.approx([stood, plant.position[1]])
+    assert not plant.controller.velocity.any()
+
+
 def test_a_stream_is_followed_and_held_when_it_dries_up() -> None:
     plant = Plant()
     for _ in range(30):

@@ -11,6 +11,7 @@ import zlib
 
 import numpy as np
 
+from tandem.skills.arm.doubt import Doubt
 from tandem.skills.arm.field.approach_context import Parts
 from tandem.skills.arm.field.episode import Episode
 from tandem.skills.arm.field.live import Live
@@ -42,6 +43,7 @@ class Approach:
         settings: the planner and its bounds.
         seed: with a goal's id, seeds what is planned.
         compute: plans what can't be sliced; without one it is done in place.
+        doubt: takes note of a joint that stays behind; the group's moves ask it to follow first.
     """
 
     def __init__(
@@ -54,6 +56,7 @@ class Approach:
         *,
         seed: int = 0,
         compute: Compute | None = None,
+        doubt: Doubt | None = None,
     ) -> None:
         hand = arm.hand
         assert hand is not None, "only a group with a hand approaches"
@@ -69,6 +72,7 @@ class Approach:
             planner=MovePlanner(arm, settings, self._action.name, compute),
             gate=Gate(bus, clocks, hand.side),
             teller=Teller(bus, clocks, arm.group.name, hand.side),
+            doubt=Doubt() if doubt is None else doubt,
         )
         self._stop = Latest(bus, STOP_STATE)
 

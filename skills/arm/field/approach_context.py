@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from tandem.skills.arm.doubt import Doubt
 from tandem.skills.arm.field.live import Live
 from tandem.skills.arm.field.target import TargetTracker
 from tandem.skills.arm.field.teller import Teller
@@ -28,3 +29,4 @@ class Parts:
     planner: MovePlanner
     gate: Gate
     teller: Teller
+    doubt: Doubt

@@ -177,6 +177,7 @@ class Ride:
             stray, number = self.motion.stray
             joint = self.parts.arm.group.joints[number]
             if stray > STRAY:
+                self.parts.doubt.note(joint)
                 self.fail(
                     FailureKind.ARM_STOPPED, f"{joint} strayed by {stray:.3f}", joint=joint, error_rad=stray
                 )
