@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
+from tandem.skills.geometry.poses import floor_distance, wrap
 from tandem.skills.ports.keys import rgbd
 
 if TYPE_CHECKING:
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from tandem.sim.world import World
     from tandem.skills.ports.bus import Bus
     from tandem.skills.ports.message import RobotTime
+    from tandem.skills.ports.pose import FloorPose
 
 LIFTED: Final = 0.03
 """Metres above where it stood from which an item counts as lifted."""
@@ -23,8 +25,9 @@ STIRRED: Final = 0.01
 """Metres of height below which an item counts as standing where it stood."""
 REST_TIME: Final = 0.3
 """Seconds without motion after which the base counts as at rest."""
-REST_SPEED: Final = 0.01
-"""m/s and rad/s below which the base stands."""
+STANDS_WITHIN: Final = 0.002
+"""Metres and rad within which the base stands: it creeps at less than 7 mm/s and 7 mrad/s then. Its speed
+from one period to the next says little: that of a light base at rest flickers up to 0.02 rad/s."""
 
 
 @dataclass(frozen=True)
@@ -59,6 +62,7 @@ class Events:
         self._aloft: set[int] = set()
         self._stood = {name: world.pose(name).position[2] for name in world.movable()}
         self._moved, self._still_since = False, 0.0
+        self._still_at: FloorPose | None = None
         self._cameras = [rgbd(each.name) for each in robot.model.description.cameras]
         self._links = {
             robot.link_index[link]: hand.side for hand in robot.model.hands for link in hand.finger_links
@@ -93,10 +97,10 @@ class Events:
         return controller.linear != 0.0 or controller.angular != 0.0
 
     def _rests(self, now: RobotTime, *, moving: bool) -> bool:
-        odometer = self._hardware.base.odometer
-        if moving or max(abs(odometer.linear), abs(odometer.angular)) > REST_SPEED:
+        pose = self._hardware.base.odometer.pose
+        if moving or not self._still_at or _apart(pose, self._still_at) > STANDS_WITHIN:
             self._moved = self._moved or moving
-            self._still_since = now.seconds
+            self._still_since, self._still_at = now.seconds, pose
         return self._moved and now.seconds - self._still_since >= REST_TIME
 
     def _lifted(self) -> list[Occurrence]:
@@ -120,3 +124,8 @@ class Events:
                 self._aloft.add(label.tag)
                 found.append(Occurrence("item_lifted", hands[0], label.tag))
         return found
+
+
+def _apart(a: FloorPose, b: FloorPose) -> float:
+    """Return how far apart two poses are, in metres or rad, whichever is more."""
+    return max(floor_distance(a, b), abs(wrap(a.yaw - b.yaw)))

@@ -234,6 +234,17 @@ def test_an_event_strikes_at_its_nth_time(make_rig: MakeRig) -> None:
     assert rig.phases() == [("odometry_jump", BEGAN)]
 
 
+def test_a_base_that_trembles_on_the_spot_is_at_rest(make_rig: MakeRig) -> None:
+    rig = make_rig(OdometryJump(dx=1.0, when=BaseAtRest()))
+    rig.drive(0.2, 0.0, 0.5)
+    for _ in range(150):
+        rig.hardware.step()
+        rig.hardware.base.odometer.angular = 0.02
+        rig.trouble.step()
+    rig.ticks(1)
+    assert rig.phases() == [("odometry_jump", BEGAN)]
+
+
 def test_what_goes_on_already_does_not_begin(make_rig: MakeRig) -> None:
     rig = make_rig(OdometryJump(dx=1.0, when=BaseMoving()))
     rig.drive(0.2, 0.0, 0.5)
