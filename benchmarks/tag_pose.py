@@ -59,7 +59,7 @@ class Room:
         self.item = next(body for body in self.bodies if body.name == item_name(ITEM))
         label = self.item.label
         assert label is not None
-        self.sizes = {ITEM: label.tag_size}
+        self.sizes = {ITEM: label.tag_size or 0.0}
         self.painter = Painter(
             PainterSettings(urdfs=(robot_model("tiago_dual").physics_urdf,), hardware=not tiny)
         )

@@ -12,8 +12,10 @@ from pydantic import Field, model_validator
 
 from tandem.sim.things import Angle, BoxShape, Colour, Coordinate, Friction, Name, Shape
 from tandem.skills.ports.message import Count, HandName, Message, PartName, RobotTime
+from tandem.skills.ports.site import LAST_ITEM
 
-Tag = Annotated[int, Field(ge=0, le=586)]
+Tag = Annotated[int, Field(ge=0, le=LAST_ITEM)]
+"""An item's number."""
 Seconds = Annotated[float, Field(ge=0.0, le=3600.0)]
 Duration = Annotated[float, Field(gt=0.0, le=3600.0)]
 Share = Annotated[float, Field(ge=0.0, le=1.0)]

@@ -205,10 +205,11 @@ class RenderWorld:
         self._add_mesh(path, Pose(position=(0.0, 0.0, -0.05)), FLOOR_COLOUR)
 
     def _add(self, body: SceneBody) -> int:
-        if body.label is not None and isinstance(body.shape, BoxShape):
-            path = write_item(self._folder, body.label.tag, body.shape.size, body.label.tag_size)
-        elif body.label is not None and isinstance(body.shape, CylinderShape):
-            path = write_tin(self._folder, body.label.tag, body.shape, body.label.tag_size)
+        label, edge = body.label, None if body.label is None else body.label.tag_size
+        if label is not None and edge is not None and isinstance(body.shape, BoxShape):
+            path = write_item(self._folder, label.tag, body.shape.size, edge)
+        elif label is not None and edge is not None and isinstance(body.shape, CylinderShape):
+            path = write_tin(self._folder, label.tag, body.shape, edge)
         else:
             path = write_shape(self._folder, f"body_{self._written}", body.shape)
             self._written += 1

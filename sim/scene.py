@@ -38,10 +38,11 @@ ITEM_COLOUR: Final = (1.0, 1.0, 1.0)
 
 @dataclass(frozen=True)
 class Label:
-    """The tag on a body's four upright sides: its number and the edge in metres of its black square."""
+    """What makes a body an item: its number, and the tag on its four upright sides."""
 
     tag: int
-    tag_size: float
+    tag_size: float | None
+    """Edge in metres of the tag's black square; none: it bears no tag."""
 
 
 @dataclass(frozen=True)
@@ -111,7 +112,7 @@ def furniture_bodies(site: Site) -> tuple[SceneBody, ...]:
 
 
 def item_body(site: Site, item: TrueItem) -> SceneBody:
-    """Return a tagged item where the scenario puts it.
+    """Return an item where the scenario puts it.
 
     Raises:
         KeyError: when the site knows no such item, or nothing is there to stand on.
@@ -126,7 +127,7 @@ def item_body(site: Site, item: TrueItem) -> SceneBody:
         pose=Pose(position=(item.x, item.y, z), orientation=about((0, 0, 1), item.yaw)),
         mass=item.mass,
         friction=item.friction,
-        colour=ITEM_COLOUR,
+        colour=ITEM_COLOUR if known.colour is None or known.tag_size is not None else known.colour,
         label=Label(item.tag, known.tag_size),
         stiffness=item.stiffness,
     )

@@ -1,4 +1,4 @@
-"""Things in the room, as scenarios and faults tell of them: tagged items and what nobody has a tag for."""
+"""Things in the room, as scenarios and faults tell of them: items, and what nobody has a name for."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from tandem.skills.ports import shapes
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.shapes import Solid
+from tandem.skills.ports.site import LAST_ITEM
 
 FLOOR: Final = "floor"
 """The support of what stands on the ground; every other support is a piece of furniture of the site."""
@@ -23,9 +24,10 @@ Colour = tuple[float, float, float]
 
 
 class TrueItem(Message):
-    """Where a tagged item really stands at the start of the run; the site file gives its shape."""
+    """Where an item really stands at the start of the run; the site file gives its shape and looks."""
 
-    tag: int = Field(ge=0, le=586)
+    tag: int = Field(ge=0, le=LAST_ITEM)
+    """The item's number, whether it bears a tag or not."""
     support: Name
     """The furniture on whose top it stands, or ``floor``."""
     x: Coordinate

@@ -10,9 +10,9 @@ from typing import Annotated, Final
 
 from pydantic import BeforeValidator, Field, ValidationInfo, WithJsonSchema
 
-from tandem.skills.ports.site import LAST_TAG, MAX_NAME, Site
+from tandem.skills.ports.site import LAST_ITEM, MAX_NAME, Site
 
-_SAID: Final = "number of the item's tag (AprilTag 36h11), or the item's name at this site"
+_SAID: Final = "number of the item (if it bears a tag, that of the tag), or its name at this site"
 
 
 def _numbered(said: object, info: ValidationInfo) -> object:
@@ -31,15 +31,15 @@ def _numbered(said: object, info: ValidationInfo) -> object:
 ItemNumber = Annotated[
     int,
     BeforeValidator(_numbered),
-    Field(ge=0, le=LAST_TAG, description=_SAID),
+    Field(ge=0, le=LAST_ITEM, description=_SAID),
     WithJsonSchema(
         {
             "anyOf": [
-                {"type": "integer", "minimum": 0, "maximum": LAST_TAG},
+                {"type": "integer", "minimum": 0, "maximum": LAST_ITEM},
                 {"type": "string", "minLength": 1, "maxLength": MAX_NAME},
             ],
             "description": _SAID,
         }
     ),
 ]
-"""A field of a request: the number of a tag, for which a client may say the item's name at the site."""
+"""A field of a request: the number of an item, for which a client may say the item's name at the site."""

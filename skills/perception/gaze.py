@@ -107,9 +107,12 @@ class Gaze:
         kept = set(items)
         self._items = {item: each for item, each in self._items.items() if item in kept}
 
-    def see(self, item: int, tag_in_map: Pose, tag_size: float, now: float) -> None:
-        """Take in that an item was seen, or is believed there though it has not been seen here yet."""
-        self._items[item] = _Followed(tag_in_map, BORDER * tag_size, now, now)
+    def see(self, item: int, tag_in_map: Pose, edge: float, now: float) -> None:
+        """Take in that an item was seen, or is believed there though it has not been seen here yet.
+
+        ``edge``: of the square in its face's middle that has to be seen (m).
+        """
+        self._items[item] = _Followed(tag_in_map, BORDER * edge, now, now)
 
     def knows(self, item: int) -> bool:
         """Say whether it has been told where the item is."""

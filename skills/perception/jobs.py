@@ -98,7 +98,7 @@ def find_tags(job: TagJob) -> TagsFound:
             )
         )
     camera_in_map = compose(base_in_map, job.shot.camera_in_base)
-    seen_items, sizes = {each.item for each in found}, {each.item: each.tag_size for each in job.items}
+    seen_items, sizes = {each.item for each in found}, {each.item: each.seen_edge for each in job.items}
     missing = [(item, box) for item, box in job.believed if item not in seen_items]
     absent = tuple(item for item, box in missing if clutter.seen_through(image, camera_in_map, box))
     unread = tuple(

@@ -40,7 +40,12 @@ _DEPTH_POINTS: Final = 150
 
 def of_items(image: RgbdImage, items: tuple[SiteItem, ...], up_in_camera: Vector3) -> tuple[Detection, ...]:
     """Return the items whose tags a picture shows: the detector ``tags``."""
-    return find(image, {each.item: each.tag_size for each in items}, up_in_camera)
+    return find(image, sizes_of(items), up_in_camera)
+
+
+def sizes_of(items: tuple[SiteItem, ...]) -> dict[int, float]:
+    """Return the edges (m) of the black squares of those items that bear a tag, by number."""
+    return {each.item: each.tag_size for each in items if each.tag_size is not None}
 
 
 def find(

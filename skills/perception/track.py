@@ -169,9 +169,9 @@ class Track:
         for item in sorted(followed):
             fact = facts.get(item)
             if item in told:
-                gaze.see(item, told[item], self._tag_size(item), now)
+                gaze.see(item, told[item], self._seen_edge(item), now)
             elif fact is not None and not gaze.knows(item):
-                gaze.see(item, fact.tag_in_map, self._tag_size(item), now)
+                gaze.see(item, fact.tag_in_map, self._seen_edge(item), now)
         camera_in_map = compose(to_pose(shot.base_in_map), shot.camera_in_base)
         gaze.look(camera_in_map, found.absent, now)
         newest = view.joints.newest
@@ -192,10 +192,10 @@ class Track:
         yield from view.head.move(view.session, view.joints, end)
         return True
 
-    def _tag_size(self, item: int) -> float:
+    def _seen_edge(self, item: int) -> float:
         known = self._site.item(item)
         assert known is not None, "a goal with an item that the site does not know is refused"
-        return known.tag_size
+        return known.seen_edge
 
     def _same_faces(self, sightings: tuple[Sighting, ...]) -> list[Sighting]:
         """Return what is seen of each item's face that was told last, unless another is seen much better.

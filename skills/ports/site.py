@@ -1,4 +1,4 @@
-"""``site/...``: what is known beforehand - map, furniture, search spots, depots, items by their tags."""
+"""``site/...``: what is known beforehand - map, furniture, search spots, depots, items."""
 
 from __future__ import annotations
 
@@ -16,9 +16,15 @@ from tandem.skills.ports.shapes import ROUND, ShapeName
 
 LAST_TAG: Final = 586
 """The last number of the family 36h11, whose first is 0."""
+LAST_ITEM: Final = 9999
+"""The last number of an item. Four digits are read at a glance; a site has fewer items than that."""
+FACE: Final = 0.8
+"""Share of a face's edge that a tag's black square takes on the sites' labels, with a tenth as margin on each
+side. Of an item without a tag as much of a face has to be seen."""
 MAX_NAME: Final = 64
 """Characters of an item's name, as of a depot's in a request."""
 Edge = Annotated[float, Field(gt=0.0)]
+Share = Annotated[float, Field(ge=0.0, le=1.0)]
 LocalPlanner = Literal["pursuit", "people", "band"]
 """``pursuit`` follows the plan and takes people for things. ``people`` follows it too, but tracks people,
 slows down for them, waits, and lets them pass."""
@@ -82,7 +88,10 @@ def _about(told: Mapping[str, object]) -> Vector3:
 
 
 class SiteItem(Message):
-    """An item: tag number, name, shape (m), edge of the black square (m), and its hands.
+    """An item: number, name, shape (m), its tag or colour if it has one, and its hands.
+
+    ``item`` is the number by which keys and messages call it, and that of its tag if it bears one. Then
+    ``tag_size`` is the edge (m) of the tag's black square. Without a tag another detector has to tell it.
 
     A box has ``size``, its full edges. A cylinder has ``diameter`` and ``height``; its ``size`` follows, the
     edges of the upright box about it.
@@ -91,14 +100,18 @@ class SiteItem(Message):
     which hands it is for (O_HL, O_HR; both unless told).
     """
 
-    item: Annotated[int, Field(ge=0, le=LAST_TAG)]
+    item: Annotated[int, Field(ge=0, le=LAST_ITEM)]
     name: Annotated[str, Field(max_length=MAX_NAME, pattern=PLAIN_TEXT)] = ""
     """What people call it, and requests may; none: its number only."""
     shape: ShapeName = "box"
     diameter: Edge | None = None
     height: Edge | None = None
     size: tuple[Edge, Edge, Edge] = Field(default_factory=_about)
-    tag_size: Edge
+    tag_size: Edge | None = None
+    """Edge of the black square of its tags; none: it bears no tag."""
+    colour: tuple[Share, Share, Share] | None = None
+    """Red, green and blue, 0 to 1, for detectors that tell items by it; none: not known. In the simulation
+    items without a colour are white, and so are those with a tag."""
     hands: tuple[HandName, ...] = ()
     """Hands that it is for; none: any hand of the robot."""
     grasp_points: tuple[GraspPoint, ...] = ()
@@ -107,6 +120,11 @@ class SiteItem(Message):
     def words(self) -> str:
         """Its number, with its name if it has one."""
         return f"{self.item} ({self.name})" if self.name else str(self.item)
+
+    @property
+    def seen_edge(self) -> float:
+        """Edge (m) of what has to be seen in the middle of a face: the tag, or a square as large as one."""
+        return FACE * min(self.size) if self.tag_size is None else self.tag_size
 
     @property
     def needs_two(self) -> bool:
@@ -134,8 +152,16 @@ class SiteItem(Message):
         if any(abs(one - two) > ROUND for one, two in zip(self.size, _about(self._measures()), strict=True)):
             raise ValueError("expected diameter and height of a cylinder, and no other size beside them")
         room = min(self.size)
-        if self.tag_size > room:
+        if self.tag_size is not None and self.tag_size > room:
             raise ValueError(f"expected a tag_size of at most {room:g} m, which is its label's edge")
+        return self
+
+    @model_validator(mode="after")
+    def _tags_have_their_numbers(self) -> SiteItem:
+        if self.tag_size is not None and self.item > LAST_TAG:
+            raise ValueError(
+                f"expected an item of 0 to {LAST_TAG}, the numbers of tags, or no tag_size; found {self.item}"
+            )
         return self
 
     def _measures(self) -> dict[str, object]:
@@ -191,7 +217,7 @@ class Site(Message):
         return self
 
     def item(self, number: int) -> SiteItem | None:
-        """Return the item of that tag, or None."""
+        """Return the item of that number, or None."""
         return next((each for each in self.items if each.item == number), None)
 
     def meant(self, said: str | int) -> SiteItem | None:

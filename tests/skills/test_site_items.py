@@ -82,3 +82,19 @@ def test_measures_that_are_not_those_of_the_shape_are_refused(
 def test_a_site_reads_on_the_wire_as_in_its_file() -> None:
     site = load("pantry")
     assert Site.model_validate_json(site.model_dump_json()) == site
+
+
+def test_an_item_may_be_of_name_and_shape_only(tmp_path: Path) -> None:
+    shipped = (resources.files("tandem.skills") / "sites" / "pantry.yaml").read_text("utf-8")
+    file = tmp_path / "pantry.yaml"
+    file.write_text(shipped.replace(TIN, "{item: 600, name: mug, size: [0.06, 0.06, 0.08]}"), "utf-8")
+    item = load(str(file)).meant("mug")
+    assert item is not None
+    assert (item.item, item.tag_size, item.seen_edge) == (600, None, pytest.approx(0.048))
+
+
+def test_a_tag_has_the_number_of_one(tmp_path: Path) -> None:
+    file = with_item("size: [0.06, 0.06, 0.06]", tmp_path)
+    file.write_text(file.read_text("utf-8").replace("item: 20, size", "item: 600, size"), "utf-8")
+    with pytest.raises(DocumentError, match=r"expected an item of 0 to 586, the numbers of tags, or"):
+        load(str(file))

@@ -37,7 +37,7 @@ def test_an_item_is_meant_by_its_name_or_by_its_number(said: object) -> None:
         ("29", "29 (tea)"),
         ("", "29 (tea)"),
         (30, "29 (tea)"),
-        (587, "less than or equal to 586"),
+        (10_000, "less than or equal to 9999"),
         (True, "a whole number"),
         (None, "a whole number"),
     ],

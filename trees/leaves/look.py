@@ -35,7 +35,7 @@ def look(name: str, context: TreeContext, board: FetchBoard) -> Act[LookGoal, Lo
             return None
         if there:
             return _elsewhere(board)
-        seen = ", ".join(str(sighting.item) for sighting in result.sightings) or "no tag"
+        seen = ", ".join(str(sighting.item) for sighting in result.sightings) or "no item"
         return Failure(
             kind=FailureKind.ITEM_NOT_FOUND,
             message=f"item {board.item} is not in view; seen: {seen}",

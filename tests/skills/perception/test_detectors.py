@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from tandem.skills.geometry.poses import angle_between, distance
 from tandem.skills.perception import tags
 from tandem.skills.perception.detectors import TAGS, Detection, Detector, detectors, plugged
 from tandem.skills.perception.jobs import Shot, TagJob, find_tags
@@ -13,6 +17,7 @@ from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.site import SiteItem
 from tandem.skills.site import load
+from tests.fakes.examples import example
 from tests.fakes.packages import Installed
 from tests.skills.perception.pictures import Face, picture, tag_at
 
@@ -66,3 +71,24 @@ def test_those_of_other_packages_come_after_tags(installed: Installed) -> None:
     assert list(detectors()) == [TAGS, "colours"]
     assert list(detectors(None)) == [TAGS]
     assert [each.plugin.name for each in plugged().broken] == ["lambda_", "tags"]
+
+
+def test_an_item_without_a_tag_is_none_of_the_tags() -> None:
+    plain = SiteItem(item=600, name="mug", size=(0.06, 0.06, 0.06))
+    assert tags.sizes_of((*ITEMS, plain)) == {each.item: each.tag_size for each in ITEMS}
+
+
+def test_a_detector_of_ones_own_tells_an_item_of_name_shape_and_colour() -> None:
+    mug = SiteItem(item=600, name="mug", size=(0.08, 0.08, 0.08), colour=(0.9, 0.1, 0.1))
+    face = tag_at(1.0, 0.3, 0.0, right=0.1)
+    drawn = picture((Face(29, face, 0.8 * mug.size[1]),), np.random.default_rng(1), samples=3)
+    red = np.where(drawn.depth[:, :, None] < 2000, np.array((200, 20, 20)), drawn.colour).astype(np.uint8)
+    by_colour = example("by_colour").by_colour
+    up_in_map = Pose(orientation=(-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)))  # looks along map's y
+    shot = Shot(encode(replace(drawn, colour=red)), up_in_map, FloorPose(x=0, y=0, yaw=0))
+    found = find_tags(TagJob(shot, (*ITEMS, mug), detectors=(tags.of_items, by_colour)))
+    (seen,) = found.sightings
+    assert seen.item == 600
+    assert distance(seen.tag_in_camera, face) < 0.005
+    assert angle_between(seen.tag_in_camera.orientation, face.orientation) < math.radians(3.0)
+    assert found.troubles == ()
