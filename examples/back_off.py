@@ -1,21 +1,41 @@
-"""Back off: a skill. It drives straight back, slowly, by its wheels alone."""
+"""Back off: a skill. It drives straight back, slowly, by its wheels alone.
+
+A project names it in its ``pyproject.toml``::
+
+    [project.entry-points."tandem.skills"]
+    back_off = "my_robot_app.back_off:SKILL"
+
+It imports nothing of Tandem but the public surface.
+"""
 # ruff: noqa: INP001 - an example: a file of its own
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Final
 
 from pydantic import Field
 
-from tandem.skills.geometry.poses import floor_distance
-from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.clocks import Clocks, robot_seconds
-from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.hardware import BaseVelocity
-from tandem.skills.ports.keys import BASE_VELOCITY, ODOMETRY, Latest
-from tandem.skills.ports.message import Message
-from tandem.skills.ports.pose import FloorPose
-from tandem.skills.ports.skill import ActionType, Command, Run, canceled, failed, succeeded
+from tandem.api.skills import (
+    BASE_VELOCITY,
+    ODOMETRY,
+    ActionType,
+    BaseVelocity,
+    Bus,
+    Clocks,
+    Command,
+    Failure,
+    FailureKind,
+    Latest,
+    Message,
+    Odometry,
+    Run,
+    SkillType,
+    canceled,
+    failed,
+    robot_seconds,
+    succeeded,
+)
 
 SPEED: Final = 0.1
 """Metres a second."""
@@ -75,11 +95,11 @@ class BackOff:
                     )
                 self._drive(-SPEED)
                 canceling = (yield BackOffFeedback(driven=driven)) is Command.CANCEL
-                driven = floor_distance(start, self._base())
+                driven = _between(start, self._base())
             self._drive(0.0)
             while not self._at_rest():
                 yield BackOffFeedback(driven=driven)
-                driven = floor_distance(start, self._base())
+                driven = _between(start, self._base())
             return canceled() if canceling else succeeded(BackOffResult(driven=driven))
         finally:
             self._drive(0.0)  # the last resort sends a stop and must not yield
@@ -87,11 +107,19 @@ class BackOff:
     def _drive(self, linear: float) -> None:
         BASE_VELOCITY.publish(self._bus, BaseVelocity(linear=linear, angular=0.0))
 
-    def _base(self) -> FloorPose:
+    def _base(self) -> Odometry:
         heard = self._odometry.refresh()
         assert heard is not None  # check has seen to it
-        return heard.base_in_odom
+        return heard
 
     def _at_rest(self) -> bool:
         heard = self._odometry.refresh()
         return heard is not None and abs(heard.linear) < REST
+
+
+def _between(one: Odometry, other: Odometry) -> float:
+    """Return metres on the floor between two places, as the wheels tell them."""
+    return math.dist((one.base_in_odom.x, one.base_in_odom.y), (other.base_in_odom.x, other.base_in_odom.y))
+
+
+SKILL: Final = SkillType("back_off", lambda at: BackOff(at.bus, at.clocks), tells=(BASE_VELOCITY.key,))

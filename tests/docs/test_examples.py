@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
 import sys
 
@@ -9,6 +10,7 @@ import pytest
 from py_trees.common import Status
 from pydantic import TypeAdapter
 
+from tandem.executive.system.roles.skill_type import SkillType
 from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.geometry.poses import from_axes
 from tandem.skills.gripper.grip import Gripping
@@ -78,6 +80,19 @@ class Wheels:
         stamp = RobotTime(boot=self._clocks.boot, seconds=self._clocks.seconds)
         pose = FloorPose(x=self.x, y=0.0, yaw=0.0)
         ODOMETRY.publish(self._bus, Odometry(stamp=stamp, base_in_odom=pose, linear=told.linear, angular=0.0))
+
+
+@pytest.mark.parametrize(("name", "room"), [("back_off", "skills"), ("by_colour", "detectors")])
+def test_what_a_project_may_copy_imports_nothing_but_the_api(name: str, room: str) -> None:
+    tree = ast.parse((EXAMPLES / f"{name}.py").read_text("utf-8"))
+    imported = {each.module or "" for each in ast.walk(tree) if isinstance(each, ast.ImportFrom)}
+    assert {each for each in imported if each.startswith("tandem")} == {f"tandem.api.{room}"}
+
+
+def test_the_skill_may_be_an_entry_point() -> None:
+    skill = example("back_off").SKILL
+    assert isinstance(skill, SkillType)
+    assert skill.tells == ("hw/base/velocity",)
 
 
 @pytest.mark.parametrize(("cancel_at", "state"), [(None, "SUCCEEDED"), (40, "CANCELED")])
