@@ -114,7 +114,8 @@ def command() -> TyperGroup:
     run = made.commands["run"]
     assert isinstance(run, TyperGroup)
     run.commands |= {kind.name: run_command_of(kind) for kind in discover().values()}
-    run.commands |= dict.fromkeys(("KIND", "tour"), run.commands["fetch"])  # `tandem new` makes a tour
+    # `tandem new` makes a tour, and the page on extending one's own task make_way.
+    run.commands |= dict.fromkeys(("KIND", "tour", "make_way"), run.commands["fetch"])
     return made
 
 
