@@ -190,7 +190,9 @@ class Company:
         kept = self._side if now - self._chosen_at < KEPT_FOR else 0.0
         tangents = [(side, wrap(other.bearing + side * half)) for side in (1.0, -1.0)]
         free = [
-            (side, way) for side, way in tangents if self._free(here, way) and self._room_beside(other, side)
+            (side, way)
+            for side, way in tangents
+            if self._free(here, way) and self._room_beside(other, bearing + side * math.pi / 2.0)
         ]
         if not free:
             return None
@@ -205,9 +207,8 @@ class Company:
         places = np.stack((here.x + along * math.cos(way), here.y + along * math.sin(way)), axis=-1)
         return bool(self._floor.at(places).min() > self._radius + SPARE)
 
-    def _room_beside(self, other: Other, side: float) -> bool:
-        """Say whether the base has room where it passes a robot on a side: 1 left, -1 right."""
-        across = other.bearing + side * math.pi / 2.0
+    def _room_beside(self, other: Other, across: float) -> bool:
+        """Say whether the base has room where it passes a robot, in a direction (rad) across its way."""
         x, y = other.x + other.berth * math.cos(across), other.y + other.berth * math.sin(across)
         return self._floor.at_point(x, y) > self._radius + SPARE
 

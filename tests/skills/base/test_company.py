@@ -146,3 +146,13 @@ def test_it_passes_on_the_side_where_there_is_room_beside_the_other() -> None:
     assert status is not None
     assert status.state is GoalState.SUCCEEDED
     assert told.nearest > 0.85
+
+
+def test_beside_a_robot_at_the_wall_it_goes_to_a_place_without_going_to_and_fro() -> None:
+    told = Told(-0.24, 1.81, BEHIND)
+    told.rig.pose = FloorPose(x=-0.5, y=0.74, yaw=2.5)
+    statuses = told.rig.send(GO.name, GoGoal(x=-1.2, y=1.2, position_tolerance=0.1))
+    told.wait(10.0)
+    status = statuses.refresh()
+    assert status is not None
+    assert status.state is GoalState.SUCCEEDED
