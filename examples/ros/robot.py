@@ -58,7 +58,7 @@ class RosFace:
     ) -> None:
         self._bus, self._robot, self._utc = bus, robot, utc
         self._codec = Codec("jazzy")
-        self._node = RosNode(link, domain, "robot", self._codec, "jazzy")
+        self._node = RosNode(link, bus.ear, domain, "robot", self._codec)
         self._cmd = self._node.subscription("/cmd_vel", types.TWIST)
         self._odometry = (keys.Latest(bus, keys.ODOMETRY), self._out("/odom", types.ODOMETRY))
         self._tf = self._out("/tf", types.TF)
@@ -74,11 +74,8 @@ class RosFace:
 
     def step(self) -> bool:
         """Pass on what has come, both ways."""
-        for message in self._cmd.take():
-            twist = cast("Twist", message)
-            keys.BASE_VELOCITY.publish(
-                self._bus, BaseVelocity(linear=float(twist.linear.x), angular=float(twist.angular.z))
-            )
+        for velocity in self._cmd.each(_velocity_of):
+            keys.BASE_VELOCITY.publish(self._bus, velocity)
         self._tell_poses()
         self._tell_sensors()
         return False
@@ -182,6 +179,11 @@ class RosFace:
         )
 
 
+def _velocity_of(message: object) -> BaseVelocity:
+    twist = cast("Twist", message)
+    return BaseVelocity(linear=float(twist.linear.x), angular=float(twist.angular.z))
+
+
 def main(arguments: Iterable[str]) -> None:
     """Be the robot until Ctrl-C."""
     endpoint, prefix = arguments
@@ -190,7 +192,7 @@ def main(arguments: Iterable[str]) -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda which, _: ended.append(which))
     bus = ZenohBus(endpoint, prefix)
-    session = ForeignSession(endpoint, bus.waker)
+    session = ForeignSession(endpoint, bus.waker, bus.strays)
     try:
         answer = wait_until(bus, keys.DESCRIPTION.query(bus, keys.Nothing(), timeout=10.0), 10.0)
         if answer is None:

@@ -8,6 +8,7 @@ from typing import Final, Protocol
 
 from tandem.executive.records.known import ALIVE, Alive
 from tandem.executive.records.recording import Encoding, Recorded
+from tandem.skills.ports.hearing import Ear, Entrance
 from tandem.skills.ports.keys import CLOCK
 from tandem.skills.ports.match import matches
 from tandem.skills.ports.message import Message, RobotTime, RobotTimer, read_leniently
@@ -126,9 +127,14 @@ class _Stamped(Message):
 
 
 class Stamper:
-    """Gives messages their times. Only the hardware's clock is decoded."""
+    """Gives messages their times. Only the hardware's clock is decoded.
 
-    def __init__(self) -> None:
+    Args:
+        ear: of the process; counts what is no clock.
+    """
+
+    def __init__(self, ear: Ear) -> None:
+        self._clock = Entrance(ear, _read_clock)
         self._timer = RobotTimer()
         self._alive: frozenset[str] | None = None
         self.stamp: RobotTime | None = None
@@ -164,10 +170,15 @@ class Stamper:
         return Recorded(arrived.key, self.at, self.stamp, host, arrived.payload, encoding)
 
     def _hear(self, payload: bytes) -> None:
-        try:
-            stamp = read_leniently(_Stamped, payload).stamp
-        except ValueError:
-            return  # who goes by the clock has logged it
-        if self.stamp is None or self.stamp.is_after(stamp) is not True:
-            self.stamp = stamp
-            self._timer.read(stamp)
+        said = self._clock.read(CLOCK.key, payload)
+        if said is None:
+            return
+        if self._clock.is_newer(CLOCK.key, said):
+            self.stamp = said.stamp
+            self._timer.read(said.stamp)
+        else:
+            self._clock.keeps_old(CLOCK.key, said)  # which counts it
+
+
+def _read_clock(payload: bytes) -> _Stamped:
+    return read_leniently(_Stamped, payload)

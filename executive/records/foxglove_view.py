@@ -28,7 +28,6 @@ from foxglove.messages import (
     Vector3,
 )
 from foxglove.messages import JointStates as JointStatesShown
-from pydantic import ValidationError
 
 from tandem.executive.records.incidents import Incidents
 from tandem.executive.records.mcap_file import OURS
@@ -36,6 +35,7 @@ from tandem.executive.records.mcap_writing import McapFile, Schema
 from tandem.executive.records.recording import Attachment, Recorded
 from tandem.skills.geometry.poses import to_pose
 from tandem.skills.ports.hardware import JointStates
+from tandem.skills.ports.hearing import Ear, Reason
 from tandem.skills.ports.keys import DESCRIPTION, JOINT_STATES
 from tandem.skills.ports.message import Quaternion as OurQuaternion
 from tandem.skills.ports.message import Vector3 as OurVector
@@ -56,9 +56,14 @@ Shown = JointStatesShown | FrameTransforms | SceneUpdate | LaserScan | Log
 
 
 class FoxgloveView:
-    """Adds to a file what Foxglove draws of a message; implements ``recording_sink.Shows``."""
+    """Adds to a file what Foxglove draws of a message; implements ``recording_sink.Shows``.
 
-    def __init__(self) -> None:
+    Args:
+        ear: counts what can't be read; one of its own, which nobody asks, unless given.
+    """
+
+    def __init__(self, ear: Ear | None = None) -> None:
+        self._ear = Ear() if ear is None else ear
         self._robot: RobotDescription | None = None
         self._last: dict[str, float] = {}
         self._incidents = Incidents()
@@ -71,7 +76,10 @@ class FoxgloveView:
     def learn(self, attachment: Attachment) -> None:
         """Learn the robot's frames and lasers, once it has said who it is."""
         if attachment.name == DESCRIPTION.key:
-            self._robot = read_leniently(RobotDescription, attachment.data)
+            robot = self._ear.read(DESCRIPTION.key, DESCRIPTION.decode_answer, attachment.data)
+            if robot is None:
+                return
+            self._robot = robot
             for laser in self._robot.lasers:
                 key = f"hw/{laser.name}/laser"
                 self._views[key] = (f"foxglove/{laser.name}", SCANS_EVERY, self._scan_of(laser.name))
@@ -90,9 +98,11 @@ class FoxgloveView:
             return
         self._last[topic] = message.at
         try:
-            _put(file, topic, made(message), message)
-        except ValidationError:
-            return  # ours has it as it was
+            shown = made(message)
+        except Exception as error:  # noqa: BLE001 - whatever a stranger found: ours has it as it was
+            self._ear.refuse(message.key, Reason.MALFORMED, f"{type(error).__name__}: {error}")
+            return
+        _put(file, topic, shown, message)
 
     def _transforms(self, message: Recorded) -> FrameTransforms:
         pose = to_pose(read_leniently(RobotPose, message.payload).base_in_map)

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from pydantic import ValidationError
-
 from tandem.executive.records.known import names_task
 from tandem.executive.records.recording import Recorded
 from tandem.skills.ports.hardware import StopState
+from tandem.skills.ports.hearing import Ear
 from tandem.skills.ports.keys import STOP_STATE
 from tandem.skills.ports.message import read_leniently
 from tandem.skills.ports.records import Cause
-from tandem.skills.ports.tasks import TaskState, TaskStatus
+from tandem.skills.ports.tasks import TASK_STATUS, TaskState, TaskStatus
 
 FRESH: float = 5.0
 """Robot seconds within which a task ended whose first status is its last: others are news of long ago."""
@@ -19,9 +18,14 @@ PROCESS = "process/"
 
 
 class Incidents:
-    """Sees them in what is heard. Only statuses of tasks and of the stop are decoded."""
+    """Sees them in what is heard. Only statuses of tasks and of the stop are decoded.
 
-    def __init__(self) -> None:
+    Args:
+        ear: counts those that can't be read; one of its own, which nobody asks, unless given.
+    """
+
+    def __init__(self, ear: Ear | None = None) -> None:
+        self._ear = Ear() if ear is None else ear
         self._open: dict[str, bool] = {}
         """Tasks that have not ended, and whether they are at work."""
         self._told: dict[str, None] = {}
@@ -36,13 +40,12 @@ class Incidents:
 
     def hear(self, message: Recorded) -> Cause | None:
         """Return what a message says has gone wrong, or None."""
-        try:
-            if names_task(message.key):
-                return self._task(message)
-            if message.key == STOP_STATE.key:
-                return self._stop(message)
-        except ValidationError:
-            return None  # who hears it for its own purposes has logged it
+        if names_task(message.key):
+            status = self._ear.read(message.key, TASK_STATUS.decode, message.payload)
+            return None if status is None else self._task(status, message)
+        if message.key == STOP_STATE.key:
+            state = self._ear.read(message.key, _read_stop, message.payload)
+            return None if state is None else self._stop(state, message)
         return None
 
     def look(self, alive: frozenset[str], at: Recorded | None) -> Cause | None:
@@ -55,8 +58,7 @@ class Incidents:
         words = f"the {names} process is gone" if len(gone) == 1 else f"the processes {names} are gone"
         return self._cause("death", words, at)
 
-    def _task(self, message: Recorded) -> Cause | None:
-        status = read_leniently(TaskStatus, message.payload)
+    def _task(self, status: TaskStatus, message: Recorded) -> Cause | None:
         task, known = status.task, status.task in self._open
         if not status.state.terminal:
             self._open[task] = status.started is not None and status.state is not TaskState.QUEUED
@@ -71,8 +73,7 @@ class Incidents:
         cause = self._cause("task", f"{task} {status.state}{why}", message)
         return cause.model_copy(update={"task": task})
 
-    def _stop(self, message: Recorded) -> Cause | None:
-        state = read_leniently(StopState, message.payload)
+    def _stop(self, state: StopState, message: Recorded) -> Cause | None:
         was, self._stopped = self._stopped, state.stopped
         if not state.stopped or was:
             return None
@@ -88,3 +89,7 @@ def _fresh(status: TaskStatus, message: Recorded) -> bool:
     if status.ended is None or message.stamp is None:
         return False
     return status.ended.is_fresh(message.stamp, FRESH)
+
+
+def _read_stop(payload: bytes) -> StopState:
+    return read_leniently(StopState, payload)

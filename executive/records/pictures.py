@@ -13,7 +13,7 @@ from tandem.executive.records.foxglove_view import put_picture
 from tandem.executive.records.mcap_writing import McapFile
 from tandem.executive.records.recording import Recorded
 from tandem.skills.ports.bus import Bus
-from tandem.skills.ports.image import decode
+from tandem.skills.ports.image import decode, header_of
 
 EVERY: Final = 0.2
 """Host seconds between two pictures of a camera."""
@@ -35,7 +35,7 @@ class Pictures:
         self, bus: Bus, monotonic: Callable[[], float], write: Callable[[Callable[[McapFile], None]], None]
     ) -> None:
         self._inbox = bus.subscribe(PICTURES, depth=1)
-        self._monotonic, self._write = monotonic, write
+        self._ear, self._monotonic, self._write = bus.ear, monotonic, write
         self._last = float("-inf")
 
     def step(self, when: Recorded | None) -> None:
@@ -45,7 +45,8 @@ class Pictures:
             return
         self._last = now
         for sample in self._inbox.drain():
-            jpeg = as_jpeg(sample.payload)
+            header = self._ear.read(sample.key, header_of, sample.payload)
+            jpeg = b"" if header is None else as_jpeg(sample.payload)
             if jpeg:
                 self._put(sample.key, jpeg, when)
 

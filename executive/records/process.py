@@ -84,7 +84,7 @@ def _recording(
         clocks,
         schema_of=JsonSchemas().of,
         tell=partial(TASK_RECORDING.publish, bus),
-        shows=FoxgloveView(),
+        shows=FoxgloveView(bus.ear),
     )
     if not settings.record_pictures:
         return sink, None

@@ -90,7 +90,7 @@ class Recorder:
         self._bus, self._ears, self._clocks, self._facts = bus, ears, clocks, facts
         self._boxes, self._sinks, self._host = boxes, tuple(sinks), Host(clocks)
         self._ring = Ring() if ring is None else ring
-        self._stamper, self._incidents = Stamper(), Incidents()
+        self._stamper, self._incidents = Stamper(bus.ear), Incidents(bus.ear)
         self._attaching = Attaching(bus, clocks.monotonic, self._attached)
         self._recordings = recordings
         self._causes: list[Cause] = []

@@ -92,6 +92,40 @@ class Ear:
         if len(self.last_read) > KINDS:
             self.last_read.pop(next(iter(self.last_read)))
 
+    def read(self, key: str, decode: Callable[[bytes], M], payload: bytes) -> M | None:
+        """Return what a payload says, or None for one that is refused: whoever decodes does it here."""
+        try:
+            return self._checked(key, decode, payload)
+        except Exception as error:  # noqa: BLE001 - whatever a stranger found: it costs its message, no process
+            raised = f"the check raised {type(error).__name__}: {error}"
+            self.refuse(key, Reason.MALFORMED, raised, error=error)
+            return None
+
+    def _checked(self, key: str, decode: Callable[[bytes], M], payload: bytes) -> M | None:
+        try:
+            message = decode(payload)
+        except ValueError as error:
+            self.refuse(key, Reason.MALFORMED, _first(error))
+            return None
+        if key.startswith(MEASURED) and too_large(message):
+            text = f"a number is larger than {LARGEST:.0e}, or a time than {LONGEST:.0e} s"
+            self.refuse(key, Reason.MALFORMED, text)
+            return None
+        wrong = misfit(message, key, self.description)
+        if wrong:
+            self.refuse(key, Reason.MISFIT, wrong)
+            return None
+        return message
+
+    def count(self, key: str, reason: Reason, count: int = 1) -> tuple[str, Reason]:
+        """Count messages that are not taken in, and return as what: for who logs the reason itself."""
+        kind = (key, reason)
+        if kind not in self._counts and len(self._counts) >= KINDS:
+            kind = ("other", reason)
+        self._counts[kind] += count
+        self.total += count
+        return kind
+
     def refuse(
         self, key: str, reason: Reason, text: str, count: int = 1, *, error: Exception | None = None
     ) -> None:
@@ -99,11 +133,7 @@ class Ear:
 
         ``error`` is one of ours: a check that raised. The log gets its trace.
         """
-        kind = (key, reason)
-        if kind not in self._counts and len(self._counts) >= KINDS:
-            kind = ("other", reason)
-        self._counts[kind] += count
-        self.total += count
+        kind = self.count(key, reason, count)
         now = 0.0 if self._monotonic is None else self._monotonic()
         last = self._logged.get(kind)
         if last is None or now - last >= LOG_EVERY:
@@ -138,34 +168,10 @@ class Entrance(Generic[M]):
             known: M = before[2]  # type: ignore[assignment] # what this decode made of it
             self._note_said(key, known, payload)
             return known
-        try:
-            message = self._checked(key, payload)
-        except Exception as error:  # noqa: BLE001 - whatever a stranger found: it costs its message, no process
-            raised = f"the check raised {type(error).__name__}: {error}"
-            self._ear.refuse(key, Reason.MALFORMED, raised, error=error)
-            return None
+        message = self._ear.read(key, self._decode, payload)
         if message is not None:
             self._ear.keep(key, self._decode, payload, message)
             self._note_said(key, message, payload)
-        return message
-
-    def _checked(self, key: str, payload: bytes) -> M | None:
-        try:
-            message = self._decode(payload)
-        except ValueError as error:
-            self._ear.refuse(key, Reason.MALFORMED, _first(error))
-            return None
-        if key.startswith(MEASURED) and too_large(message):
-            self._ear.refuse(
-                key,
-                Reason.MALFORMED,
-                f"a number is larger than {LARGEST:.0e}, or a time than {LONGEST:.0e} s",
-            )
-            return None
-        wrong = misfit(message, key, self._ear.description)
-        if wrong:
-            self._ear.refuse(key, Reason.MISFIT, wrong)
-            return None
         return message
 
     def _note_said(self, key: str, message: M, payload: bytes) -> None:

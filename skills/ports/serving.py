@@ -25,6 +25,7 @@ from pydantic import ValidationError
 from tandem.skills.ports.bus import Bus, Inbox, Request
 from tandem.skills.ports.documents import parse
 from tandem.skills.ports.endpoint import AnyDocument, Call, Endpoint, Problems, Refusal
+from tandem.skills.ports.hearing import Reason
 from tandem.skills.ports.limits import Rates
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.problems import WHOLE, Problem, in_words, problems_of
@@ -239,6 +240,8 @@ class _Served:
 
     def _refuse(self, request: Request, problems: Problems) -> None:
         self.refused += 1
+        if isinstance(request, _Put):  # nobody waits for an answer that would say so
+            self.bus.ear.refuse(request.key, Reason.MALFORMED, in_words(problems))
         if self.endpoint.refuse is not None:
             request.reply(self.endpoint.refuse(problems).model_dump_json().encode())
         elif self._has_verdict:

@@ -46,6 +46,7 @@ class Codec:
     """
 
     def __init__(self, distro: Distro) -> None:
+        self.distro = distro
         self._store = cast("_Store", get_typestore(_STORES[distro]))
 
     def message(self, name: str, /, **fields: object) -> object:

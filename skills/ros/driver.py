@@ -76,7 +76,7 @@ class RosHardware:
         self._stop = StopState(stopped=False)
         self._stop_told = float("-inf")
         bus.ear.know(robot)
-        self._node = RosNode(link, made.domain, made.node, codec, made.distro)
+        self._node = RosNode(link, bus.ear, made.domain, made.node, codec)
         self._inputs = inputs_of(made, Hearing(bus, self._node, robot))
         self._wheels: Wheels | None = None
         if made.cmd_vel is not None and robot.drive is not None:

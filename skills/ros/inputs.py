@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final, Protocol, cast
@@ -20,10 +21,13 @@ from tandem.skills.ros.poses import (
     stamped,
     velocity_between,
 )
-from tandem.skills.ros.readings import UnfitError, distance_of, ranges_of
+from tandem.skills.ros.readings import UnfitError, distance_of, measured, ranges_of
 from tandem.skills.ros.stamps import Stamps, periods_in
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from tandem.skills.ports.bus import Bus
     from tandem.skills.ports.message import RobotTime
     from tandem.skills.ports.robot_description import RobotDescription
@@ -75,15 +79,12 @@ class LaserInput:
 
     def step(self, now: RobotTime) -> None:
         """Publish each scan."""
-        for message in self.topic.take():
-            scan = cast("RosScan", message)
-            stamp = stamped(self.stamps, scan.header, now)
-            try:
-                told = LaserScan(stamp=stamp, ranges=ranges_of(scan, self.sensor))
-            except UnfitError as error:
-                self.topic.refuse(str(error))
-                continue
+        for told in self.topic.each(lambda message: self._scan(cast("RosScan", message), now)):
             keys.laser(self.sensor.name).publish(self.bus, told)
+
+    def _scan(self, scan: RosScan, now: RobotTime) -> LaserScan:
+        ranges = ranges_of(scan, self.sensor)
+        return LaserScan(stamp=stamped(self.stamps, scan.header, now), ranges=ranges)
 
 
 @dataclass
@@ -127,18 +128,17 @@ class RangesInput:
         return ranger.at is not None and ranger.at.is_fresh(now, within)
 
     def _hear(self, topic: RosSubscription, name: str | None, now: RobotTime) -> int:
-        came = topic.take()
-        for message in came:
-            told = cast("RosRange", message)
-            frame = told.header.frame_id.lstrip("/")
-            of = self._of_frame.get(frame) if name is None else name
-            if of is None:
-                topic.refuse(f"expected a sensor's frame: {', '.join(self._of_frame)}; found {frame!r}")
-                continue
-            ranger = self._rangers[of]
-            ranger.distance = distance_of(told, ranger.sensor)
-            ranger.at = stamped(self._stamps[of], told.header, now)
-        return len(came)
+        return len(topic.each(lambda message: self._learn(cast("RosRange", message), name, now)))
+
+    def _learn(self, told: RosRange, name: str | None, now: RobotTime) -> RobotTime:
+        frame = told.header.frame_id.lstrip("/")
+        of = self._of_frame.get(frame) if name is None else name
+        if of is None:
+            raise UnfitError(f"expected a sensor's frame: {', '.join(self._of_frame)}; found {frame!r}")
+        ranger = self._rangers[of]
+        ranger.distance = distance_of(told, ranger.sensor)
+        ranger.at = stamped(self._stamps[of], told.header, now)
+        return ranger.at
 
 
 @dataclass(eq=False)
@@ -154,8 +154,8 @@ class BumpersInput:
         """Publish which are pressed on each change, and now and then."""
         before = dict(self.pressed)
         for topic, name in self.topics:
-            for message in topic.take():
-                self.pressed[name] = bool(cast("RosBool", message).data)
+            for pressed in topic.each(lambda message: bool(cast("RosBool", message).data)):
+                self.pressed[name] = pressed
         due = self.told is None or not self.told.is_fresh(now, BUMPERS_EVERY)
         if self.pressed and (self.pressed != before or due):
             names = tuple(name for _, name in self.topics if self.pressed.get(name))
@@ -183,13 +183,10 @@ class JointsInput:
 
     def step(self, now: RobotTime) -> None:
         """Publish all joints when some have come, and none is missing."""
-        newest: RobotTime | None = None
-        for message in self.topic.take():
-            told = cast("JointState", message)
-            newest = stamped(self.stamps, told.header, now)
-            self._learn(told, newest)
-        if newest is None:
+        heard = self.topic.each(lambda message: self._learn(cast("JointState", message), now))
+        if not heard:
             return
+        newest = heard[-1]
         fresh = [self.known[name] for name in self.names if name in self.known]
         fresh = [each for each in fresh if each.at.is_fresh(newest, JOINTS_KEPT)]
         if len(fresh) == len(self.names):
@@ -202,12 +199,24 @@ class JointsInput:
             )
             keys.JOINT_STATES.publish(self.bus, states)
 
-    def _learn(self, told: JointState, at: RobotTime) -> None:
+    def _learn(self, told: JointState, now: RobotTime) -> RobotTime:
+        positions = {
+            name: measured(f"a position of {name}", told.position[index])[0]
+            for index, name in enumerate(told.name)
+            if name in self.names and index < len(told.position)
+        }
+        at = stamped(self.stamps, told.header, now)
         for index, name in enumerate(told.name):
-            if name in self.names and index < len(told.position):
-                velocity = float(told.velocity[index]) if index < len(told.velocity) else 0.0
-                effort = float(told.effort[index]) if index < len(told.effort) else 0.0
-                self.known[name] = _Joint(float(told.position[index]), velocity, effort, at)
+            if name in positions:
+                velocity, effort = _told(told.velocity, index), _told(told.effort, index)
+                self.known[name] = _Joint(positions[name], velocity, effort, at)
+        return at
+
+
+def _told(values: NDArray[np.floating], index: int) -> float:
+    """Return a joint's velocity or effort; 0 for one that isn't measured: ros2_control tells NaN."""
+    value = float(values[index]) if index < len(values) else 0.0
+    return 0.0 if math.isnan(value) else measured("velocities and efforts", value)[0]
 
 
 @dataclass(eq=False)

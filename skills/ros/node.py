@@ -6,8 +6,13 @@ import itertools
 import logging
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Final
+from functools import partial
+from typing import Final, TypeVar
 
+from pydantic import ValidationError
+
+from tandem.skills.ports.hearing import Ear, Reason
+from tandem.skills.ports.problems import in_words, problems_of
 from tandem.skills.ros.cdr import CdrError, Codec
 from tandem.skills.ros.link import Link, RosInbox
 from tandem.skills.ros.naming import (
@@ -23,7 +28,8 @@ from tandem.skills.ros.naming import (
     gid_of,
     read_end,
 )
-from tandem.skills.ros.types import HASHES, IMAGE, UNHASHED, Distro, dds_name, hash_of
+from tandem.skills.ros.readings import UnfitError
+from tandem.skills.ros.types import HASHES, IMAGE, UNHASHED, dds_name, hash_of
 
 DEPTH: Final = 128
 """Messages of a topic that wait to be read: several sensors may share one, and fire together."""
@@ -32,6 +38,7 @@ PICTURES: Final = 2
 REASONS: Final = 20
 """Different reasons for which messages of one topic are refused that the log gets."""
 log = logging.getLogger(__name__)
+T = TypeVar("T")
 
 
 @dataclass(eq=False)
@@ -58,17 +65,18 @@ class RosSubscription:
     type_name: str
     codec: Codec
     inbox: RosInbox
-    refused: int = 0
-    """Messages that could not be taken."""
+    ear: Ear
+    """Counts, under the topic's name, which no key of ours is like: ours begin with no slash."""
     _said: set[str] = field(default_factory=set)
 
     def take(self) -> list[object]:
-        """Return what has come since the last call, oldest first; what can't be read is logged."""
+        """Return what has come since the last call, oldest first; what can't be read is refused."""
         taken: list[object] = []
         for sample in self.inbox.drain():
             told = sample.key.rpartition("/")[2]
             if told not in {HASHES[self.type_name], UNHASHED}:
-                self.refuse(f"expected the hash {HASHES[self.type_name]}, found {told}: another definition")
+                expected = f"expected the hash {HASHES[self.type_name]}, found {told}: another definition"
+                self.refuse(expected, Reason.MISFIT)
                 continue
             try:
                 taken.append(self.codec.decode(self.type_name, sample.payload))
@@ -76,9 +84,26 @@ class RosSubscription:
                 self.refuse(str(error))
         return taken
 
-    def refuse(self, why: str) -> None:
+    def each(self, use: Callable[[object], T | None]) -> list[T]:
+        """Return what ``use`` makes of each message that has come; one that it can't use is refused."""
+        made = (self.tried(partial(use, message)) for message in self.take())
+        return [one for one in made if one is not None]
+
+    def tried(self, make: Callable[[], T | None]) -> T | None:
+        """Return what is made of a message, or None where that raises: it costs the message, no process."""
+        try:
+            return make()
+        except UnfitError as error:
+            self.refuse(str(error), Reason.MISFIT)
+        except ValidationError as error:  # our own models look at each number that they get
+            self.refuse(in_words(problems_of(error, most=1)))
+        except Exception as error:  # noqa: BLE001 - whatever a stranger found
+            self.refuse(f"it raised {type(error).__name__}: {error}")
+        return None
+
+    def refuse(self, why: str, reason: Reason = Reason.MALFORMED) -> None:
         """Count a message that is of no use, and say why, once for each reason."""
-        self.refused += 1
+        self.ear.count(self.topic, reason)
         if why not in self._said and len(self._said) < REASONS:
             self._said.add(why)
             log.warning("topic %s (%s): %s", self.topic, self.type_name, why)
@@ -89,14 +114,14 @@ class RosNode:
 
     Args:
         link: the session.
+        ear: of the process; counts what is refused.
         domain: ``ROS_DOMAIN_ID``.
         name: the node's.
         codec: of the release.
-        distro: the release.
     """
 
-    def __init__(self, link: Link, domain: int, name: str, codec: Codec, distro: Distro) -> None:
-        self._link, self._codec, self._distro = link, codec, distro
+    def __init__(self, link: Link, ear: Ear, domain: int, name: str, codec: Codec) -> None:
+        self._link, self._codec, self._ear, self._distro = link, codec, ear, codec.distro
         self._numbers = itertools.count(1)
         self._node = NodeName(domain, link.zid, 0, name)
         link.show(self._node.token)
@@ -114,7 +139,7 @@ class RosNode:
         self._token("MS", topic, type_name, QOS_BEST_EFFORT)
         depth = PICTURES if type_name == IMAGE else DEPTH
         inbox = self._link.hear(data_key(self._node.domain, topic, type_name, "*"), depth)
-        return RosSubscription(topic, type_name, self._codec, inbox)
+        return RosSubscription(topic, type_name, self._codec, inbox, self._ear)
 
     def others(self) -> tuple[RosEnd, ...]:
         """Return the publishers and subscriptions of other sessions that show themselves now."""

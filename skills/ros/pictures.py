@@ -147,12 +147,9 @@ class CameraInput:
     def _publish(self, now: RobotTime) -> None:
         image, self._waiting = self._waiting, None
         assert image is not None, "there is one"
-        try:
-            told = self._picture(image, now)
-        except UnfitError as error:
-            self.colour.refuse(str(error))
-            return
-        self.bus.publish(keys.rgbd(self.camera.name), encode(told))
+        told = self.colour.tried(lambda: self._picture(image, now))
+        if told is not None:
+            self.bus.publish(keys.rgbd(self.camera.name), encode(told))
 
     def _picture(self, image: RosImage, now: RobotTime) -> RgbdImage:
         camera = self.camera

@@ -5,17 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Protocol, cast
 
 from tandem.skills.geometry.poses import to_floor, wrap
 from tandem.skills.ports.pose import FloorPose
-from tandem.skills.ros.readings import UnfitError, floor_pose_of, seconds_of
+from tandem.skills.ros.readings import floor_pose_of, measured, seconds_of
 from tandem.skills.ros.stamps import Stamps
 
 if TYPE_CHECKING:
     from tandem.skills.ports.message import RobotTime
     from tandem.skills.ros.frames import Frames
-    from tandem.skills.ros.messages import Header, PoseStamped, RosOdometry, TfMessage
+    from tandem.skills.ros.messages import Header, PoseStamped, RosOdometry, TfMessage, TransformStamped
     from tandem.skills.ros.node import RosSubscription
 
 
@@ -45,18 +46,13 @@ class OdometrySource:
 
     def take(self, now: RobotTime) -> Sequence[Placed]:
         """Return what has come."""
-        found: list[Placed] = []
-        for message in self.topic.take():
-            told = cast("RosOdometry", message)
-            twist = told.twist.twist
-            velocity = (float(twist.linear.x), float(twist.angular.z))
-            try:
-                pose = floor_pose_of(told.pose.pose)
-            except UnfitError as error:
-                self.topic.refuse(str(error))
-                continue
-            found.append(Placed(stamped(self.stamps, told.header, now), pose, velocity))
-        return found
+        return self.topic.each(lambda message: self._placed(cast("RosOdometry", message), now))
+
+    def _placed(self, told: RosOdometry, now: RobotTime) -> Placed:
+        twist = told.twist.twist
+        linear, angular = measured("a velocity", twist.linear.x, twist.angular.z)
+        pose = floor_pose_of(told.pose.pose)
+        return Placed(stamped(self.stamps, told.header, now), pose, (linear, angular))
 
 
 @dataclass(eq=False)
@@ -68,16 +64,11 @@ class StampedSource:
 
     def take(self, now: RobotTime) -> Sequence[Placed]:
         """Return what has come."""
-        found: list[Placed] = []
-        for message in self.topic.take():
-            told = cast("PoseStamped", message)
-            try:
-                pose = floor_pose_of(told.pose)
-            except UnfitError as error:
-                self.topic.refuse(str(error))
-                continue
-            found.append(Placed(stamped(self.stamps, told.header, now), pose))
-        return found
+        return self.topic.each(lambda message: self._placed(cast("PoseStamped", message), now))
+
+    def _placed(self, told: PoseStamped, now: RobotTime) -> Placed:
+        pose = floor_pose_of(told.pose)
+        return Placed(stamped(self.stamps, told.header, now), pose)
 
 
 @dataclass(eq=False)
@@ -99,15 +90,15 @@ class TfSource:
         found: list[Placed] = []
         for message in self.topic.take():
             for each in cast("TfMessage", message).transforms:
-                try:
-                    placed = self.frames.learn(each)
-                except UnfitError as error:
-                    self.topic.refuse(str(error))
-                    continue
-                pose = self.frames.find(self.child, self.parent) if placed == self.child else None
-                if pose is not None:
-                    found.append(Placed(stamped(self.stamps, each.header, now), to_floor(pose)))
+                placed = self.topic.tried(partial(self._placed, each, now))  # one wrong link spoils no other
+                if placed is not None:
+                    found.append(placed)
         return found
+
+    def _placed(self, told: TransformStamped, now: RobotTime) -> Placed | None:
+        placed = self.frames.learn(told)
+        pose = self.frames.find(self.child, self.parent) if placed == self.child else None
+        return None if pose is None else Placed(stamped(self.stamps, told.header, now), to_floor(pose))
 
 
 def stamped(stamps: Stamps, header: Header, now: RobotTime) -> RobotTime:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from tandem.skills.geometry.poses import to_floor
+from tandem.skills.ports.checks import LARGEST, too_large
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.sensors import CliffSensor
 
@@ -28,13 +29,26 @@ def seconds_of(header: Header) -> float:
     return header.stamp.sec + header.stamp.nanosec * 1e-9
 
 
+def measured(what: str, *values: float) -> tuple[float, ...]:
+    """Return numbers as floats.
+
+    Raises:
+        UnfitError: one of them is none, or larger than any robot tells.
+    """
+    told = tuple(map(float, values))
+    if too_large(told):
+        raise UnfitError(f"expected {what} of at most {LARGEST:.0e}; found {', '.join(map(str, told))}")
+    return told
+
+
 def pose_of(position: Xyz, orientation: Xyzw) -> Pose:
     """Return a pose.
 
     Raises:
         UnfitError: its numbers are no pose.
     """
-    values = (position.x, position.y, position.z)
+    x, y, z = measured("a position", position.x, position.y, position.z)
+    values = (x, y, z)
     turn = (orientation.x, orientation.y, orientation.z, orientation.w)
     try:
         return Pose(position=values, orientation=turn)
@@ -61,8 +75,8 @@ def ranges_of(scan: RosScan, sensor: LaserSensor) -> tuple[float, ...]:
     found = scan.angle_min + (len(ranges) - 1) * scan.angle_increment
     if (
         len(ranges) != sensor.beams
-        or abs(scan.angle_min - sensor.angle_min) > ANGLE_OFF
-        or abs(found - last) > ANGLE_OFF
+        or not abs(scan.angle_min - sensor.angle_min) <= ANGLE_OFF  # NaN is near nothing
+        or not abs(found - last) <= ANGLE_OFF
     ):
         raise UnfitError(
             f"expected {sensor.beams} beams from {sensor.angle_min:.4f} to {last:.4f} rad of laser "

@@ -7,14 +7,12 @@ those that it asks after, for as long as it does.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Final
 
 import zenoh
 
-from tandem.skills.wire.direct import direct
 from tandem.skills.wire.pulse import Pulse
-from tandem.skills.wire.strays import is_stray
+from tandem.skills.wire.strays import Strays, hear
 
 BEAT: Final = "beat"
 """``beat/<process>``; the payload is a line for each name of the process. ``beat`` alone has those of all
@@ -40,11 +38,14 @@ class Beats:
         session: it ends with its owner.
         prefix: put before every key.
         pulse: notes what is heard.
+        strays: counts what is no message.
         seldom: hear all processes, but once a second only.
     """
 
-    def __init__(self, session: zenoh.Session, prefix: str, pulse: Pulse, *, seldom: bool = False) -> None:
-        self._session, self._prefix, self._pulse = session, prefix, pulse
+    def __init__(
+        self, session: zenoh.Session, prefix: str, pulse: Pulse, strays: Strays, *, seldom: bool = False
+    ) -> None:
+        self._session, self._prefix, self._pulse, self._strays = session, prefix, pulse, strays
         self._every = f"{prefix}/{BEAT}/*" + (f"/{SELDOM}" if seldom else "")
         self._heard: dict[str, zenoh.Subscriber[None]] = {}
         self._stays = seldom
@@ -106,15 +107,12 @@ class Beats:
         if expression not in self._heard:
             if afresh:
                 self._pulse.listen()
-            take: Callable[[zenoh.Sample], None] = self._take
-            self._heard[expression] = self._session.declare_subscriber(expression, direct(take))
+            relative = expression[len(self._prefix) + 1 :]
+            self._heard[expression] = hear(self._session, expression, self._strays, relative, self._take)
 
-    def _take(self, sample: zenoh.Sample) -> None:
+    def _take(self, key: str, sample: zenoh.Sample) -> None:
         # Wakes nobody: who asks for it looks every turn.
-        key = str(sample.key_expr)
-        if is_stray(key, sample):
-            return
-        names = sample.payload.to_string().split("\n")
+        names = sample.payload.to_bytes().decode("utf-8", "replace").split("\n")
         self._pulse.hear(names)
         if not self._stays:
             for name in names:

@@ -11,7 +11,7 @@ from tandem.skills.wire.configs import client_config
 from tandem.skills.wire.credentials import Credentials
 from tandem.skills.wire.direct import direct
 from tandem.skills.wire.keyed_queue import KeyedQueue
-from tandem.skills.wire.strays import is_stray
+from tandem.skills.wire.strays import Strays, hear
 from tandem.skills.wire.zenoh_bus import open_session
 from tandem.skills.wire.zenoh_ends import Waker
 
@@ -41,6 +41,7 @@ class ForeignSession:
     Args:
         endpoint: the router's.
         waker: told when something has come.
+        strays: counts what is no message; the process's bus tells of them.
         patience: seconds in which the router must answer.
         credentials: for a router that speaks TLS.
 
@@ -52,11 +53,12 @@ class ForeignSession:
         self,
         endpoint: str,
         waker: Waker,
+        strays: Strays,
         *,
         patience: float = 2.0,
         credentials: Credentials | None = None,
     ) -> None:
-        self._waker = waker
+        self._waker, self._strays = waker, strays
         self._session = open_session(client_config(endpoint, patience, credentials), endpoint)
         self._kept: list[object] = []
 
@@ -79,14 +81,11 @@ class ForeignSession:
         """Receive what is put on a key expression; of each key ``depth`` are kept."""
         inbox = ForeignInbox(KeyedQueue(depth, "oldest goes"))
 
-        def arrived(sample: zenoh.Sample) -> None:
-            key = str(sample.key_expr)
-            if is_stray(key, sample):
-                return
+        def take(key: str, sample: zenoh.Sample) -> None:
             inbox.waiting.put(key, ForeignSample(key, sample.payload.to_bytes()))
             self._waker.wake()
 
-        self._kept.append(self._session.declare_subscriber(expression, direct(arrived)))
+        self._kept.append(hear(self._session, expression, self._strays, expression, take))
         return inbox
 
     def show(self, token: str) -> None:

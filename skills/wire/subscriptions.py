@@ -8,10 +8,9 @@ import zenoh
 
 from tandem.skills.ports.delivery import paced
 from tandem.skills.ports.keys import CLOCK
-from tandem.skills.wire.direct import direct
 from tandem.skills.wire.keyed_queue import KeyedQueue
 from tandem.skills.wire.memory import MemorySample
-from tandem.skills.wire.strays import Strays, is_stray
+from tandem.skills.wire.strays import Strays, hear
 from tandem.skills.wire.zenoh_ends import Waker, ZenohInbox
 
 
@@ -51,11 +50,7 @@ class Subscriptions:
         start = len(self._prefix) + 1
         wake = self._waker.tick if key == CLOCK.key else None if paced(key) else self._waker.wake
 
-        def arrived(sample: zenoh.Sample) -> None:
-            whole = str(sample.key_expr)
-            if is_stray(whole, sample):
-                self._strays.note(key)
-                return
+        def take(whole: str, sample: zenoh.Sample) -> None:
             name = whole[start:]
             told = MemorySample(name, sample.payload.to_bytes())
             for inbox in shared.inboxes:
@@ -63,7 +58,7 @@ class Subscriptions:
             if wake is not None:
                 wake()
 
-        return self._session.declare_subscriber(f"{self._prefix}/{key}", direct(arrived))
+        return hear(self._session, f"{self._prefix}/{key}", self._strays, key, take)
 
     def _remove(self, key: str, inbox: ZenohInbox) -> None:
         shared = self._shared[key]

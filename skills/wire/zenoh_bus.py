@@ -26,7 +26,7 @@ from tandem.skills.wire.direct import direct
 from tandem.skills.wire.kept_states import AT_ONCE, Kept
 from tandem.skills.wire.keyed_queue import KeyedQueue
 from tandem.skills.wire.pulse import SILENT_AFTER, Pulse
-from tandem.skills.wire.strays import Strays, is_stray
+from tandem.skills.wire.strays import Strays, hear
 from tandem.skills.wire.subscriptions import Subscriptions
 from tandem.skills.wire.zenoh_ends import Waker, ZenohDesk, ZenohPending, ZenohRequest
 
@@ -138,8 +138,9 @@ class ZenohBus:
         self._session = open_session(
             client_config(endpoint, patience, credentials, pictures=pictures), endpoint
         )
-        self._strays = Strays()
-        self._subscriptions = Subscriptions(self._session, prefix, self.waker, self._strays)
+        self.strays = Strays()
+        """Counts what is no message, for all that this process hears."""
+        self._subscriptions = Subscriptions(self._session, prefix, self.waker, self.strays)
         self._publishers: dict[tuple[str, Delivery], zenoh.Publisher] = {}
         self._tokens: list[zenoh.LivelinessToken] = []
         self._names: dict[str, None] = {}
@@ -148,7 +149,7 @@ class ZenohBus:
         self.held: Lease | None = None
         """This process's lease, once it is granted."""
         self._pulse = Pulse(time.monotonic, silent_after)
-        self._beats = Beats(self._session, prefix, self._pulse, seldom=seldom)
+        self._beats = Beats(self._session, prefix, self._pulse, self.strays, seldom=seldom)
         self._beaten = 0
         self._liveliness = self._session.liveliness().declare_subscriber(
             f"{prefix}/alive/**", direct(self._on_liveliness), history=True
@@ -174,13 +175,13 @@ class ZenohBus:
         It wakes nobody: who gathers looks now and then. Of each key ``depth`` are kept until they are taken.
         """
         site = self._prefix.partition("/")[0]
-        return Gathered(self._session, {self._prefix: keys, site: of_site}, depth)
+        return Gathered(self._session, {self._prefix: keys, site: of_site}, depth, self.strays)
 
     def commons(self) -> ZenohCommons:
         """Return the end, on the same session, of what all robots of the site share."""
         site = self._prefix.partition("/")[0]
         return ZenohCommons(
-            self._session, site, self.ear, Subscriptions(self._session, site, self.waker, self._strays)
+            self._session, site, self.ear, Subscriptions(self._session, site, self.waker, self.strays)
         )
 
     def query(self, key: str, payload: bytes, *, timeout: float = 2.0) -> Pending:
@@ -236,7 +237,7 @@ class ZenohBus:
         if self._pulse.turn():
             self._beat()
             self._beats.rest()
-            self._strays.tell(self.ear)
+            self.strays.tell(self.ear)
             refused = self._refusals.due(_process(self._own), time.monotonic())
             if refused is not None:
                 REFUSALS.publish(self, refused)
@@ -370,20 +371,20 @@ class Gathered:
         session: it ends with its owner.
         keys: expressions, by what is put before each; a message that two of them stand for comes twice.
         depth: how many of each key are kept.
+        strays: counts what is no message.
     """
 
-    def __init__(self, session: zenoh.Session, keys: Mapping[str, Sequence[str]], depth: int) -> None:
+    def __init__(
+        self, session: zenoh.Session, keys: Mapping[str, Sequence[str]], depth: int, strays: Strays
+    ) -> None:
         self._waiting: KeyedQueue[Arrival] = KeyedQueue(depth, "oldest goes")
 
-        def arrived(start: int, sample: zenoh.Sample) -> None:
-            whole = str(sample.key_expr)
-            if is_stray(whole, sample):
-                return
+        def take(start: int, whole: str, sample: zenoh.Sample) -> None:
             key = whole[start:]
             self._waiting.put(key, Arrival(key, sample.payload.to_bytes(), time.monotonic_ns()))
 
         self._subscribers = [
-            session.declare_subscriber(f"{prefix}/{key}", direct(partial(arrived, len(prefix) + 1)))
+            hear(session, f"{prefix}/{key}", strays, key, partial(take, len(prefix) + 1))
             for prefix, of_it in keys.items()
             for key in of_it
         ]

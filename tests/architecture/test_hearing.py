@@ -63,6 +63,16 @@ def test_the_parser_that_overflows_is_called_in_one_place() -> None:
     }
 
 
+def test_strays_are_told_from_messages_in_one_place() -> None:
+    """A subscription of zenoh's own hears wildcards and deletions, too; ``strays.hear`` counts them.
+
+    Of tokens, which are no messages, each session asks zenoh itself.
+    """
+    own = re.compile(r"(?<!liveliness\(\))\.declare_subscriber\(")
+    found = {str(path.relative_to(ROOT)) for path in sources() if own.search(path.read_text("utf-8"))}
+    assert found == {"skills/wire/strays.py"}
+
+
 def test_congestion_is_decided_in_one_place() -> None:
     """Zenoh's ``BLOCK`` in any publisher holds up its process for seconds when a reader stands still."""
     blocks = re.compile(r"CongestionControl\.BLOCK\b")

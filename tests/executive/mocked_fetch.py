@@ -40,8 +40,8 @@ class MockedFetch(Surroundings):
         self.hub.watch(lambda kind, key, data: self.published.append((key, data)) if kind == "put" else None)
         ears = MemoryEars(self.hub, self.clocks.monotonic)
         boxes = Boxes(folder)
-        end = self.hub.endpoint()
-        self.recorder = Recorder(end, ears, self.clocks, facts=FACTS, boxes=boxes, sinks=sinks)
+        self.end = self.hub.endpoint()
+        self.recorder = Recorder(self.end, ears, self.clocks, facts=FACTS, boxes=boxes, sinks=sinks)
         self.tick = 0
 
     def step(self, times: int = 1, seconds: float = 0.01) -> None:

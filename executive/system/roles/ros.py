@@ -50,7 +50,7 @@ def _play(stage: Stage) -> None:
     made, robot = read_map(Path(settings.arguments[MAP]))
     presence = Presence(bus, "hardware", claim_of(settings))  # nobody else may be this robot
     presence.settle(stage.stopped)
-    session = ForeignSession(settings.arguments.get(ROUTER) or settings.endpoint, bus.waker)
+    session = ForeignSession(settings.arguments.get(ROUTER) or settings.endpoint, bus.waker, bus.strays)
     times = Times(time.monotonic, time.time)
     try:
         codec, boot = Codec(made.distro), uuid.uuid4().hex[:8]

@@ -19,6 +19,7 @@ from tandem.executive.records.known import ALIVE
 from tandem.executive.records.recording import Recorded, Recording, Span, open_recording
 from tandem.executive.records.recording_sink import AGAIN_EVERY, SPACE, Bounds, RecordingSink
 from tandem.executive.records.ring import BLOCK, Ring
+from tandem.skills.ports.hearing import Ear, Reason
 from tandem.skills.ports.match import matches
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.records import TASK_RECORDS, AskRecords, RecordingState
@@ -300,8 +301,10 @@ def test_the_ring_keeps_a_minute_of_both_clocks() -> None:
 )
 def test_what_is_no_clock_is_recorded_and_ends_nothing(clock: bytes) -> None:
     """A hundred thousand brackets on ``hw/clock`` ended the recorder."""
-    stamper = Stamper()
+    ear = Ear()
+    stamper = Stamper(ear)
     stamper.stamped([Said("hw/clock", b'{"stamp": {"boot": "b", "seconds": 1.0}}', 0)], 0)
     (told,) = stamper.stamped([Said("hw/clock", clock, 0)], 0)
     assert told.payload == clock
     assert stamper.stamp == RobotTime(boot="b", seconds=1.0)
+    assert ear.refused == {("hw/clock", Reason.MALFORMED): 1}

@@ -10,6 +10,7 @@ import numpy as np
 from pydantic import JsonValue
 
 from tandem.sim.robots.registry import robot_model
+from tandem.skills.ports.hearing import Ear
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ros import types
 from tandem.skills.ros.cdr import Codec
@@ -61,7 +62,7 @@ class Rig:
             boot="b",
             times=Times(self.host.monotonic, self.host.utc),
         )
-        self.ros = RosNode(MemoryLink(self.net, "b2"), 0, "robot", self.codec, "jazzy")
+        self.ros = RosNode(MemoryLink(self.net, "b2"), Ear(), 0, "robot", self.codec)
         self.cmd: RosSubscription = self.ros.subscription("/cmd_vel", types.TWIST)
 
     def tell(self, topic: str, type_name: str, **fields: object) -> None:

@@ -9,6 +9,7 @@ import pytest
 
 from tandem.skills.ports import keys
 from tandem.skills.ports.hardware import Answer, BaseVelocity, Stop, StopRelease
+from tandem.skills.ports.hearing import Reason
 from tandem.skills.ports.image import decode
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.pose import FloorPose
@@ -366,7 +367,7 @@ def test_sensors_that_share_a_topic_lose_nothing_and_pictures_do_not_pile_up(
     for _ in range(64):
         rig.net.put(data_key(0, "/shared", type_name, types.HASHES[type_name]), b"")
     topic.take()
-    assert topic.refused == kept
+    assert topic.ear.refused == {("/shared", Reason.MALFORMED): kept}
 
 
 def test_topics_that_nobody_publishes_are_named(caplog: pytest.LogCaptureFixture) -> None:

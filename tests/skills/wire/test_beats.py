@@ -10,6 +10,7 @@ import zenoh
 
 from tandem.skills.wire.beats import UNASKED, Beats
 from tandem.skills.wire.pulse import SILENT_AFTER, Pulse
+from tandem.skills.wire.strays import Strays
 
 
 class Session:
@@ -25,7 +26,7 @@ class Session:
 
     def beat(self, process: str, *names: str) -> None:
         key = f"lab/tiago/beat/{process}"
-        body = SimpleNamespace(to_string=lambda: "\n".join(names))
+        body = SimpleNamespace(to_bytes=lambda: "\n".join(names).encode())
         for expression in {key, "lab/tiago/beat/*"} & self.heard.keys():
             self.heard[expression](SimpleNamespace(key_expr=key, payload=body, kind=zenoh.SampleKind.PUT))
 
@@ -42,7 +43,7 @@ def pulse() -> Pulse:
 
 @pytest.fixture
 def beats(session: Session, pulse: Pulse) -> Beats:
-    return Beats(cast("zenoh.Session", session), "lab/tiago", pulse)
+    return Beats(cast("zenoh.Session", session), "lab/tiago", pulse, Strays())
 
 
 def test_who_asks_after_one_name_hears_its_process_alone(session: Session, beats: Beats) -> None:
@@ -85,7 +86,7 @@ def test_one_who_asked_after_all_hears_all(session: Session, beats: Beats) -> No
 
 
 def test_a_supervisor_hears_all_seldom(session: Session, pulse: Pulse) -> None:
-    supervisor = Beats(cast("zenoh.Session", session), "lab/tiago", pulse, seldom=True)
+    supervisor = Beats(cast("zenoh.Session", session), "lab/tiago", pulse, Strays(), seldom=True)
     supervisor.hear_all()
     assert session.heard.keys() == {"lab/tiago/beat/*/seldom"}
 
@@ -111,7 +112,7 @@ def test_a_name_that_never_beats_is_not_sought_for_ever(session: Session, beats:
 def test_one_that_was_not_heard_meanwhile_is_not_silent_for_that(session: Session) -> None:
     now = [0.0]
     pulse = Pulse(lambda: now[0])
-    beats = Beats(cast("zenoh.Session", session), "lab/tiago", pulse)
+    beats = Beats(cast("zenoh.Session", session), "lab/tiago", pulse, Strays())
     beats.hear("client")
     session.beat("executive", "client", "process/executive")
     for _ in range(UNASKED):
