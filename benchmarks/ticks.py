@@ -17,7 +17,6 @@ from benchmarks.machine import frozen
 from benchmarks.rows import Row, quantile, spread
 from tandem.executive.render.example import tree_of
 from tandem.executive.service.executive import Executive
-from tandem.executive.trials.run_report import walk
 from tandem.skills.geometry.poses import from_axes
 from tandem.skills.ports.pose import Pose
 from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask
@@ -159,7 +158,7 @@ class Mocked:
 
 def empty_ticks(count: int) -> tuple[int, Times]:
     """Return the nodes of the fetch tree, and the times of each tick of as many that do nothing."""
-    nodes = sum(1 for _ in walk(tree_of(discover()["fetch"], load("lab"), REQUESTED)))
+    nodes = sum(1 for _ in tree_of(discover()["fetch"], load("lab"), REQUESTED).walk())
     done: list[Behaviour] = [Success(f"leaf {number}") for number in range(nodes - 2)]
     root = Sequence("root", memory=False, children=[*done, Running("last")])
     times = Times()

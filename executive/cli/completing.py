@@ -53,7 +53,7 @@ def running_nodes(ctx: typer.Context, incomplete: str) -> Words:
     from tandem.skills.ports.keys import Nothing  # noqa: PLC0415
     from tandem.skills.ports.tasks import TREE_NOW  # noqa: PLC0415
 
-    return _fitting(_asked(ctx, lambda link: _nodes(link.ask(TREE_NOW, Nothing()).root)), incomplete)
+    return _fitting(_asked(ctx, lambda link: _told(link.ask(TREE_NOW, Nothing()).root)), incomplete)
 
 
 def drawn_nodes(ctx: typer.Context, incomplete: str) -> Words:
@@ -69,7 +69,7 @@ def drawn_nodes(ctx: typer.Context, incomplete: str) -> Words:
         root = built(task or next(iter(ctx.args), ""), request, site or DEFAULT_SITE)
     except (CommandError, ValueError):
         return []
-    return _fitting(_nodes(root), incomplete)
+    return _fitting(_told(root), incomplete)
 
 
 def items(ctx: typer.Context, incomplete: str) -> Words:
@@ -123,10 +123,8 @@ def _asked(ctx: typer.Context, ask: Callable[[Connection], Words]) -> Words:
         return []
 
 
-def _nodes(root: TreeNode) -> Words:
-    return [(root.name, f"{root.kind} {root.type}")] + [
-        each for child in root.children for each in _nodes(child)
-    ]
+def _told(root: TreeNode) -> Words:
+    return [(each.name, f"{each.kind} {each.type}") for each in root.walk()]
 
 
 def _fitting(words: Iterable[tuple[str, str]], incomplete: str) -> Words:

@@ -13,7 +13,7 @@ What runs is never left out. Every function returns a new tree; paths stay those
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Final
 
 from tandem.executive.render.folded import FoldedNode
@@ -71,19 +71,8 @@ def fits(layout: Layout) -> bool:
 
 def find(root: TreeNode, name: str) -> list[TreeNode]:
     """Return the node of this path; without one, the nodes of this name."""
-    every = list(_every(root))
+    every = list(root.walk())
     return [each for each in every if each.path == name] or [each for each in every if each.name == name]
-
-
-def _every(root: TreeNode) -> Iterator[TreeNode]:
-    yield root
-    for child in root.children:
-        yield from _every(child)
-
-
-def size(root: TreeNode) -> int:
-    """Return how many nodes the tree has."""
-    return 1 + sum(size(child) for child in root.children)
 
 
 HIDES: Final[dict[str, Callable[[FoldedNode], FoldedNode]]] = {

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 
-from tandem.executive.render.outline import HIDES, find, outline, size, to_depth, whole
+from tandem.executive.render.outline import HIDES, find, outline, to_depth, whole
 from tandem.skills.ports.tasks import TreeNode
 
 
@@ -55,10 +55,7 @@ def focused(root: TreeNode, name: str) -> TreeNode:
     if found:
         paths = "".join(f"\n  {each.path}" for each in found)
         raise NoSuchNodeError(f"{name!r} is the name of {len(found)} nodes; give the path of one:{paths}")
-    near = get_close_matches(name, sorted(_names(root)), n=3, cutoff=0.5)
+    every = list(root.walk())
+    near = get_close_matches(name, sorted({each.name for each in every}), n=3, cutoff=0.5)
     hint = f"; similar: {', '.join(repr(each) for each in near)}" if near else ""
-    raise NoSuchNodeError(f"{root.name} has no node {name!r} among its {size(root)}{hint}")
-
-
-def _names(root: TreeNode) -> set[str]:
-    return {root.name}.union(*(_names(child) for child in root.children))
+    raise NoSuchNodeError(f"{root.name} has no node {name!r} among its {len(every)}{hint}")

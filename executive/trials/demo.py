@@ -24,7 +24,6 @@ from tandem.skills.ports.tasks import (
     TaskAnswer,
     TaskState,
     TaskStatus,
-    TreeNode,
     TreeSnapshot,
 )
 
@@ -53,21 +52,15 @@ class Story:
 
     def on_tree(self, tree: TreeSnapshot, seconds: float) -> None:
         """Tell the leaves that have ended since the last tree."""
-        for leaf in _leaves(tree.root):
+        for leaf in tree.root.walk():
             before = self._leaves.get(leaf.path)
             self._leaves[leaf.path] = leaf.status
-            if leaf.kind != "action" or leaf.status is before:
+            if leaf.children or leaf.kind != "action" or leaf.status is before:
                 continue
             if leaf.status in {NodeStatus.SUCCESS, NodeStatus.FAILURE}:
                 mark = "ok  " if leaf.status is NodeStatus.SUCCESS else "FAIL"
                 words = "" if leaf.message in {"done", "yes"} else f": {leaf.message}"
                 self.say(f"{seconds:7.2f} s    {mark} {leaf.name}{words}")
-
-
-def _leaves(node: TreeNode) -> list[TreeNode]:
-    if not node.children:
-        return [node]
-    return [leaf for child in node.children for leaf in _leaves(child)]
 
 
 @dataclass(frozen=True)

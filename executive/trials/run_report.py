@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import platform
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Final, Literal
 
@@ -29,7 +29,6 @@ from tandem.skills.ports.tasks import (
     NodeStatus,
     Progress,
     TaskState,
-    TreeNode,
 )
 
 DEPTH: Final = 4096
@@ -219,7 +218,7 @@ class Recorder:
         for tree in self._trees.take():
             known = self._nodes.setdefault(tree.task, {})
             at = round(now - self._ago(tree.stamp), 6)
-            for node in walk(tree.root):
+            for node in tree.root.walk():
                 before = known.get(node.path, NodeStatus.INVALID)
                 if node.status is before:
                     continue
@@ -251,13 +250,6 @@ class Recorder:
             python=sys.version.split()[0],
             packages=installed_packages(),
         )
-
-
-def walk(root: TreeNode) -> Iterator[TreeNode]:
-    """Yield a tree's nodes, parents first."""
-    yield root
-    for child in root.children:
-        yield from walk(child)
 
 
 def write_report(path: Path, report: Report) -> None:

@@ -27,7 +27,6 @@ from tandem.skills.ports.tasks import (
     TASK_STATUS,
     TaskState,
     TaskStatus,
-    TreeNode,
     TreeSnapshot,
 )
 from tandem.skills.ports.world import PEOPLE, ROBOT_POSE, SCENE, SIGHTINGS, WORLD, People, Sightings
@@ -250,7 +249,9 @@ class Feed:
         self._if_new("gates", tree.model_dump(mode="json", include={"breakpoints", "forced"}), update)
         changed = news.changed
         if news.whole:
-            nodes = dict(_states(tree.root))
+            nodes: dict[str, list[JsonValue]] = {
+                node.path: [str(node.status), str(node.last), node.message] for node in tree.root.walk()
+            }
             shape = (tree.task, *nodes)
             if shape != self._shape or "tree" in update:
                 self._shape, self._nodes = shape, nodes
@@ -325,11 +326,3 @@ def _tags(seen: Sightings) -> dict[str, JsonValue]:
             for each in seen.sightings
         ],
     }
-
-
-def _states(root: TreeNode) -> Iterable[tuple[str, list[JsonValue]]]:
-    stack = [root]
-    while stack:
-        node = stack.pop()
-        yield node.path, [str(node.status), str(node.last), node.message]
-        stack.extend(reversed(node.children))

@@ -44,10 +44,6 @@ class Arrival:
     within: float
 
 
-ARRIVAL: Final = Arrival(tolerance=0.02, within=1.0)
-"""What the hardware's goals have by themselves."""
-
-
 class GroupDriver:
     """Speaks to one group of the hardware.
 
@@ -72,17 +68,23 @@ class GroupDriver:
         self._id = ""
 
     def send(
-        self, goal_id: str, trajectory: Trajectory, arrives: Arrival = ARRIVAL
+        self, goal_id: str, trajectory: Trajectory, arrives: Arrival | None = None
     ) -> Generator[None, None, Failure | None]:
-        """Hand the motion over; yields while there is no answer. A failure means that nothing moves."""
+        """Hand the motion over; yields while there is no answer. A failure means that nothing moves.
+
+        Args:
+            goal_id: names the motion.
+            trajectory: what to do.
+            arrives: None: as goals of the hardware do by themselves.
+        """
         goal = TrajectoryGoal(
             id=goal_id,
             keeper=f"skill/{self._where}",
             points=trajectory.points(),
             path_tolerance=self._tolerance,
-            goal_tolerance=arrives.tolerance,
-            goal_time=arrives.within,
         )
+        if arrives is not None:
+            goal = goal.model_copy(update={"goal_tolerance": arrives.tolerance, "goal_time": arrives.within})
         self._id = goal_id
         self._cancel_again_at = float("inf")
         self.moving = True

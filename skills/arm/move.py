@@ -16,7 +16,7 @@ import numpy as np
 from tandem.skills.arm.doubt import STEP_ENDS, STUCK_AFTER, Doubt, small_step
 from tandem.skills.arm.followed import FollowedItem
 from tandem.skills.arm.hand_way import hand_way
-from tandem.skills.arm.motion import ARRIVAL, Ended, GroupDriver
+from tandem.skills.arm.motion import Ended, GroupDriver
 from tandem.skills.arm.motion_watch import MotionWatch
 from tandem.skills.arm.plan_move import MovePlanner, Steps
 from tandem.skills.arm.planning.settings import PlannerSettings
@@ -286,7 +286,7 @@ class Move:
     ) -> Generator[MoveFeedback | Slice, Command, tuple[Failure | None, Command]]:
         """Hand the motion over; commands that come meanwhile are kept."""
         command = Command.GO_ON
-        arrives = STEP_ENDS if plan.proves else ARRIVAL
+        arrives = STEP_ENDS if plan.proves else None
         sending = self._driver.send(motion_id, plan.trajectory, arrives)
         while True:
             try:

@@ -41,7 +41,8 @@ LOOKED_AT: Final = 2.5
 STEP: Final = 0.1
 """Metres between two places on a way round that are asked about."""
 WAY_ROUND: Final = 0.8
-"""Metres that must be free along a tangent: twice what a turn in front of a wall takes."""
+"""Metres that must be free along a way to be taken instead of the straight one: twice what a turn in front of
+a wall takes."""
 DEEPER: Final = 0.5
 """Radians at the most that a base which is too near already turns beyond a right angle, to get away."""
 SAME_SIDE: Final = 0.6
@@ -124,16 +125,14 @@ class Company:
     def advice(self, x: float, y: float) -> Way:
         """Return how to go on to a place (m in the map)."""
         now, here = robot_seconds(self._clocks), base_in_map(self._monitor)
-        left = math.hypot(x - here.x, y - here.y)
+        left, bearing = math.hypot(x - here.x, y - here.y), math.atan2(y - here.y, x - here.x)
         if self.why and left >= self._nearest:
             self._spent += now - self._asked_at
         self._asked_at, self._nearest = now, min(left, self._nearest)
         self.why = ""
-        straight = math.atan2(y - here.y, x - here.x), 1.0
-        return straight if self._spent > PATIENCE else self._among(tuple(self._others(here)), here, x, y)
-
-    def _among(self, others: tuple[Other, ...], here: FloorPose, x: float, y: float) -> Way:
-        left, bearing = math.hypot(x - here.x, y - here.y), math.atan2(y - here.y, x - here.x)
+        if self._spent > PATIENCE:
+            return bearing, 1.0
+        others = tuple(self._others(here))
         follower = min((each for each in others if each.keeps), key=lambda each: each.away, default=None)
         if follower is None:
             return self._past(others, here, left, bearing)

@@ -99,10 +99,10 @@ class Macros:
                 self.wheels.send(0.0, 0.0)
                 yield from self._cycle()
 
-    def turn_to(self, x: float, y: float) -> Steps:
-        """Turn towards a place in the map (the paper's TurnToOrigin)."""
+    def turn_to(self, heading: float) -> Steps:
+        """Turn to a heading in the map (rad), towards a place for instance (the paper's TurnToOrigin)."""
         with self.named("TurnTo"):
-            yield from self.turn_angle(self.bearing(x, y))
+            yield from self.turn_angle(wrap(heading - self.pose.yaw))
 
     def go_to(self, x: float, y: float, near: float, advice: Advise | None = None) -> Steps:
         """Turn to a place in the map and go there, until it is within ``near`` metres (GoToOrigin).
@@ -116,10 +116,9 @@ class Macros:
         asked = advice or self._straight
         with self.named("GoTo"):
             while self.distance(x, y) > near:
-                off = wrap(asked(x, y)[0] - self.pose.yaw)
-                if abs(off) > OFF:
-                    with self.named("TurnTo"):
-                        yield from self.turn_angle(off)
+                way, _ = asked(x, y)
+                if abs(wrap(way - self.pose.yaw)) > OFF:
+                    yield from self.turn_to(way)
                 yield from self._approach(x, y, near, asked)
             yield from self.brake()
 

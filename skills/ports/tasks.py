@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from enum import StrEnum
 from typing import Annotated, Final, Literal
 
@@ -267,6 +268,14 @@ class TreeNode(Message):
     def shown(self) -> NodeStatus:
         """Its status; of one that has been set back how it ended last."""
         return self.last if self.status is NodeStatus.INVALID else self.status
+
+    def walk(self) -> Iterator[TreeNode]:
+        """Yield this node and all below it, parents first."""
+        left = [self]
+        while left:
+            node = left.pop()
+            yield node
+            left.extend(reversed(node.children))
 
 
 MOST_ON_BOARD: Final = 40

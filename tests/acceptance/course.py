@@ -10,7 +10,6 @@ import pybullet
 
 from tandem.executive.system.systems import LockstepSystem
 from tandem.executive.trials.demo import Caller
-from tandem.executive.trials.run_report import walk
 from tandem.sim.scenario import Scenario
 from tandem.sim.truth import Truth, lies_on
 from tandem.skills.ports.action import GoalStatus
@@ -96,7 +95,7 @@ class Course:
     def running(self) -> tuple[str, ...]:
         """Return the paths of the tree's nodes that run."""
         tree: TreeSnapshot | None = self._trees.refresh()
-        nodes = () if tree is None else walk(tree.root)
+        nodes = () if tree is None else tree.root.walk()
         return tuple(node.path for node in nodes if node.status is NodeStatus.RUNNING)
 
     def open_goals(self) -> tuple[str, ...]:

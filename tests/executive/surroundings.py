@@ -48,7 +48,7 @@ from tandem.skills.ports.tasks import (
 from tandem.skills.ports.world import WORLD, WorldState
 from tandem.skills.site import load
 from tandem.skills.wire.clocks import SteppedClocks
-from tandem.skills.wire.memory import MemoryHub
+from tandem.skills.wire.memory import MemoryBus, MemoryHub
 from tandem.trees.client import GoalHandle
 from tandem.trees.context import TreeContext
 from tandem.trees.task import TaskType
@@ -153,6 +153,7 @@ class Surroundings:
         self.bus = self.hub.endpoint()
         self.statuses: Inbox = self.bus.subscribe(TASK_STATUS.key)
         self.trees: Inbox = self.bus.subscribe(TREE.key)
+        self.commons = MemoryBus()
         self.begin()
 
     def begin(self) -> None:
@@ -167,6 +168,8 @@ class Surroundings:
             ledger=self.kept,
             policy=self.policy,
             died=self.died,
+            commons=self.commons,
+            robot="robot",
         )
 
     def crash(self) -> None:

@@ -68,8 +68,6 @@ class VelocitySolver:
 
     def __init__(self, limits: Limits, motion: MotionLimits) -> None:
         self._limits, self._motion = limits, motion
-        count = len(limits.lower)
-        self._damping = DAMPING**2 * np.eye(count)
 
     def solve(  # noqa: PLR0917 - the problem's parts
         self, q: Array, v: Array, jacobian: Array, twist: Array, posture: Array, dampers: Dampers

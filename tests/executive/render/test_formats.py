@@ -14,7 +14,6 @@ from tandem.executive.render.example import NoExampleError, example_request, tre
 from tandem.executive.render.formats import FORMATS
 from tandem.executive.render.layout import lay_out, overlaps
 from tandem.executive.render.text import lines_within, unicode_text
-from tandem.executive.trials.run_report import walk
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.tasks import NodeStatus, TreeNode
 from tandem.skills.site import load
@@ -90,7 +89,7 @@ def test_a_tree_too_high_is_folded_where_nothing_runs() -> None:
 @pytest.mark.parametrize("name", [name for name in FORMATS if name != "png"])
 def test_every_node_is_in_every_format_of_text(name: str, fetch: TreeNode) -> None:
     text = FORMATS[name](fetch).decode()
-    assert [node.name for node in walk(fetch) if node.name not in text] == []
+    assert [node.name for node in fetch.walk() if node.name not in text] == []
 
 
 def test_ascii_is_ascii(fetch: TreeNode) -> None:
@@ -103,7 +102,7 @@ def test_svg_is_xml_with_a_box_for_each_node(fetch: TreeNode) -> None:
     assert 'left <&> "right"' in texts
     drawn = ET.fromstring(FORMATS["svg"](fetch))  # noqa: S314 - our own
     boxes = list(drawn.iter("{http://www.w3.org/2000/svg}g"))
-    assert len(boxes) == len(list(walk(fetch)))
+    assert len(boxes) == len(list(fetch.walk()))
 
 
 def test_png_is_a_picture_of_the_layouts_size() -> None:
@@ -119,14 +118,14 @@ def test_json_is_the_tree(fetch: TreeNode) -> None:
 
 
 def test_dot_has_an_edge_for_each_child(fetch: TreeNode) -> None:
-    assert FORMATS["dot"](fetch).decode().count(" -> ") == len(list(walk(fetch))) - 1
+    assert FORMATS["dot"](fetch).decode().count(" -> ") == len(list(fetch.walk())) - 1
 
 
 def test_no_box_touches_another_and_parents_stand_in_the_middle(fetch: TreeNode) -> None:
     layout = lay_out(fetch)
     assert overlaps(layout) == []
     rows = {box.node.path: box.y for box in layout.boxes}
-    for node in walk(fetch):
+    for node in fetch.walk():
         if node.children:
             middle = (rows[node.children[0].path] + rows[node.children[-1].path]) / 2
             assert rows[node.path] == pytest.approx(middle)
@@ -144,5 +143,5 @@ def test_the_command_offers_every_format() -> None:
 
 
 def test_paths_are_unique(fetch: TreeNode) -> None:
-    paths = [node.path for node in walk(fetch)]
+    paths = [node.path for node in fetch.walk()]
     assert len(paths) == len(set(paths))

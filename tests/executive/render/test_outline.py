@@ -11,7 +11,6 @@ from tandem.executive.render.layout import lay_out, overlaps
 from tandem.executive.render.outline import fits
 from tandem.executive.render.text import lines, lines_within
 from tandem.executive.render.view import NoSuchNodeError, View
-from tandem.executive.trials.run_report import walk
 from tandem.skills.ports.tasks import NodeStatus, TreeNode
 from tandem.skills.site import load
 from tandem.trees.registry import discover
@@ -92,7 +91,7 @@ def test_the_picture_of_a_fetch_fits_a_page_and_has_each_phase() -> None:
     layout = lay_out(drawn)
     assert fits(layout)
     assert overlaps(layout) == []
-    names = [each.name for each in walk(drawn)]
+    names = [each.name for each in drawn.walk()]
     assert [name for name in names if name in {"request", "search", "pick", "place", "home"}] == [
         "request",
         "search",
@@ -130,7 +129,7 @@ def running_at(root: TreeNode, path: Sequence[str]) -> TreeNode:
 
 
 def leaves(root: TreeNode) -> list[str]:
-    return [each.path for each in walk(root) if not each.children]
+    return [each.path for each in root.walk() if not each.children]
 
 
 @pytest.mark.parametrize("height", [5, 12, 22])

@@ -20,7 +20,7 @@ from tests.fakes.ports import free_endpoint
 
 pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
 from playwright.sync_api import Browser, Page, expect
-from web_chromium import MARKS, launched, opened, picture
+from web_chromium import MARKS, opened, picture
 
 pytestmark = MARKS
 ROOT = Path(__file__).parents[3]
@@ -61,12 +61,6 @@ def fetched(robot: str) -> str:
 def address(robot: str) -> Iterator[str]:
     with served(robot) as found:
         yield found
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with launched() as made:
-        yield made
 
 
 @pytest.fixture

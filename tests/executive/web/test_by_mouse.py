@@ -30,7 +30,7 @@ from tandem.skills.ports.tasks import (
 
 pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
 from playwright.sync_api import Browser, Page, expect
-from web_chromium import MARKS, launched, opened, picture
+from web_chromium import MARKS, opened, picture
 
 pytestmark = MARKS
 QUESTION: Final = Question(
@@ -87,12 +87,6 @@ PRESSED: Final[dict[str, list[tuple[str, str]]]] = {
     ],
 }
 """Which buttons the page of a task has, by role."""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with launched() as made:
-        yield made
 
 
 @pytest.fixture

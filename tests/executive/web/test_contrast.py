@@ -18,7 +18,7 @@ from tandem.skills.ports.tasks import (
 
 pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
 from playwright.sync_api import Browser, Page, expect
-from web_chromium import MARKS, launched, opened
+from web_chromium import MARKS, opened
 
 pytestmark = MARKS
 FAINT = """() => {
@@ -51,12 +51,6 @@ FAINT = """() => {
   });
 }"""
 """Names the words that are too faint, with their contrast."""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with launched() as made:
-        yield made
 
 
 @pytest.fixture

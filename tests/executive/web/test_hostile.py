@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import json
-from collections.abc import Iterator
 from typing import Any, TypeVar
 
 import pytest
@@ -48,7 +47,7 @@ from tandem.skills.ports.world import (
 pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
 from playwright.sync_api import Browser, Page, expect
 from playwright.sync_api import TimeoutError as PlaywrightTimeout
-from web_chromium import MARKS, launched, opened
+from web_chromium import MARKS, opened
 
 pytestmark = MARKS
 M = TypeVar("M", bound=Message)
@@ -158,12 +157,6 @@ def told(fake: FakeRobot) -> list[tuple[Topic[Any], Message]]:
             PipelineState(stamp=NOW, resource="base", holder=EVIL, reflex=EVIL, why=FAILURE, doing=(EVIL,)),
         ),
     ]
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with launched() as made:
-        yield made
 
 
 def test_hostile_words_are_words_in_each_view(browser: Browser) -> None:

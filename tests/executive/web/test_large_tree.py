@@ -5,7 +5,6 @@ from __future__ import annotations
 import statistics
 import sys
 import time
-from collections.abc import Iterator
 
 import pytest
 from web_fake import FakeRobot, served
@@ -14,7 +13,7 @@ from tandem.skills.ports.tasks import TREE, NodeStatus, TreeNode, TreeSnapshot
 
 pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
 from playwright.sync_api import Browser, expect
-from web_chromium import MARKS, launched, opened
+from web_chromium import MARKS, opened
 
 pytestmark = MARKS
 WIDE = 10
@@ -34,12 +33,6 @@ SAMPLE = """() => {
   look();
 }"""
 """Notes when the page shows the number in its last row."""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with launched() as made:
-        yield made
 
 
 def large_tree(number: int) -> TreeSnapshot:

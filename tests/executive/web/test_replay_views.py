@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -18,15 +17,9 @@ from tandem.skills.ports.tasks import TASK_TIMELINE, Timeline
 
 pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
 from playwright.sync_api import Browser, expect
-from web_chromium import MARKS, launched, opened, picture
+from web_chromium import MARKS, opened, picture
 
 pytestmark = MARKS
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with launched() as made:
-        yield made
 
 
 @pytest.fixture(scope="module")

@@ -12,17 +12,11 @@ from tandem.skills.ports.tasks import TREE, NodeStatus, TreeNode, TreeSnapshot
 
 pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
 from playwright.sync_api import Browser, Locator, Page, expect
-from web_chromium import MARKS, launched, opened, picture
+from web_chromium import MARKS, opened, picture
 
 pytestmark = MARKS
 STEPS: Final = 80
 """Leaves: more than a window shows."""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with launched() as made:
-        yield made
 
 
 def tree(running: int) -> TreeSnapshot:

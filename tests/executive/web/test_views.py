@@ -54,7 +54,7 @@ from tandem.skills.ports.world import (
 
 pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
 from playwright.sync_api import Browser, Page, Route, expect
-from web_chromium import MARKS, launched, opened, picture
+from web_chromium import MARKS, opened, picture
 
 pytestmark = MARKS
 HERE = FloorPose(x=0.3, y=0.2, yaw=0.4)
@@ -68,12 +68,6 @@ GREY = base64.b64decode(
     "AQEAAD8AAP/Z"
 )
 """16 pixels by 9."""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with launched() as made:
-        yield made
 
 
 @pytest.fixture
