@@ -19,7 +19,7 @@ class Order(StrEnum):
 
 
 def name_command(goal_id: str, number: int, order: Order) -> str:
-    """Return the name of a goal's command; ``number`` counts the times that it was resumed."""
+    """Return the name of a goal's command; ``number`` counts the times that it was sent anew."""
     return f"{goal_id}#{number}#{order}"
 
 

@@ -1,8 +1,9 @@
 """GRIP: open, close, grasp, and say whether the hand is full.
 
 Full means: the pads stopped before they met, at about the width expected, and press on something. A grasp
-that closed all the way is empty; pads that stopped where nothing was expected are stuck. A cancel or a pause
-stops pads that move; pads that squeeze go on squeezing.
+that closed all the way is empty. Pads that stand where they were not told to, and press on nothing, are
+stuck: they are told again for ``PATIENCE`` before that is a failure. A cancel or a pause stops pads that
+move; pads that squeeze go on squeezing.
 """
 
 from __future__ import annotations
@@ -31,6 +32,8 @@ HOLDING_FORCE: Final = 0.5
 SETTLE: Final = 0.2
 """Robot seconds at rest before the hand is judged; pads that are opened or closed, and have got there, hold
 nothing that could still yield."""
+PATIENCE: Final = 5.0
+"""Robot seconds for which stuck pads are told again: as long as an arm waits for a joint that it doubts."""
 SLOW: Final = 2.5
 """Times the motion's nominal time, and a second, after which a gripper is stuck."""
 ANSWER_WITHIN: Final = 2.0
@@ -118,15 +121,20 @@ class Gripping:
     def _move(self, goal: GripGoal, goal_id: str) -> Waiting:
         """Command the width and wait until the pads are at rest there or before; a pause comes in between."""
         order = Order.OPEN if goal.grip is Grip.OPEN else Order.CLOSE
-        number = 0
+        number, until = 0, robot_seconds(self._clocks) + PATIENCE
         while True:
             wrong = yield from self._go(goal, name_command(goal_id, number, order))
-            if wrong is not None or self._command is not Command.PAUSE:
+            if wrong is not None or self._command is Command.CANCEL:
                 return wrong
-            if self._moves():
-                yield from self._hold(goal_id, number)
+            if self._command is Command.PAUSE:
+                if self._moves():
+                    yield from self._hold(goal_id, number)
+                    number += 1
+                if (yield from self._paused()):
+                    return None
+            elif self._stuck(goal) and robot_seconds(self._clocks) < until:
                 number += 1
-            if (yield from self._paused()):
+            else:
                 return None
 
     def _paused(self) -> Generator[GripFeedback, Command, bool]:
@@ -202,21 +210,41 @@ class Gripping:
 
     def _judge(self, goal: GripGoal) -> Outcome[GripResult]:
         state = self._now()
-        at_width = abs(state.width - goal.width) <= WIDTH_TOLERANCE
+        at_width = self._at_width(state, goal)
         pressed = state.force >= HOLDING_FORCE
         full = not self._met(state) and pressed and (at_width or goal.width == 0.0)
         result = GripResult(width=state.width, force=state.force, full=full)
         evidence = {"width_m": state.width, "force_n": state.force, "expected_m": goal.width}
+        if self._stuck(goal):
+            text = (
+                "did not open all the way"
+                if goal.grip is Grip.OPEN
+                else "stopped before it closed, at nothing"
+            )
+            return failed(self._failure(FailureKind.GRIPPER_STUCK, text, **evidence))
         if goal.grip is Grip.GRASP and not full:
             text = "the pads met" if self._met(state) else "what is between the pads is no such item"
             return failed(self._failure(FailureKind.GRASP_EMPTY, text, **evidence))
-        if goal.grip is Grip.OPEN and state.width < self._target(goal) - REACHED:
-            return failed(self._failure(FailureKind.GRIPPER_STUCK, "did not open all the way", **evidence))
         if goal.grip is Grip.CLOSE and not self._met(state):
             return failed(self._failure(FailureKind.GRIPPER_STUCK, "did not close all the way", **evidence))
         if goal.grip in {Grip.OPEN, Grip.CLOSE}:
             result = result.model_copy(update={"full": False})
         return succeeded(result)
+
+    def _stuck(self, goal: GripGoal) -> bool:
+        """Say whether the pads stand where they were not told to, and nothing is there that holds them."""
+        state = self._now()
+        match goal.grip:
+            case Grip.OPEN:
+                return state.width < self._target(goal) - REACHED
+            case Grip.GRASP | Grip.CLOSE:
+                at_width = goal.grip is Grip.GRASP and self._at_width(state, goal)
+                return not self._met(state) and not at_width and state.force < HOLDING_FORCE
+            case Grip.CHECK:
+                return False
+
+    def _at_width(self, state: GripperState, goal: GripGoal) -> bool:
+        return abs(state.width - goal.width) <= WIDTH_TOLERANCE
 
     def _met(self, state: GripperState) -> bool:
         return state.width <= self._hand.gripper.min_width + EMPTY_BELOW

@@ -11,6 +11,7 @@ from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.executive.trials.exploration.worlds import fetch_worlds
 from tandem.skills.ports.actions.base import DriveGoal
 from tandem.skills.ports.actions.gripper import Grip, GripGoal
+from tandem.skills.ports.actions.world import EditGoal, SceneEdit
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.testing.mock_skill import Fault
 from tandem.trees.recovery_kinds import RECOVERIES
@@ -92,6 +93,7 @@ ROWS = (
         )
     ),
     Row(K.GRIPPER_STUCK, "open", GRASP, K.GRIPPER_STUCK),
+    Row(K.GRIPPER_STUCK, "close", GRASP, K.GRIPPER_STUCK),
     Row(K.GRASP_LOST, "hand is full?", GRASP, None),
     Row(K.ITEM_UNREACHABLE, "survey item again, left arm", "", None),
     Row(K.ITEM_UNREACHABLE, "close", "get: go home and search again", K.ITEM_UNREACHABLE),
@@ -210,6 +212,24 @@ def test_the_arms_recovery_is_the_papers() -> None:
     failure = bench.failure()
     assert failure is not None
     assert failure.kind is K.ITEM_UNREACHABLE
+
+
+def test_what_an_arm_that_is_out_may_stand_about_is_not_forgotten() -> None:
+    """A hand that closes no further and does not open leaves its arm about the item: forgotten, it is hit."""
+    bench = fetch_worlds()["in view"]()
+    stuck = Fault(failure=Failure(kind=K.GRIPPER_STUCK, message="stuck about the item"))
+    held = Fault(failure=Failure(kind=K.NO_PATH, message="the group stands in collision"))
+    bench.robot.leaf_faults |= {"close": stuck}
+    for where in ("get: draw back", "get: home", "home"):
+        bench.robot.leaf_faults |= {f"{where}: tuck arm": held, f"{where}: open hand": stuck}
+    while bench.step() is Status.RUNNING:
+        pass
+    edits = [goal.edit for _, goal in bench.robot.calls if isinstance(goal, EditGoal)]
+    assert SceneEdit.ADD in edits
+    assert SceneEdit.FORGET not in edits
+    failure = bench.failure()
+    assert failure is not None
+    assert failure.kind is K.GRIPPER_STUCK
 
 
 def test_the_bases_recovery_changes_the_distance_twice() -> None:

@@ -30,7 +30,7 @@ from tandem.trees.recovery_kinds import (
     searching_again_helps,
 )
 from tandem.trees.subtrees.arms_in import free_and_tuck
-from tandem.trees.subtrees.home import home
+from tandem.trees.subtrees.home import drive_home
 from tandem.trees.subtrees.pick import pick
 from tandem.trees.subtrees.recovery_steps import another_way, localise_again, wait_back
 from tandem.trees.subtrees.search import search
@@ -138,7 +138,10 @@ def _another_grasp(context: TreeContext, board: FetchBoard) -> Behaviour:
 
 
 def _from_home(context: TreeContext, board: FetchBoard) -> Behaviour:
-    """Go home if there is a way, and forget all that was believed of the item; prefer the other arm."""
+    """Go home if there is a way, and forget all that was believed of the item; prefer the other arm.
+
+    With an arm that does not come in nothing is forgotten, and this fails: a hand may be around the item.
+    """
 
     def decide() -> str:
         board.forget_tries()
@@ -151,7 +154,8 @@ def _from_home(context: TreeContext, board: FetchBoard) -> Behaviour:
         "get: from home",
         memory=True,
         children=[
-            FailureIsSuccess("get: home if there is a way", home(context, "get: home")),
+            free_and_tuck(context, "get: home"),
+            FailureIsSuccess("get: home if there is a way", drive_home(context, "get: home")),
             forget("get: forget where it is", context, board),
             Note("get: begin anew", decide),
         ],

@@ -21,12 +21,19 @@ WITHIN: Final = 180.0
 
 
 def home(context: TreeContext, where: str = "home") -> Behaviour:
-    """Return the subtree; it asks first whether the robot is there already."""
+    """Return the subtree that tucks the arms in and drives home."""
+    return Sequence(
+        f"{where}: go", memory=True, children=[free_and_tuck(context, where), drive_home(context, where)]
+    )
+
+
+def drive_home(context: TreeContext, where: str) -> Behaviour:
+    """Return the subtree of the way home with arms that are in; it asks first whether the robot is there."""
 
     def poses() -> tuple[FloorPose, ...]:
         return (context.site.home,)
 
-    base = Selector(
+    return Selector(
         f"{where}: base",
         memory=True,
         children=[
@@ -34,7 +41,6 @@ def home(context: TreeContext, where: str = "home") -> Behaviour:
             drive_and_give_way(f"{where}: drive", context, poses),
         ],
     )
-    return Sequence(f"{where}: go", memory=True, children=[free_and_tuck(context, where), base])
 
 
 def home_at_last(context: TreeContext) -> Behaviour:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import pytest
 
+from tandem.skills.gripper.grip import PATIENCE
 from tandem.skills.gripper.process import nodes
 from tandem.skills.ports.action import (
     GoalCommand,
@@ -70,7 +71,7 @@ class Fingers:
                 self.width = self.width if self.jammed else wanted
                 stalled = abs(self.width - command.width) > 0.002
                 motion = GripperMotion.STALLED if stalled else GripperMotion.AT_WIDTH
-                force = command.force if stalled else 0.0
+                force = command.force if stalled and not self.jammed else 0.0
         state = GripperState(
             stamp=RobotTime(boot="test", seconds=self.clocks.seconds),
             side="left",
@@ -192,10 +193,34 @@ def test_a_grasp_of_something_else_is_empty(rig: Rig) -> None:
     assert kind(rig.run(GripGoal(grip=Grip.GRASP, width=0.06))) is FailureKind.GRASP_EMPTY
 
 
-@pytest.mark.parametrize("action", [Grip.OPEN, Grip.CLOSE])
-def test_pads_that_do_not_move_are_stuck(rig: Rig, action: Grip) -> None:
+JAMMED = [GripGoal(grip=Grip.OPEN), GripGoal(grip=Grip.CLOSE), GripGoal(grip=Grip.GRASP, width=0.06)]
+
+
+@pytest.mark.parametrize("goal", JAMMED, ids=lambda goal: goal.grip.value)
+def test_pads_that_do_not_move_and_press_on_nothing_are_stuck(rig: Rig, goal: GripGoal) -> None:
+    rig.fingers.jammed, rig.fingers.width = True, 0.08
+    assert kind(rig.run(goal)) is FailureKind.GRIPPER_STUCK
+
+
+@pytest.mark.parametrize("goal", JAMMED, ids=lambda goal: goal.grip.value)
+def test_pads_that_are_stuck_for_a_while_are_told_again(rig: Rig, goal: GripGoal) -> None:
+    rig.fingers.jammed, rig.fingers.width = True, 0.08
+    rig.fingers.between = goal.width
+    rig.send(goal)
+    rig.rounds(round((PATIENCE - 0.5) / 0.02))
+    rig.fingers.jammed = False
+    assert rig.end().state is GoalState.SUCCEEDED
+
+
+def test_a_cancel_comes_through_to_stuck_pads(rig: Rig) -> None:
     rig.fingers.jammed = True
-    assert kind(rig.run(GripGoal(grip=action))) is FailureKind.GRIPPER_STUCK
+    rig.send(GripGoal(grip=Grip.OPEN))
+    rig.rounds(50)
+    command_service(ACTION).query(rig.bus, GoalCommand(goal_id="t/grip/1", command=Command.CANCEL))
+    rig.rounds(5)
+    status = rig.status.refresh()
+    assert status is not None
+    assert status.state is GoalState.CANCELED
 
 
 def test_a_check_moves_nothing_and_tells_whether_the_hand_is_full(rig: Rig) -> None:
