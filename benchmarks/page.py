@@ -25,7 +25,7 @@ from tandem.executive.ledger.sqlite import SqliteLedger
 from tandem.executive.system.process_usage import shared_memory
 from tandem.executive.web.options import WebOptions
 from tandem.executive.web.robot import RobotOnZenoh, Who
-from tandem.executive.web.serve import listen, serve_until
+from tandem.executive.web.serve import Shown, listen, serve_until
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.tasks import TaskState, TaskStatus
@@ -90,7 +90,8 @@ def page_of(endpoint: str) -> Iterator[int]:
     options = BusOptions(endpoint, site, robot)
     listening = listen(WebOptions(options, "127.0.0.1", 0))
     stopped = threading.Event()
-    served = (RobotOnZenoh(options, Who("bench"), None), listening, stopped.is_set, lambda: None)
+    shown = Shown(RobotOnZenoh(options, Who("bench"), None), listening)
+    served = ([shown], stopped.is_set, lambda: None)
     thread = threading.Thread(target=serve_until, args=served)
     thread.start()
     try:

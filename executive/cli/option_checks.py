@@ -74,8 +74,8 @@ def metrics_address(text: str) -> str:
     return text
 
 
-def page_address(text: str, bus: BusOptions) -> str:
-    """Return the address of the page; CommandError where none can be served."""
+def page_address(text: str, bus: BusOptions, robots: Sequence[str] = ()) -> str:
+    """Return the address of the (first robot's) page; CommandError where none can be served."""
     lacks = words_on(WEB, "up --web")
     if lacks:
         raise CommandError(lacks)
@@ -84,10 +84,10 @@ def page_address(text: str, bus: BusOptions) -> str:
             "up --web: where keys are used the page shows the key of a person; "
             f"leave out --web, and run `tandem web --keys {bus.keys} --as NAME` beside it"
         )
-    from tandem.executive.web.options import AddressError, checked_address  # noqa: PLC0415
+    from tandem.executive.web.options import AddressError, addresses_of  # noqa: PLC0415
 
     try:
-        _, port = checked_address(text)
+        _, port = next(iter(addresses_of(text, robots or (bus.robot,)).values()))
     except AddressError as error:
         raise CommandError(f"--web-at: {error}") from error
     if port == 0:

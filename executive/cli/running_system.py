@@ -119,11 +119,21 @@ def _say_ready(options: RunOptions, scenario: Scenario, site: Site, console: Con
     console.print(f"ready: {options.scenario} on {everyone} at {options.bus.endpoint}")
     asked = replace(options, bus=buses[0])
     console.print(f"in another terminal: {hint(asked, scenario, site)}", markup=False)
-    if options.web:
-        console.print(f"the page: http://{options.web}/", markup=False)
+    for line in _pages(options, scenario.robots_on_the_bus):
+        console.print(line, markup=False)
     if options.record is not None:
         console.print(f"recording into {options.record}", markup=False)
     console.print("press Ctrl-C to stop")
+
+
+def _pages(options: RunOptions, robots: Sequence[str]) -> Iterator[str]:
+    """Say where the page is, or that of each of several robots."""
+    if not options.web:
+        return
+    from tandem.executive.web.options import addresses_of, shown_at  # noqa: PLC0415 - the extra is there
+
+    for robot, (host, port) in addresses_of(options.web, robots or ("",)).items():
+        yield f"the page{robot and f' of {robot}'}: {shown_at(host, port)}"
 
 
 def _watch(

@@ -61,6 +61,8 @@ class WorkerSettings(Message):
     """The observer's: address of a collector of OpenTelemetry traces; empty: none."""
     web: str = ""
     """The page's: host and port where it is served."""
+    web_of: tuple[str, ...] = ()
+    """The page's: robots of the site that have one, each at the port after the one before; empty: its own."""
     person: str = ""
     """The page's: in whose name it asks."""
     record: str = ""

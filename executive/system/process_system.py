@@ -51,6 +51,14 @@ POSES_WITHIN: Final = 2.0
 """Host seconds for which robots may be asked where they are, before the system is ready all the same."""
 TELL_POSE: Final = {"base", "skills"}
 """Roles that tell it."""
+WITHOUT: Final[Mapping[str, str]] = MappingProxyType(
+    {
+        OBSERVER: "are no metrics and traces of it",
+        WEB: "is no page",
+        RECORDER: "are no black boxes",
+    }
+)
+"""Roles that only look on, and what there is no more when one of them has died too often."""
 PLUGGED_READY_WITHIN: Final = 20.0
 """Host seconds that those of plug-ins have more; ours take about 5 on a busy machine."""
 
@@ -313,15 +321,9 @@ class ProcessSystem:
                 self._do_without(
                     death.role, death.describe() if not self._ready else f"{death.head()} too often"
                 )
-            elif self._ready and death.role.rpartition("/")[2] == OBSERVER:
+            elif self._ready and (without := WITHOUT.get(death.role.rpartition("/")[2])):
                 self.supervisor.give_up(death.role)
-                self._say(f"{death.head()} too often; there are no metrics and traces of it from now on")
-            elif self._ready and death.role == WEB:
-                self.supervisor.give_up(death.role)
-                self._say(f"{death.head()} too often; there is no page from now on")
-            elif self._ready and death.role.rpartition("/")[2] == RECORDER:
-                self.supervisor.give_up(death.role)
-                self._say(f"{death.head()} too often; there are no black boxes from now on")
+                self._say(f"{death.head()} too often; there {without} from now on")
             else:
                 fatal.append(death)
         if fatal:

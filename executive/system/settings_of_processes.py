@@ -65,6 +65,7 @@ class SettingsOfProcesses:
             metrics=self._metrics_of(crew) if role == OBSERVER else "",
             traces=options.traces if role == OBSERVER else "",
             web=options.web if role == WEB else "",
+            web_of=tuple(each.robot for each in self._crews if each.robot) if role == WEB else (),
             person=options.person if role == WEB else "",
             record=_record_of(options, crew.robot) if role == RECORDER else "",
             record_pictures=options.record_pictures,

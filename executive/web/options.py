@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ipaddress
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -13,6 +13,8 @@ from tandem.executive.config.addresses import host_and_port
 from tandem.executive.config.run_options import BusOptions
 
 DEFAULT_ADDRESS: Final = "127.0.0.1:8447"
+LAST_PORT: Final = 65535
+"""The highest that TCP has."""
 
 
 class AddressError(ValueError):
@@ -59,6 +61,25 @@ def checked_address(text: str, *, secure: bool = False) -> tuple[str, int]:
             f"ssh -L {port}:127.0.0.1:{port} {host if host not in {'0.0.0.0', '::'} else 'ROBOT'}"  # noqa: S104
         )
     return host, port
+
+
+def shown_at(host: str, port: int) -> str:
+    """Return the address that a browser opens for a page on this host."""
+    return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
+
+
+def addresses_of(at: str, robots: Sequence[str]) -> dict[str, tuple[str, int]]:
+    """Return host and port of each robot's page: the first at ``HOST:PORT``, each other at the port after.
+
+    Raises:
+        AddressError: for what is no address of this host, and where there are no ports left.
+    """
+    host, first = checked_address(at)
+    if first + len(robots) - 1 > LAST_PORT:
+        raise AddressError(
+            f"{at}: {len(robots)} robots have a port each, and the highest is {LAST_PORT}; choose a lower one"
+        )
+    return {robot: (host, first + number if first else 0) for number, robot in enumerate(robots)}
 
 
 def checked_pages(words: Iterable[str]) -> dict[str, str]:

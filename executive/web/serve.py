@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import gc
 import socket
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -13,7 +13,8 @@ import uvicorn
 from starlette.types import ASGIApp
 
 from tandem.executive.web.app import NO_PAGES, Pages, application
-from tandem.executive.web.options import AddressError, Secure, WebOptions
+from tandem.executive.web.by_port import ByPort
+from tandem.executive.web.options import AddressError, Secure, WebOptions, shown_at
 from tandem.executive.web.robot import Robot
 from tandem.executive.web.sessions import Sessions
 
@@ -30,6 +31,14 @@ class Listening:
 
     socket: socket.socket
     address: str
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A robot, and where its page is served."""
+
+    robot: Robot
+    listening: Listening
 
 
 def listen(options: WebOptions) -> Listening:
@@ -50,22 +59,20 @@ def listen(options: WebOptions) -> Listening:
             f"the page can't be served at {options.host}:{options.port}: {error.strerror or error}; "
             "choose another port, or 0 for any that is free"
         ) from error
-    shown = f"[{options.host}]" if ":" in options.host else options.host
-    return Listening(made, f"http://{shown}:{made.getsockname()[1]}/")
+    return Listening(made, shown_at(options.host, made.getsockname()[1]))
 
 
-def serve(robot: Robot, listening: Listening, secure: Secure | None = None, pages: Pages = NO_PAGES) -> None:
-    """Serve the page until Ctrl-C or SIGTERM.
+def serve(shown: Sequence[Shown], secure: Secure | None = None, pages: Pages = NO_PAGES) -> None:
+    """Serve a page for each robot until Ctrl-C or SIGTERM.
 
     Args:
-        robot: whose page it is.
-        listening: where.
+        shown: whose pages they are, and where; with ``secure`` one.
         secure: over TLS, to who has logged in; None: on this host, to everybody.
-        pages: addresses of other robots' pages, by robot.
+        pages: addresses of the pages of robots that are not among them, by robot.
     """
-    server = _made(robot, secure, pages)
+    server = _made(shown, secure, pages)
     _set_aside(server)
-    server.run(sockets=[listening.socket])
+    server.run(sockets=[each.listening.socket for each in shown])
 
 
 def _set_aside(server: uvicorn.Server) -> None:
@@ -75,41 +82,50 @@ def _set_aside(server: uvicorn.Server) -> None:
     gc.freeze()
 
 
-def _made(robot: Robot, secure: Secure | None, pages: Pages = NO_PAGES) -> uvicorn.Server:
+def _made(shown: Sequence[Shown], secure: Secure | None, pages: Pages = NO_PAGES) -> uvicorn.Server:
     sessions = None if secure is None else Sessions(secure.keys, secure.origin)
-    return _server(application(robot, sessions=sessions, pages=pages), secure)
+    every = {**pages, **{each.robot.options.robot: each.listening.address for each in shown}}
+    apps = {}
+    for each in shown:
+        own = each.robot.options.robot
+        others = {name: address for name, address in every.items() if name != own}
+        port = each.listening.socket.getsockname()[1]
+        apps[port] = application(each.robot, sessions=sessions, pages=others)
+    return _server(ByPort(apps), secure)
 
 
 def serve_until(
-    robot: Robot,
-    listening: Listening,
+    shown: Sequence[Shown],
     stopped: Callable[[], bool],
     turn: Callable[[], None],
     secure: Secure | None = None,
     *,
     alone: bool = False,
 ) -> None:
-    """Serve the page as a process of the robot.
+    """Serve a page for each robot as a process of the first.
 
     Args:
-        robot: whose page it is.
-        listening: where.
+        shown: whose pages they are, and where.
         stopped: says when to end.
         turn: called a few times a second, as long as the loop goes on.
         secure: over TLS, to who has logged in.
         alone: the process does nothing else.
     """
-    server = _made(robot, secure)
+    server = _made(shown, secure)
     if alone:
         _set_aside(server)
-    asyncio.run(_serving(server, listening, stopped, turn))
+    sockets = [each.listening.socket for each in shown]
+    asyncio.run(_serving(server, sockets, stopped, turn))
 
 
 async def _serving(
-    server: uvicorn.Server, listening: Listening, stopped: Callable[[], bool], turn: Callable[[], None]
+    server: uvicorn.Server,
+    sockets: list[socket.socket],
+    stopped: Callable[[], bool],
+    turn: Callable[[], None],
 ) -> None:
     async with asyncio.TaskGroup() as group:
-        serving = group.create_task(server._serve([listening.socket]))  # noqa: SLF001 - leaves signals to us
+        serving = group.create_task(server._serve(sockets))  # noqa: SLF001 - leaves signals to us
         while not stopped() and not serving.done():
             turn()
             await asyncio.sleep(LOOK_EVERY)

@@ -3,8 +3,10 @@ import { useActing } from "./acting";
 import { useLive } from "./state";
 
 export function Others() {
-  const robots = Object.entries(useLive((live) => live.robots)).sort(([a], [b]) => a.localeCompare(b));
+  const heard = useLive((live) => live.robots);
   const pages = useActing().session?.pages ?? {};
+  const names = [...new Set([...Object.keys(heard), ...Object.keys(pages)])].sort((a, b) => a.localeCompare(b));
+  const robots = names.map((name) => [name, heard[name]] as const);
   if (!robots.length) return null;
   return (
     <section class="card others">
@@ -12,8 +14,8 @@ export function Others() {
       <ul class="plain">
         {robots.map(([name, told]) => (
           <li key={name}>
-            {pages[name] ? <a href={pages[name]} title={`the page of ${name}: ${pages[name]}`}><strong>{name}</strong></a> : <strong>{name}</strong>} {told.kind ? `${told.kind}${told.phase && `: ${told.phase}`}` : <span class="quiet">without a task</span>}
-            <span class="quiet"> · {told.silent ? "silent; it may be elsewhere" : told.at ? `at ${told.at[0].toFixed(2)}, ${told.at[1].toFixed(2)}` : "does not know where it is"}</span>
+            {pages[name] ? <a href={pages[name]} title={`the page of ${name}: ${pages[name]}`}><strong>{name}</strong></a> : <strong>{name}</strong>} {!told ? "" : told.kind ? `${told.kind}${told.phase && `: ${told.phase}`}` : <span class="quiet">without a task</span>}
+            <span class="quiet"> · {!told ? "nothing heard" : told.silent ? "silent; it may be elsewhere" : told.at ? `at ${told.at[0].toFixed(2)}, ${told.at[1].toFixed(2)}` : "does not know where it is"}</span>
           </li>
         ))}
       </ul>

@@ -35,20 +35,25 @@ def launched() -> Iterator[Browser]:
 
 
 @contextmanager
-def opened(browser: Browser, address: str, width: int = 1280) -> Iterator[Page]:
-    """Open a tab; at its end there has been no error in it, and nothing was asked for from elsewhere."""
+def opened(browser: Browser, address: str, width: int = 1280, beside: str = "") -> Iterator[Page]:
+    """Open a tab; at its end there has been no error in it, and nothing was asked for from elsewhere.
+
+    ``beside`` is the address of another page that may be gone to.
+    """
+    ours = (address, beside or address)
     size = {"width": width, "height": 800}
     made = browser.new_page(base_url=address, viewport=size, ignore_https_errors=True)  # type: ignore[arg-type]
     wrong: list[str] = []
     made.on("pageerror", lambda error: wrong.append(str(error)))
-    made.on("request", lambda asked: wrong.append(asked.url) if not is_ours(asked.url, address) else None)
+    made.on("request", lambda asked: wrong.append(asked.url) if not is_ours(asked.url, ours) else None)
     yield made
     made.close()
     assert wrong == [], "no error in the page, and nothing from elsewhere"
 
 
-def is_ours(url: str, address: str) -> bool:
-    return url.startswith((address, address.replace("http", "ws"), "data:", "blob:"))
+def is_ours(url: str, addresses: tuple[str, ...]) -> bool:
+    sockets = tuple(each.replace("http", "ws") for each in addresses)
+    return url.startswith((*addresses, *sockets, "data:", "blob:"))
 
 
 def picture(page: Page, name: str) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
@@ -17,7 +17,7 @@ from tandem.executive.config.run_options import BusOptions
 from tandem.executive.web.options import Secure, WebOptions
 from tandem.executive.web.replay import Replay
 from tandem.executive.web.robot import Ears, Who
-from tandem.executive.web.serve import listen, serve_until
+from tandem.executive.web.serve import Shown, listen, serve_until
 from tandem.sim.robots.registry import robot_model
 from tandem.skills.ports.actions.perception import PICTURE, AskView
 from tandem.skills.ports.bus import Bus
@@ -243,24 +243,43 @@ class FakeLink:
 @contextmanager
 def served(robot: FakeRobot | Replay, keys: Path | None = None) -> Iterator[str]:
     """Serve a robot's page from a thread; yields its address. With a folder of keys: TLS, and a login."""
-    listening = listen(WebOptions(robot.options, "127.0.0.1", 0))
-    address, secure = listening.address.rstrip("/"), None
+    shown, secure = at_any_port(robot), None
+    address = shown.listening.address.rstrip("/")
     if keys is not None:
         address = address.replace("http://127.0.0.1", "https://localhost")
         secure = Secure(address, keys / "r1.router.pem", keys / "r1.router.key", keys)
+    with served_by_a_thread([shown], secure):
+        yield address
+
+
+@contextmanager
+def served_together(*robots: FakeRobot) -> Iterator[list[str]]:
+    """Serve the pages of several robots from one thread; yields their addresses."""
+    shown = [at_any_port(robot) for robot in robots]
+    with served_by_a_thread(shown):
+        yield [each.listening.address.rstrip("/") for each in shown]
+
+
+def at_any_port(robot: FakeRobot | Replay) -> Shown:
+    return Shown(robot, listen(WebOptions(robot.options, "127.0.0.1", 0)))
+
+
+@contextmanager
+def served_by_a_thread(shown: Sequence[Shown], secure: Secure | None = None) -> Iterator[None]:
     stopped, there = threading.Event(), threading.Event()
 
     def turn() -> None:
         if not there.is_set():
-            if isinstance(robot, FakeRobot):
-                robot.loop = asyncio.get_running_loop()
+            for each in shown:
+                if isinstance(each.robot, FakeRobot):
+                    each.robot.loop = asyncio.get_running_loop()
             there.set()
 
-    thread = threading.Thread(target=serve_until, args=(robot, listening, stopped.is_set, turn, secure))
+    thread = threading.Thread(target=serve_until, args=(shown, stopped.is_set, turn, secure))
     thread.start()
     there.wait(20.0)
     try:
-        yield address
+        yield
     finally:
         stopped.set()
         thread.join(20.0)

@@ -132,7 +132,7 @@ def up(
             on_restart=on_restart_of(on_restart),
             metrics=metrics_address(metrics),
             traces=traces_address(traces),
-            web=page_address(web_at or PAGE_AT, bus) if web or web_at is not None else "",
+            web=page_address(web_at or PAGE_AT, bus, several) if web or web_at is not None else "",
             black_box=True,
             record=folder_of_recordings(record_to, folder, roles) if records else None,
             record_pictures=record_pictures,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -61,6 +62,15 @@ Pages = Annotated[
     ),
 ]
 
+Also = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--also",
+        metavar="ROBOT",
+        help="Another robot of the site, whose page is served at the next port; repeat it for several.",
+    ),
+]
+
 
 def web(
     *,
@@ -70,6 +80,7 @@ def web(
     certificate: Certificate = None,
     private_key: PrivateKey = None,
     page: Pages = None,
+    also: Also = None,
     bus: BusOptions,
 ) -> None:
     """Serve the page: the robot, its tree, its tasks and the stop in a browser, until Ctrl-C."""
@@ -81,11 +92,12 @@ def web(
     from tandem.executive.web.options import (  # noqa: PLC0415
         AddressError,
         WebOptions,
+        addresses_of,
         checked_address,
         checked_pages,
         is_loopback,
     )
-    from tandem.executive.web.serve import listen, serve  # noqa: PLC0415
+    from tandem.executive.web.serve import Shown, listen, serve  # noqa: PLC0415
 
     try:
         pages = checked_pages(page or ())
@@ -93,19 +105,31 @@ def web(
         raise CommandError(f"--page: {error}") from error
     try:
         host, port = checked_address(at, secure=bus.keys is not None)
-        secure = None
+        secure, places = None, {bus.robot: (host, port)}
         if not is_loopback(host):
             secure = _secured(bus, name or host, port, certificate, private_key)
+            if also:
+                raise CommandError(
+                    "--also: beyond this host one page has one address, for which its log-ins are; run "
+                    "`tandem web` once for each robot, and name the other's address with --page"
+                )
+        else:
+            places = addresses_of(at, tuple(dict.fromkeys((bus.robot, *(also or ())))))
         with Connection(bus) as connection:  # says who is not there, or whose key is not
             named = connection.options
-        listening = listen(WebOptions(named, host, port))
+        shown = [
+            Shown(_robot(options), listen(WebOptions(options, *place)))
+            for options, place in ((replace(named, robot=robot), place) for robot, place in places.items())
+        ]
     except AddressError as error:
         raise CommandError(f"--at: {error}") from error
-    address = listening.address if secure is None else f"{secure.origin}/"
-    typer.echo(f"the page of {named.prefix} is at {address}\npress Ctrl-C to stop")
+    for each in shown:
+        address = each.listening.address if secure is None else f"{secure.origin}/"
+        typer.echo(f"the page of {each.robot.options.prefix} is at {address}")
+    typer.echo("press Ctrl-C to stop")
     if secure is not None:
         typer.echo(f"a log-in: tandem keys link NAME --page {secure.origin}")
-    serve(_robot(named), listening, secure, pages)
+    serve(shown, secure, pages)
 
 
 def _require_extra(what: str) -> None:
@@ -157,7 +181,7 @@ def show_record(record: Path, at: str, *, option: str = "--at") -> None:
     from tandem.executive.records.recording import open_recording  # noqa: PLC0415 - as `--help` is quick
     from tandem.executive.web.options import AddressError, WebOptions, checked_address  # noqa: PLC0415
     from tandem.executive.web.replay import Replay  # noqa: PLC0415
-    from tandem.executive.web.serve import listen, serve  # noqa: PLC0415
+    from tandem.executive.web.serve import Shown, listen, serve  # noqa: PLC0415
 
     replay = Replay(open_recording(record))
     try:
@@ -165,7 +189,7 @@ def show_record(record: Path, at: str, *, option: str = "--at") -> None:
     except AddressError as error:
         raise CommandError(f"{option}: {error}") from error
     typer.echo(f"{record} is shown at {listening.address}\npress Ctrl-C to stop")
-    serve(replay, listening)
+    serve([Shown(replay, listening)])
 
 
 def _robot(bus: BusOptions) -> Robot:

@@ -32,6 +32,7 @@ PROGRAM = "import sys; from tandem.executive.cli.start import run; sys.exit(run(
         (["web", "--connect", "tcp/127.0.0.1:1"], 3, "tandem up"),
         (["up", "--web-at", "192.168.1.5:80"], 2, "--web-at: 192.168.1.5:80: anyone who can reach"),
         (["up", "--web", "--web-at", "127.0.0.1:0"], 2, "a port other than 0"),
+        (["up", "--scenario", "Rocs3", "--web-at", "127.0.0.1:65535"], 2, "2 robots have a port each"),
     ],
 )
 def test_what_can_not_be_is_said(
@@ -57,3 +58,21 @@ def test_up_starts_the_page_and_says_where_it_is(tmp_path: Path) -> None:
         finally:
             process.terminate()
     assert (session["robot"], session["role"]) == ("tiago", "operator")
+
+
+@pytest.mark.processes
+@pytest.mark.xdist_group("processes")
+def test_each_of_several_robots_has_a_page_that_links_to_the_others(tmp_path: Path) -> None:
+    endpoint, at = free_endpoint(), free_endpoint().removeprefix("tcp/")
+    options = ["--only", "router", "--connect", endpoint, "--data", str(tmp_path), "--web-at", at]
+    words = [sys.executable, "-c", PROGRAM, "up", "--scenario", "Rocs3", *options]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        try:
+            lines = (line for line in process.stdout if "the page of" in line)
+            found = [re.findall(r"of (\w+): (http://\S+)", next(lines))[0] for _ in range(2)]
+            told = {robot: json.loads(urlopen(f"{address}api/session").read()) for robot, address in found}  # noqa: S310 - our own
+        finally:
+            process.terminate()
+    assert {robot: each["robot"] for robot, each in told.items()} == {"r2": "r2", "r3": "r3"}
+    assert told["r2"]["pages"] == {"r3": dict(found)["r3"]}

@@ -6,12 +6,14 @@ import base64
 import datetime as dt
 import json
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
 import pytest
-from web_fake import FakeRobot, served
+from web_fake import FakeRobot, served, served_together
 
+from tandem.executive.config.run_options import BusOptions
 from tandem.executive.security.authority import Wanted, begin, issue
 from tandem.executive.security.identity import Identity
 from tandem.executive.security.links import make
@@ -19,7 +21,7 @@ from tandem.skills.ports.action import GoalState, GoalStatus, status_topic
 from tandem.skills.ports.actions.arm import MoveFeedback, MovePhase, move
 from tandem.skills.ports.actions.base import DRIVE, DriveFeedback
 from tandem.skills.ports.failure import Failure, FailureKind
-from tandem.skills.ports.keys import laser
+from tandem.skills.ports.keys import STOP, laser
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.occupancy import Occupancy, pack
 from tandem.skills.ports.pose import FloorPose, Pose
@@ -567,3 +569,19 @@ def test_the_other_robots_of_the_site_are_on_the_map(page: Page, robot: FakeRobo
     robot.tell_site("r2", told.model_copy(update={"sequence": 3, "base_in_map": there}))
     page.get_by_role("link", name="Map").click()
     expect(page.locator(".room .other-path")).to_have_attribute("points", "0.3,-0.2 1,0.5")
+
+
+def test_each_of_several_robots_has_a_page_and_a_link_to_the_others(browser: Browser) -> None:
+    one, two = (FakeRobot(options=replace(BusOptions(), robot=name), seconds=100.0) for name in ("r1", "r2"))
+    with served_together(one, two) as (first, second), opened(browser, first, beside=second) as page:
+        page.goto("/map")
+        expect(page.locator(".others li")).to_have_text("r2 · nothing heard")
+        picture(page, "page-several")
+        page.get_by_role("link", name="r2").click()
+        expect(page).to_have_url(f"{second}/")
+        expect(page.locator(".others li strong")).to_have_text("r1")
+        expect(page.locator(".link")).to_contain_text("nothing heard")
+        page.get_by_role("button", name="STOP").click()
+        expect(page.locator(".stopped")).to_be_visible()
+    assert [key for key, _ in one.asked] == []
+    assert [key for key, _ in two.asked] == [STOP.key]
