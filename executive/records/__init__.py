@@ -8,7 +8,7 @@ has its schemas; ``recovering`` mends what was cut, ``mcap_copy`` record by reco
 Writing: ``process`` is the role; ``recorder`` hears with ``ears``, keeps the last minute in a ``ring`` and
 writes it into ``boxes`` when one of the ``incidents`` happens; ``attaching`` asks for what stands beside the
 messages; ``recording_sink`` writes MCAP, with ``pictures`` and ``foxglove_view``; ``recordings`` tells
-which of these are kept.
+which of these are kept; ``dated`` how old such files are, by their names.
 Playing: ``tape`` walks through a record and knows what was ``known``; ``player`` plays it into a bus in
 memory, where ``answers`` has the answers of that time; ``moments`` says what happened when.
 """

@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
+from tandem.executive.records.dated import STAMP, oldest_first, stamp_of
 from tandem.executive.records.lines_file import LINES, read_facts, write_lines
 from tandem.executive.records.recording import Attachment, Facts, Recorded, RecordError, Span
 from tandem.skills.ports.records import BlackBox
@@ -20,7 +20,7 @@ FILES: Final = 20
 """Black boxes that are kept."""
 BYTES: Final = 200 * 1024 * 1024
 """Bytes of all of them; one of a robot with two arms has 3 to 6 MB."""
-_NAME: Final = re.compile(rf"\d{{8}}T\d{{6}}Z-.*{re.escape(LINES)}")
+_NAME: Final = re.compile(rf"{STAMP}-.*{re.escape(LINES)}")
 _UNFIT: Final = re.compile(r"[^A-Za-z0-9_.-]+")
 
 
@@ -39,14 +39,14 @@ class Boxes:
     most: int = BYTES
 
     def paths(self) -> tuple[Path, ...]:
-        """Return the files, oldest first."""
+        """Return the files in the order of their names."""
         try:
             return tuple(sorted(each for each in self.folder.iterdir() if _NAME.fullmatch(each.name)))
         except OSError:
             return ()
 
     def known(self, task: str = "") -> tuple[BlackBox, ...]:
-        """Return what is kept, oldest first; of a task only. A file that can't be read is left out."""
+        """Return what is kept, by their names; of a task only. A file that can't be read is left out."""
         found: list[BlackBox] = []
         for path in self.paths():
             with suppress(RecordError, OSError):
@@ -76,9 +76,9 @@ class Boxes:
             OSError: when it can't be written; nothing is left of it then.
         """
         self.folder.mkdir(parents=True, exist_ok=True)
-        path = self._free(f"{datetime.fromtimestamp(utc, UTC):%Y%m%dT%H%M%SZ}-{_words(facts)}")
+        path = self._free(f"{stamp_of(utc)}-{_words(facts)}")
         write_lines(path, facts, span, attachments, messages)
-        self._bound(path)
+        self._bound(path, utc)
         return path
 
     def _free(self, name: str) -> Path:
@@ -88,8 +88,8 @@ class Boxes:
             path = self.folder / f"{name}-{number}{LINES}"
         return path
 
-    def _bound(self, newest: Path) -> None:
-        paths = [each for each in self.paths() if each != newest]
+    def _bound(self, newest: Path, now: float) -> None:
+        paths = [each for each in oldest_first(self.paths(), now) if each != newest]
         sizes = {each: each.stat().st_size for each in (*paths, newest) if each.exists()}
         while paths and (len(paths) >= self.files or sum(sizes.values()) > self.most):
             oldest = paths.pop(0)

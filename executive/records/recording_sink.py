@@ -7,17 +7,17 @@ on, in a new file that begins with what is known by then.
 from __future__ import annotations
 
 import logging
-import re
 import shutil
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import IO, Final, Protocol
 
+from tandem.executive.records.dated import oldest_first, stamp_of
 from tandem.executive.records.mcap_writing import McapFile, SchemaOf
 from tandem.executive.records.recording import Attachment, Facts, Recorded
+from tandem.executive.records.recordings import NAME
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.records import RecordingState
 
@@ -30,7 +30,6 @@ SPACE: Final = 64 * 1024 * 1024
 """Bytes that must be free for recording to go on: two minutes of a robot with pictures. With less it would
 stop at once, and each time leave a file."""
 DAY: Final = 86_400.0
-NAME: Final = re.compile(r"\d{8}T\d{6}Z(-\d+)?\.mcap")
 _LOG = logging.getLogger(__name__)
 
 
@@ -251,7 +250,7 @@ class RecordingSink:
         self._file = self._stream = None
 
     def _free(self) -> Path:
-        stem = f"{datetime.fromtimestamp(self._clocks.utc(), UTC):%Y%m%dT%H%M%SZ}"
+        stem = stamp_of(self._clocks.utc())
         path, number = self._folder / f"{stem}.mcap", 1
         while path.exists():
             number += 1
@@ -260,12 +259,12 @@ class RecordingSink:
 
     def _let_go(self) -> None:
         """Remove the oldest recordings, so that the next one has its place."""
-        paths = sorted(each for each in self._folder.iterdir() if NAME.fullmatch(each.name))
-        sizes = {each: each.stat() for each in paths}
-        total = sum(each.st_size for each in sizes.values()) + self._bounds.file_bytes
-        oldest = self._clocks.utc() - self._bounds.folder_days * DAY
-        for path in paths:
-            if total <= self._bounds.folder_bytes and sizes[path].st_mtime >= oldest:
+        paths = (each for each in self._folder.iterdir() if NAME.fullmatch(each.name))
+        ages = oldest_first(paths, self._clocks.utc())
+        sizes = {each: each.stat().st_size for each in ages}
+        total = sum(sizes.values()) + self._bounds.file_bytes
+        for path, age in ages.items():
+            if total <= self._bounds.folder_bytes and age <= self._bounds.folder_days * DAY:
                 break
-            total -= sizes[path].st_size
+            total -= sizes[path]
             path.unlink(missing_ok=True)

@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from contextlib import suppress
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
+from tandem.executive.records.dated import STAMP, began_of
 from tandem.skills.ports.records import RecordingFile
 
 MOST: Final = 100
 """Files that are told: 8 GB of 256 MB are 32, and a short one for each start."""
-_NAME: Final = re.compile(r"(\d{8}T\d{6}Z)(-\d+)?\.mcap")
+NAME: Final = re.compile(rf"{STAMP}(-\d+)?\.mcap")
+"""Of a recording's file: when it was begun, and which of those of one second it is."""
 
 
 def recordings_in(folders: Iterable[Path]) -> tuple[RecordingFile, ...]:
@@ -26,12 +27,11 @@ def recordings_in(folders: Iterable[Path]) -> tuple[RecordingFile, ...]:
 
 
 def _file(path: Path) -> RecordingFile | None:
-    name = _NAME.fullmatch(path.name)
+    began = began_of(path)
+    if began is None or not NAME.fullmatch(path.name):
+        return None
     try:
-        if name is None:
-            return None
-        began = datetime.strptime(name[1], "%Y%m%dT%H%M%SZ").replace(tzinfo=UTC).timestamp()
         stat = path.stat()
-    except (OSError, ValueError):
-        return None  # it has gone meanwhile, or has another's name
+    except OSError:
+        return None  # it has gone meanwhile
     return RecordingFile(file=str(path), size=stat.st_size, began=began, written=stat.st_mtime)
