@@ -37,6 +37,17 @@ def test_it_looks_all_around_after_what_is_cheaper(leaf: str, before: int) -> No
     assert len(tried) == before + 1
 
 
+@pytest.mark.parametrize(
+    ("mapped", "ends", "turns"), [(True, Status.SUCCESS, TURNS), (False, Status.FAILURE, 0)]
+)
+def test_who_goes_to_a_place_looks_too(ends: Status, turns: int, *, mapped: bool) -> None:
+    bench = TreeBench(MAPPED if mapped else load("lab"), items={}, localised=True, step=0.05)
+    for n in range(1, 5):
+        bench.robot.leaf_faults["go", n] = NO_WAY
+    assert bench.run("go_to", {"x": -1.2, "y": 0.5}) is ends
+    assert bench.robot.calls_of("base/rotate") == turns
+
+
 def test_it_looks_once_and_then_says_that_there_is_no_way() -> None:
     bench, status = fetched("drive to slot", 100)
     failure = bench.failure()

@@ -24,6 +24,7 @@ from tandem.trees.leaves.localise import localise
 from tandem.trees.recovery_kinds import localising_helps
 from tandem.trees.subtrees.recovery_steps import let_pass, wait_back
 from tandem.trees.subtrees.request import ready
+from tandem.trees.subtrees.see_the_way import see_the_way
 
 POSE_WITHIN: Final = 3.0
 """Robot seconds in which a pose sensor tells where the robot is."""
@@ -98,7 +99,12 @@ def get_there(context: TreeContext, course: Course) -> Behaviour:
         "get there",
         context,
         GiveWay("give way, and plan again", context, way, course.held_up),
-        (wait_back("go", context), know_again("go", context), let_pass("go", context, seconds=2.0, times=3)),
+        (
+            wait_back("go", context),
+            know_again("go", context),
+            let_pass("go", context, seconds=2.0, times=3),
+            *see_the_way("go", context),
+        ),
         within=WITHIN,
     )
 
