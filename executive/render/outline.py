@@ -53,12 +53,17 @@ def to_depth(root: FoldedNode, depth: int) -> FoldedNode:
     return _copy(root, tuple(to_depth(child, depth - 1) for child in root.children))
 
 
+def levels_of(root: TreeNode) -> int:
+    """Return how many levels the tree has; one for a leaf."""
+    return 1 + max((levels_of(child) for child in root.children), default=0)
+
+
 def outline(root: FoldedNode) -> FoldedNode:
     """Return as much of the tree as fits a page."""
     if fits(lay_out(root)):
         return root
     small = without_guards(without_recoveries(root))
-    levels = _depth(small)
+    levels = levels_of(small)
     while levels > 0 and not fits(lay_out(_phases(small, levels))):
         levels -= 1
     return _phases(small, levels)
@@ -127,7 +132,3 @@ def _copy(node: TreeNode, children: tuple[FoldedNode, ...], recoveries: int = 0)
 
 def _runs(node: TreeNode) -> bool:
     return node.status is NodeStatus.RUNNING
-
-
-def _depth(node: TreeNode) -> int:
-    return 1 + max((_depth(child) for child in node.children), default=0)

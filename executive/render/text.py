@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from tandem.executive.render.folded import FoldedNode, note_of
-from tandem.executive.render.outline import to_depth, whole, without_guards, without_recoveries
+from tandem.executive.render.outline import levels_of, to_depth, whole, without_guards, without_recoveries
 from tandem.executive.render.signs import (
     KIND_SIGNS,
     KIND_SIGNS_ASCII,
@@ -74,7 +74,7 @@ def _smaller(root: FoldedNode) -> Iterator[FoldedNode]:
     yield root
     yield (fewer := without_recoveries(root))
     yield (small := without_guards(fewer))
-    yield from (to_depth(small, depth) for depth in range(_depth(small), -1, -1))
+    yield from (to_depth(small, depth) for depth in range(levels_of(small), -1, -1))
 
 
 def _walk(node: TreeNode, lead: str, below: str, *, ascii_only: bool, with_status: bool) -> Iterator[Line]:
@@ -93,7 +93,3 @@ def _walk(node: TreeNode, lead: str, below: str, *, ascii_only: bool, with_statu
             ascii_only=ascii_only,
             with_status=with_status,
         )
-
-
-def _depth(node: TreeNode) -> int:
-    return 1 + max((_depth(child) for child in node.children), default=0)

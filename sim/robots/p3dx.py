@@ -12,9 +12,8 @@ from tandem.sim.model import ROOT, RobotModel, Wheels
 from tandem.sim.robots import primitives
 from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.robot import Robot
-from tandem.sim.robots.sensors import bumpers, motion_capture
+from tandem.sim.robots.sensors import bumpers, motion_capture, range_sensor
 from tandem.skills.ports.robot_description import DifferentialDrive, RobotDescription
-from tandem.skills.ports.sensors import RangeSensor
 
 if TYPE_CHECKING:
     from tandem.sim.urdf import UrdfDocument
@@ -54,12 +53,6 @@ SONARS: Final = (
 )
 """x and y in mm, and heading in degrees, in ARIA's order."""
 SONAR_HEIGHT: Final = 0.19
-SONAR_CONE: Final = math.radians(30.0)
-"""As in the model of the Stage simulator. Neighbours look 20 degrees apart: their cones overlap."""
-SONAR_RANGE: Final = (0.15, 5.0)
-SONAR_PERIOD: Final = 0.1
-"""Seconds between two packets of the maker's controller. The real sonars of an array fire one after the
-other, 40 ms apart unless told to hurry; these fire together."""
 
 
 def compose() -> RobotModel:
@@ -127,15 +120,7 @@ def _describe(document: UrdfDocument) -> RobotDescription:
         groups=(),
         end_effectors=(),
         range_sensors=tuple(
-            RangeSensor(
-                name=f"sonar_{index}",
-                frame=sonar_frame(index),
-                cone=SONAR_CONE,
-                range_min=SONAR_RANGE[0],
-                range_max=SONAR_RANGE[1],
-                period=SONAR_PERIOD,
-            )
-            for index in range(len(SONARS))
+            range_sensor(f"sonar_{index}", sonar_frame(index)) for index in range(len(SONARS))
         ),
         pose_sensors=(motion_capture(),),
         bumpers=bumpers(),

@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 from tandem.sim.model import QUARTERS
-from tandem.skills.ports.sensors import Bumper, CameraSensor, LaserSensor, PoseSensor
+from tandem.skills.ports.sensors import Bumper, CameraSensor, LaserSensor, PoseSensor, RangeSensor
 
 CAMERA_WIDTH: Final = 1280
 CAMERA_HEIGHT: Final = 720
@@ -22,6 +22,15 @@ LASER_RANGE: Final = (0.05, 10.0)
 """Metres."""
 LASER_PERIOD: Final = 0.1
 """Robot seconds between two scans; ours, as small scanners have it."""
+
+SONAR_CONE: Final = math.radians(30.0)
+"""Radians, from edge to edge: as in the Stage simulator's model of the Pioneer, whose neighbours look
+20 degrees apart, so that their cones overlap. The SUMMIT-XL's look 30 degrees apart: edge to edge."""
+SONAR_RANGE: Final = (0.15, 5.0)
+"""Metres: nearer things read as 0.15, and 5 says that there is nothing."""
+SONAR_PERIOD: Final = 0.1
+"""Robot seconds between two packets of the Pioneer's controller. The real sonars of an array fire one after
+the other, 40 ms apart unless told to hurry; these fire together."""
 
 CAPTURE_PERIOD: Final = 0.05
 """Robot seconds between two poses; ours."""
@@ -48,6 +57,18 @@ def laser_sensor(frame: str) -> LaserSensor:
         range_min=LASER_RANGE[0],
         range_max=LASER_RANGE[1],
         period=LASER_PERIOD,
+    )
+
+
+def range_sensor(name: str, frame: str) -> RangeSensor:
+    """Return what a robot's description says of one of its sonars."""
+    return RangeSensor(
+        name=name,
+        frame=frame,
+        cone=SONAR_CONE,
+        range_min=SONAR_RANGE[0],
+        range_max=SONAR_RANGE[1],
+        period=SONAR_PERIOD,
     )
 
 

@@ -12,10 +12,10 @@ from tandem.sim.model import ROOT, RobotModel, Wheels
 from tandem.sim.robots import primitives
 from tandem.sim.robots.finishing import finish
 from tandem.sim.robots.robot import Robot
-from tandem.sim.robots.sensors import bumpers, motion_capture
+from tandem.sim.robots.sensors import SONAR_CONE, SONAR_PERIOD, bumpers, motion_capture, range_sensor
 from tandem.skills.ports.reflex_setting import ReflexSetting
 from tandem.skills.ports.robot_description import RobotDescription, SkidSteerDrive
-from tandem.skills.ports.sensors import RangeSensor, RobotSensor
+from tandem.skills.ports.sensors import RobotSensor
 
 if TYPE_CHECKING:
     from tandem.sim.urdf import UrdfDocument
@@ -49,10 +49,6 @@ RANGE_HEADINGS: Final = {"left": 30.0, "middle": 0.0, "right": -30.0}
 where the robot goes."""
 RANGE_XYZ: Final = (0.365, 0.15, 0.20)
 """Metres, in the front's corners, clear of the chassis; the middle one between them."""
-CONE: Final = math.radians(30.0)
-RANGE: Final = (0.15, 5.0)
-PERIOD: Final = 0.1
-"""Radians, metres and robot seconds: as the sonars of the Pioneer (``p3dx``)."""
 WAY: Final = 0.8
 """Metres that it goes on after turning from something: its sides, which see nothing, are past it then."""
 ROBOTS_FRAME: Final = "robots_frame"
@@ -92,7 +88,7 @@ def _urdf() -> str:
         primitives.frame(
             f"range_{name}_frame",
             ahead,
-            out * math.sin(math.radians(degrees)) / math.sin(CONE),
+            out * math.sin(math.radians(degrees)) / math.sin(SONAR_CONE),
             up,
             math.radians(degrees),
         )
@@ -118,21 +114,15 @@ def _describe(document: UrdfDocument) -> RobotDescription:
         height=HEIGHT,
         groups=(),
         end_effectors=(),
-        range_sensors=tuple(
-            RangeSensor(
-                name=f"range_{name}",
-                frame=f"range_{name}_frame",
-                cone=CONE,
-                range_min=RANGE[0],
-                range_max=RANGE[1],
-                period=PERIOD,
-            )
-            for name in RANGE_HEADINGS
-        ),
+        range_sensors=tuple(range_sensor(f"range_{name}", f"range_{name}_frame") for name in RANGE_HEADINGS),
         pose_sensors=(motion_capture(),),
         robot_sensors=(
             RobotSensor(
-                name="robots", frame=ROBOTS_FRAME, field=ROBOTS_FIELD, range_max=ROBOTS_RANGE, period=PERIOD
+                name="robots",
+                frame=ROBOTS_FRAME,
+                field=ROBOTS_FIELD,
+                range_max=ROBOTS_RANGE,
+                period=SONAR_PERIOD,
             ),
         ),
         bumpers=bumpers(),

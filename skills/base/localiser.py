@@ -14,7 +14,7 @@ from typing import Final
 
 import numpy as np
 
-from tandem.skills.base.floor import FloatArray, compose, invert, points_in
+from tandem.skills.base.floor import BoolArray, FloatArray, compose, invert, points_in
 from tandem.skills.base.map import SiteMap
 from tandem.skills.base.matcher import Match, carried, diagonal, match, share_behind, share_near
 from tandem.skills.base.odometry import OdometryBuffer, ahead
@@ -61,6 +61,10 @@ PUSHED: Final = (0.15, 0.15)
 """Metres and radians, one sigma, by which a base may have been pushed that odometry has not noticed."""
 LATE: Final = 0.06
 """Seconds for which a scan waits for the odometry of its moment before odometry is carried on to it."""
+UNMAPPED: Final = 0.10
+"""Metres from everything mapped at which a hit is something else; grows with the range."""
+UNMAPPED_GROWTH: Final = 0.02
+"""Metres a metre: a heading that is off by 1.1 degrees moves a hit by as much."""
 
 
 @dataclass(frozen=True)
@@ -74,6 +78,18 @@ class PlacedScan:
     residual: FloatArray
     """Signed distance of each point to what is mapped (m)."""
     fit: float
+
+    def unmapped(self, bounds: tuple[float, float, float, float], farthest: float) -> BoolArray:
+        """Return which points no map explains, shape (n,): in ``bounds`` and nearer than ``farthest`` (m).
+
+        ``bounds`` is x_min, y_min, x_max and y_max in map (m).
+        """
+        ranges = self.points.ranges
+        x_min, y_min, x_max, y_max = bounds
+        x, y = self.points_in_map.T
+        strange = (self.residual > UNMAPPED + UNMAPPED_GROWTH * ranges) & (ranges < farthest)
+        inside: BoolArray = (x > x_min) & (x < x_max) & (y > y_min) & (y < y_max)
+        return strange & inside
 
 
 class Localiser(OdometryDrift):

@@ -21,10 +21,6 @@ from tandem.skills.base.scan import ScanGeometry
 from tandem.skills.ports.clocks import Clocks, robot_seconds
 from tandem.skills.ports.sensors import LaserSensor
 
-UNMAPPED: Final = 0.10
-"""Metres from everything mapped at which a hit is something else; grows with the range."""
-UNMAPPED_GROWTH: Final = 0.02
-"""Metres a metre: a heading that is off by 1.1 degrees moves a hit by as much."""
 FARTHEST: Final = 4.0
 """Metres: hits farther away are not marked."""
 TRUSTED_FIT: Final = 0.5
@@ -111,12 +107,8 @@ class Obstacles:
             self._occupied.close()
 
     def _mark(self, placed: PlacedScan, now: float) -> None:
-        ranges = placed.points.ranges
-        x_min, y_min, x_max, y_max = self._map.bounds
         points = placed.points_in_map
-        strange = (placed.residual > UNMAPPED + UNMAPPED_GROWTH * ranges) & (ranges < FARTHEST)
-        strange &= (points[:, 0] > x_min) & (points[:, 0] < x_max)
-        strange &= (points[:, 1] > y_min) & (points[:, 1] < y_max)
+        strange = placed.unmapped(self._map.bounds, FARTHEST)
         if self._people is not None:
             strange &= ~self._people.hides(points)
         hit = np.unique(self._map.plan.cells(points[strange]))

@@ -12,10 +12,6 @@ import numpy as np
 from tandem.skills.base.floor import FloatArray, IntArray
 from tandem.skills.base.localiser import PlacedScan
 
-UNMAPPED: Final = 0.10
-"""Metres from everything mapped at which a hit is something else; grows with the range."""
-UNMAPPED_GROWTH: Final = 0.02
-"""Metres a metre: a heading that is off by 1.1 degrees moves a hit by as much."""
 FARTHEST: Final = 6.0
 """Metres: farther away a leg is hit by one beam of 0.9 degrees at the most."""
 GAP: Final = 0.12
@@ -96,12 +92,8 @@ def _paired(legs: Sequence[_Segment]) -> list[Candidate]:
 
 def _segments(placed: PlacedScan, bounds: tuple[float, float, float, float]) -> list[_Segment]:
     points, ranges = placed.points_in_map, placed.points.ranges
-    x_min, y_min, x_max, y_max = bounds
-    strange = (placed.residual > UNMAPPED + UNMAPPED_GROWTH * ranges) & (ranges < FARTHEST)
-    strange &= (points[:, 0] > x_min) & (points[:, 0] < x_max)
-    strange &= (points[:, 1] > y_min) & (points[:, 1] < y_max)
     beams = np.flatnonzero(~np.isnan(placed.points.all_ranges))
-    index = np.flatnonzero(strange)
+    index = np.flatnonzero(placed.unmapped(bounds, FARTHEST))
     if not len(index):
         return []
     laser = np.array([placed.base_in_map.x, placed.base_in_map.y])
