@@ -15,13 +15,18 @@ from functools import wraps
 from pathlib import Path
 from typing import Concatenate, Final, ParamSpec, TypeVar
 
+from pydantic import ValidationError
+
 from tandem.executive.config.on_restart import OnRestart
 from tandem.executive.ledger.memory import PAST, split
 from tandem.executive.ledger.port import Entry, LedgerError, LedgerLockedError, Reading, SentGoal, Transition
+from tandem.executive.ledger.rows import Reader, known_part, whole
 from tandem.executive.ledger.schema import MIGRATIONS
 from tandem.executive.ledger.sender import asked_by
 from tandem.executive.ledger.stubs import KEPT_IDS, stub_of
 from tandem.executive.ledger.task_memory import TaskMemory
+from tandem.skills.ports.problems import in_words as problems_in_words
+from tandem.skills.ports.problems import problems_of
 from tandem.skills.ports.tasks import AskHistory, History, TaskState, TaskStatus
 
 FILE: Final = "ledger.sqlite"
@@ -222,8 +227,8 @@ class SqliteLedger:
 
     @_told
     def open_entries(self) -> tuple[Entry, ...]:
-        """Read them."""
-        return self._entries(f"{_ENTRY} WHERE open = 1 ORDER BY number", ())
+        """Read them, each to the last field: what is gone on with must not be half understood."""
+        return self._entries(f"{_ENTRY} WHERE open = 1 ORDER BY number", (), whole)
 
     @_told
     def entry(self, task: str) -> Entry | None:
@@ -344,13 +349,30 @@ class SqliteLedger:
             "INSERT INTO transitions (task, state, at) VALUES (?, ?, ?)", (status.task, str(status.state), at)
         )
 
-    def _entries(self, statement: str, values: tuple[str | float, ...]) -> tuple[Entry, ...]:
-        return tuple(_entry(*row) for row in self._db.execute(statement, values))
+    def _entries(
+        self, statement: str, values: tuple[str | float, ...], read: Reader = known_part
+    ) -> tuple[Entry, ...]:
+        return tuple(self._entry(*row, read=read) for row in self._db.execute(statement, values))
 
-
-def _entry(number: int, on_restart: OnRestart | None, test_run: int, memory: str, status: str) -> Entry:
-    kept = TaskMemory.model_validate_json(memory)
-    return Entry(TaskStatus.model_validate_json(status), number, on_restart, bool(test_run), kept)
+    def _entry(
+        self,
+        number: int,
+        on_restart: OnRestart | None,
+        test_run: int,
+        memory: str,
+        status: str,
+        *,
+        read: Reader,
+    ) -> Entry:
+        try:
+            kept, told = read(TaskMemory, memory.encode()), read(TaskStatus, status.encode())
+        except ValidationError as error:
+            raise LedgerError(
+                f"{self.path}: this program can't read all of its task {number}: "
+                f"{problems_in_words(problems_of(error))}; nothing was changed; if a newer version wrote it, "
+                "run that one until the task has ended, or choose another --data"
+            ) from error
+        return Entry(told, number, on_restart, bool(test_run), kept)
 
 
 def _lock(folder: Path) -> int:

@@ -6,7 +6,8 @@ could be seen again, but not while a hand is around one: a keeper that has forgo
 One JSON line a change, each a whole picture of it. A change of hands or slots is synced before anybody hears
 of it; a sighting is only written, which outlives the process and not the machine. The last line that can be
 read counts, so a line torn by a crash loses nothing but itself; opening the journal rewrites it to that one
-line, through a file beside it that takes its place.
+line, through a file beside it that takes its place. Fields that a newer version added are left out. A journal
+of which no line can be read is refused and left as it is: an unknown hand is not an empty one.
 """
 
 from __future__ import annotations
@@ -18,11 +19,15 @@ from typing import Final
 from pydantic import ValidationError
 
 from tandem.skills.journal_file import JournalFile
-from tandem.skills.ports.message import Count, Message
+from tandem.skills.ports.message import Count, Message, read_leniently
+from tandem.skills.ports.problems import in_words, problems_of
+from tandem.skills.ports.sources import DocumentError
 from tandem.skills.ports.world import Box, HeldItem, ItemFact, Placed
 
 COMPACT_AFTER: Final = 1000
 """Lines after which the file is rewritten."""
+
+REMEDY: Final = "move it away, or delete it: the robot then believes its hands to be empty"
 
 _LOG = logging.getLogger(__name__)
 
@@ -53,12 +58,13 @@ class Journal:
 
     Raises:
         OSError: when it can't be read.
+        DocumentError: when it has lines, and none of them is one of a journal.
     """
 
     def __init__(self, path: Path) -> None:
         self._file = JournalFile(path)
         lines = self._file.lines()
-        last = _last(lines)
+        last = _last(path, lines)
         self.remembered = last.model_copy(update={"openings": last.openings + 1})
         self._lines = len(lines)
         try:
@@ -85,11 +91,14 @@ class Journal:
         self._lines = 1
 
 
-def _last(lines: list[str]) -> Remembered:
-    """Return the last line that can be read; nothing, where there is none."""
+def _last(path: Path, lines: list[str]) -> Remembered:
+    """Return the last line that can be read; nothing, where there is no line."""
+    refused = ""
     for line in reversed(lines):
         try:
-            return Remembered.model_validate_json(line)
-        except ValidationError:
-            continue
+            return read_leniently(Remembered, line.encode())
+        except ValidationError as error:
+            refused = refused or in_words(problems_of(error))
+    if refused:
+        raise DocumentError(f"{path}: {refused}; {REMEDY}")
     return Remembered()

@@ -36,6 +36,7 @@ def nodes(
 
     Raises:
         OSError: when the journal can't be read or written.
+        DocumentError: when the journal is none.
     """
     keeper = Keeper(bus, clocks, site, hands, None if journal is None else Journal(journal))
     return (keeper, ActionServer(bus, clocks, Edit(keeper), charge=charge))

@@ -12,7 +12,7 @@ import pytest
 from tandem.executive.ledger.port import Entry, LedgerError, LedgerLockedError, Reading
 from tandem.executive.ledger.schema import MIGRATIONS, VERSION
 from tandem.executive.ledger.sqlite import FILE, SqliteLedger
-from tandem.skills.ports.tasks import TaskState, TaskStatus
+from tandem.skills.ports.tasks import AskHistory, TaskState, TaskStatus
 
 
 def entry(number: int, words: str = "") -> Entry:
@@ -189,3 +189,42 @@ def test_a_migration_that_fails_changes_nothing(tmp_path: Path) -> None:
         tables = {name for (name,) in file.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
     file.close()
     assert "more" not in tables
+
+
+NEWER: dict[str, str] = {
+    "status": "UPDATE tasks SET status = json_patch(status, ?)",
+    "memory": "UPDATE tasks SET memory = json_patch(memory, ?)",
+}
+
+
+def written_by_a_newer_version(folder: Path, column: str, state: TaskState, added: str) -> SqliteLedger:
+    """Return a ledger with one task, one of whose documents has what a version to come adds to it."""
+    ledger = SqliteLedger(folder)
+    ledger.enter(Entry(entry(1).status.model_copy(update={"state": state}), 1))
+    ledger.commit()
+    ledger._db.execute(NEWER[column], (added,))
+    return ledger
+
+
+@pytest.mark.parametrize(
+    ("column", "added", "words"),
+    [
+        ("status", '{"new": 1}', "new: expected no such field, found 1"),
+        ("status", '{"state": "ASLEEP"}', 'state: expected .*, found "ASLEEP"'),
+        ("memory", '{"new": 1}', "new: expected no such field, found 1"),
+    ],
+)
+def test_a_task_that_goes_on_is_refused_when_not_all_of_it_is_understood(
+    tmp_path: Path, column: str, added: str, words: str
+) -> None:
+    ledger = written_by_a_newer_version(tmp_path, column, TaskState.RUNNING, added)
+    with pytest.raises(LedgerError, match=f"its task 1: {words}.*; nothing was changed"):
+        ledger.open_entries()
+    ledger.close()
+
+
+@pytest.mark.parametrize("added", ['{"new": 1}', '{"failure": {"kind": "NEW"}}', '{"result": "a text"}'])
+def test_a_task_that_has_ended_is_shown_without_what_is_not_understood(tmp_path: Path, added: str) -> None:
+    ledger = written_by_a_newer_version(tmp_path, "status", TaskState.FAILED, added)
+    assert [each.task for each in ledger.history(AskHistory()).tasks] == ["wait-1"]
+    ledger.close()

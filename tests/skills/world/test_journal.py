@@ -1,8 +1,12 @@
 """The journal gives back what was written, also after a crash in the middle of a line."""
 
+import json
 from pathlib import Path
 
+import pytest
+
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.sources import DocumentError
 from tandem.skills.ports.world import HeldItem, Placed
 from tandem.skills.site import load
 from tandem.skills.world import journal
@@ -48,3 +52,16 @@ def test_versions_of_the_facts_rise_over_a_new_start(tmp_path: Path) -> None:
     for _ in range(10):
         before.add(29)
     assert Beliefs(load("lab"), Journal(tmp_path / "j").remembered).version > before.version
+
+
+def test_what_a_newer_version_wrote_is_believed_without_its_new_fields(tmp_path: Path) -> None:
+    (tmp_path / "j").write_text(json.dumps(HELD.model_dump(mode="json") | {"new": 1}) + "\n")
+    assert facts(tmp_path) == HELD
+
+
+def test_a_journal_that_cannot_be_read_is_refused_and_left_as_it_is(tmp_path: Path) -> None:
+    """A keeper that forgot what a hand holds would let it open over nothing, or the arm through the item."""
+    (tmp_path / "j").write_text('{"held": "both"}\n')
+    with pytest.raises(DocumentError, match=r"j: held: expected an array, found \"both\"; move it away"):
+        Journal(tmp_path / "j")
+    assert (tmp_path / "j").read_text() == '{"held": "both"}\n'
