@@ -15,6 +15,8 @@ from tandem.skills.ports.tasks import TASK_TIMELINE, TREE, NameTask
 ASK_EVERY: Final = 5.0
 """Host seconds between two questions to who has not answered."""
 _FIRST: Final = re.compile(rb'\{\s*"task"\s*:\s*"([^"]{1,200})"')
+"""The start of a tree or a status. An id longer than 200 characters is none of a task of ours (``Word`` has
+64)."""
 KEPT: Final = 64
 """Trees and timelines that are kept; one has some 30 kB."""
 

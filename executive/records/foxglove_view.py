@@ -49,9 +49,12 @@ from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene, RobotPos
 EVERY: Final = 0.05
 """Robot seconds between two of one key, at the least: 20 a second look smooth."""
 SCANS_EVERY: Final = 0.2
+"""Robot seconds between two scans, likewise: each has hundreds of ranges, and five a second show a room."""
 MAP: Final = "map"
 GREY: Final = Color(r=0.6, g=0.6, b=0.65, a=0.8)
 ORANGE: Final = Color(r=0.95, g=0.55, b=0.1, a=0.9)
+"""Of items, so that they stand out from furniture, which is grey. Both let a little through: what is behind
+shows."""
 Shown = JointStatesShown | FrameTransforms | SceneUpdate | LaserScan | Log
 
 

@@ -55,6 +55,7 @@ PUBLISHED: Final = ("json", "bytes")
 PACKED: Final = "+gzip"
 """At the end of an attachment's type: MCAP compresses messages, not these."""
 NANO: Final = 1_000_000_000
+"""Nanoseconds of a second: MCAP's times are whole numbers of them."""
 DAMAGED: Final = (
     McapError, ZstdError, OSError, EOFError, zlib.error, struct.error, ValueError, LookupError, MemoryError,
     StopIteration,
@@ -64,7 +65,9 @@ were written."""
 _PICTURE_DATA: Final = 2
 """Number of the field ``data`` in foxglove's CompressedImage."""
 _LENGTH_DELIMITED: Final = 2
+"""Protobuf's wire type of text, bytes and messages: their length comes first."""
 _WIDTHS: Final = {1: 8, 5: 4}
+"""Bytes of the wire types of a fixed width: they are passed over."""
 
 
 @dataclass(frozen=True)

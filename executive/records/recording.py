@@ -20,6 +20,7 @@ LAYOUT: Final = 1
 """Of what stands in a file, whichever kind it is of. A file with a larger number is refused."""
 GZIP: Final = b"\x1f\x8b"
 MCAP: Final = b"\x89MCAP0\r\n"
+"""The first bytes of a gzip file and of an MCAP file of version 0: they tell which kind a record is of."""
 JSON: Final = "application/json"
 
 Encoding = Literal["json", "jpeg", "bytes"]

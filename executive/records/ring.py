@@ -25,6 +25,7 @@ KEYS: Final = 512
 OVERHEAD: Final = 300
 """Bytes of a message besides its payload, as ``sys.getsizeof`` adds up."""
 NANO: Final = 1e9
+"""Nanoseconds of a second: a message's host time is in them."""
 BLOCK: Final = 512
 """Messages that are packed together: about a second of a robot that moves. Fewer pack worse."""
 QUICK: Final = 1

@@ -25,6 +25,7 @@ from tandem.skills.ports.tasks import (
 
 _LOG = logging.getLogger(__name__)
 _NO_TREE: Final = TreeNode(path="idle", name="idle", kind="action", type="Nothing")
+"""What is told as the tree before the first task."""
 
 
 class Publisher:

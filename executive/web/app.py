@@ -61,6 +61,7 @@ Pages = Mapping[str, str]
 """Addresses of the pages of other robots of the site, by robot."""
 NO_PAGES: Final[Pages] = MappingProxyType({})
 BUNDLE: Final = {"app.js": "text/javascript", "app.css": "text/css", "LICENSES.txt": "text/plain"}
+"""All files of the page that are served, and their media types; any other name is a 404."""
 
 
 class WrongError(Exception):

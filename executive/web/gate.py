@@ -32,6 +32,8 @@ POLICY: Final = "; ".join(  # noqa: FLY002 - one a line
         "frame-ancestors 'none'",
     )
 )
+"""The page takes code, styles and data from its own server alone; pictures may also be made in the page, and
+its empty icon is a ``data:`` address. No other page may frame it."""
 HEADERS: Final[Mapping[str, str]] = MappingProxyType(
     {
         "Content-Security-Policy": POLICY,
@@ -42,6 +44,7 @@ HEADERS: Final[Mapping[str, str]] = MappingProxyType(
         "Cache-Control": "no-cache",
     }
 )
+"""Of every answer. ``no-cache`` has the browser ask again, so that a new release's page is shown at once."""
 LOOKS: Final = frozenset({"GET", "HEAD"})
 FORBIDDEN: Final = 403
 UNKNOWN: Final = 401

@@ -13,6 +13,8 @@ from tandem.executive.config.addresses import host_and_port
 from tandem.executive.config.run_options import BusOptions
 
 DEFAULT_ADDRESS: Final = "127.0.0.1:8447"
+"""This host alone: any other address needs keys. The port is ours, a thousand above that of Zenoh's
+router."""
 LAST_PORT: Final = 65535
 """The highest that TCP has."""
 

@@ -23,6 +23,8 @@ LARGEST: Final = 64 * 1024
 LOOK_EVERY: Final = 0.2
 """Host seconds after which it is looked whether to end."""
 BACKLOG: Final = 64
+"""Connections that may wait to be accepted: two for each of the viewers there may be (``viewers.MOST``). With
+fewer a page that loads while others do may have to try again."""
 
 
 @dataclass(frozen=True)

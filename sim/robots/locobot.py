@@ -49,6 +49,7 @@ CLIFF_LEAD: Final = 0.041
 """Metres from the middle one to the caster in front. The wheels carry on behind that, but a base
 that brakes with its caster in the air dives."""
 WHEELS: Final = Wheels(("left_wheel_joint",), ("right_wheel_joint",), radius=0.035, track=0.230, effort=3.0)
+"""Kobuki's wheels, of 70 mm and 230 mm apart. The effort is in N m."""
 FLOOR_FRICTIONS: Final = {"left_wheel_link": 1.0, "right_wheel_link": 1.0, CASTERS: 0.0}
 """Chosen: tyres grip, and the casters roll to all sides."""
 SIXTH: Final = math.pi / 6
@@ -68,6 +69,7 @@ casters rocks as the arm moves; one that stands on its casters has no grip."""
 PLATE: Final = 0.124
 """Metres: the top of the base, on which all else stands."""
 ARM_AT: Final = (0.097277, 0.0, PLATE + 0.0095)
+"""Metres in ROOT: where the arm stands, on the plate."""
 PAN: Final = (0.002, 0.0, PLATE + 0.44425)
 """On the large tower, which comes with this arm: 6 cm higher than on the small one. It stands on a tongue of
 the tower's plate, 64 mm wide, then 34, that ends 18 mm before the pan's axis; the plate itself ends 58 mm

@@ -22,6 +22,7 @@ NAME: Final = "p3dx"
 FOOTPRINT_RADIUS: Final = 0.25
 """Metres: ARIA's RobotRadius."""
 HEIGHT: Final = 0.24
+"""Metres: the body's top is 0.236 m up."""
 DRIVE: Final = DifferentialDrive(
     forward=0.75, backward=0.40, acceleration=0.6, turn=1.75, turn_acceleration=1.75, dead_man=0.3
 )
@@ -53,6 +54,7 @@ SONARS: Final = (
 )
 """x and y in mm, and heading in degrees, in ARIA's order."""
 SONAR_HEIGHT: Final = 0.19
+"""Metres above the floor: in the upper half of the body, which goes from 0.060 to 0.236 m."""
 
 
 def compose() -> RobotModel:

@@ -23,6 +23,8 @@ PALM_LENGTH: Final = 0.06
 FINGER_LENGTH: Final = 0.085
 FINGER_THICKNESS: Final = 0.012
 FINGER_HEIGHT: Final = 0.024
+"""Metres: the boxes that stand for palm and fingers. Both lengths, less TIP_BEYOND_GRASP, put the tool's
+origin 0.13 m before the mount."""
 TIP_BEYOND_GRASP: Final = 0.015
 """How far the fingertips reach past the tool frame's origin: short, so that they clear the table."""
 

@@ -23,8 +23,12 @@ CASTERS_LINK: Final = "casters_link"
 BUMPER_LINKS: Final = (ROOT, "torso_lift_link")
 
 _LASER_IN_BASE: Final = (0.202, 0.0, 0.0945)
+"""Metres in ROOT: at the front, 94.5 mm above the floor. It sees walls and the legs of tables, not their
+tops."""
 _CASTERS_XY: Final = ((0.1535, 0.102), (0.1535, -0.102), (-0.1895, 0.102), (-0.1895, -0.102))
+"""Metres: where PAL's URDF has the wheels of its casters while they point backwards."""
 _CASTER_RADIUS: Final = 0.025
+"""Metres: as high as that URDF has their axles over the floor."""
 
 
 def fit(document: UrdfDocument) -> None:

@@ -24,6 +24,7 @@ NAME: Final = "summit_xl"
 FOOTPRINT_RADIUS: Final = 0.46
 """Metres: the wheels' outer corners."""
 HEIGHT: Final = 0.40
+"""Metres: the chassis' top."""
 DRIVE: Final = SkidSteerDrive(
     forward=1.5, backward=0.5, acceleration=1.0, turn=1.5, turn_acceleration=2.0, dead_man=0.3
 )

@@ -21,6 +21,7 @@ JOINTS: Final = ("waist", "shoulder", "elbow", "forearm_roll", "wrist_angle", "w
 FINGER_TRAVEL: Final = (0.015, 0.037)
 """Metres from the middle: 30 to 74 mm between the pads."""
 FINGER_FORCE: Final = 5.0
+"""Newtons of one finger: the limit of its joint's effort."""
 FINGER_SPEED: Final = 0.025
 """Ours, m/s: the maker names none."""
 PALM: Final = 0.022

@@ -29,6 +29,7 @@ HEARD_WITHIN: Final = 2.0
 UNIT_COST: Final = 25e-6
 """Robot seconds that lockstep charges for a unit of work: about a collision check."""
 SLICE_UNITS: Final = 80
+"""Units of work between two chances to be stopped: about 2 ms, as in ``move``."""
 
 
 class Survey:

@@ -22,9 +22,12 @@ from tandem.skills.kinematics.transforms import Array
 PERIOD: Final = 0.02
 """Seconds between the points that are sent."""
 NOTHING: Final = 1e-9
+"""Of a path's length, of a move or of a rate: what is no more is none, so that nothing is divided by 0. It is
+far above the rounding of numbers about 1, and far below any motion that is asked for."""
 OVERLAPS: Final = (1.0, 0.85, 0.7, 0.55, 0.4, 0.3, 0.2, 0.1)
 """Shares of the longest overlap that are tried, longest first."""
 SLACK: Final = 1.0 + 1e-6
+"""Factor on a limit: a motion right at it passes, also where rounding puts it a little above."""
 FINE: Final = 0.01
 """Seconds between the places of a curve at which the joints' limits are looked at: a tenth of what a joint of
 TIAGo takes to its greatest acceleration."""

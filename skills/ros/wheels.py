@@ -20,6 +20,7 @@ ZEROS_FOR: Final = 1.0
 AT_THE_END: Final = 3
 """Zeros that are sent when the process ends: one may get lost."""
 NANO: Final = 1e9
+"""Nanoseconds of a second, as ROS counts time."""
 
 
 class Wheels:

@@ -16,6 +16,7 @@ from tandem.skills.ports.skill import Outcome, failed, succeeded
 
 BLOCKED: Final = Failure(kind=FailureKind.BASE_BLOCKED, message="something is 0.25 m ahead")
 FOR_EVER: Final = 10**9
+"""Goals from which a reflex takes the base: more than any task sends."""
 
 
 class _Moved(Protocol):

@@ -10,6 +10,8 @@ from tandem.skills.ports.message import RobotTime
 CELL: Final = 0.1
 NEAREST: Final = 0.3
 FARTHEST: Final = 0.9
+"""Metres in the base: a square's edge, and x from and to. Coarser than those of ``bimanual.zones``: tests
+need each letter once, not the whole table."""
 ROW: Final = "RRRRCCCCCLLLL"
 """From the right hand's side, y = -0.6 m, to the left hand's, y = 0.6 m; both reach |y| <= 0.2 m."""
 

@@ -20,6 +20,8 @@ WAITED: Final = "waited_s"
 FREE_WITHIN: Final = 60.0
 """Robot seconds for which a reflex may have the base without a break, before it is given up."""
 _PASSES: Final = another_way_helps.kinds | {FailureKind.OVERRIDDEN, FailureKind.OTHER}
+"""Kinds of what a reflex saw that pass by themselves: something in the base's way, another override, or what
+no kind says."""
 
 
 def gave_way(failure: Failure) -> bool:

@@ -47,7 +47,9 @@ what hides the item."""
 LOOKS: Final = 2
 GRASPS: Final = 2
 SEARCHES: Final = 2
-"""At most twice (order-picking paper, III-A.4)."""
+"""How often it looks around again, grasps another way, and searches anew from home. The last is at most twice
+in the order-picking paper (III-A.4), the others are ours. More only put off ``ITEM_UNREACHABLE``; WITHIN
+bounds them all."""
 
 
 def get_item(context: TreeContext, board: FetchBoard) -> Behaviour:

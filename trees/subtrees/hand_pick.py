@@ -42,6 +42,8 @@ WITHIN: Final = 180.0
 FOLLOWS: Final = 4
 """How often the hand goes back to the field because the item has moved."""
 GRASPS: Final = 2
+"""How often another grasp is tried, as in ``get_item``: more of them put off what is tried next, or the
+failure."""
 SEEN_WITHIN: Final = 5.0
 """Robot seconds in which an item that is gone must be seen again."""
 

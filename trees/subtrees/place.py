@@ -45,9 +45,16 @@ from tandem.trees.subtrees.stand import stand_near, unknown
 WITHIN: Final = 300.0
 """Robot seconds after which nothing is tried again."""
 LEAVE_WITHIN: Final = 120.0
+"""Robot seconds after which drawing back is not tried again. The item lies by then: this bounds how long a
+hand stays beside it."""
 STANDS: Final = 2
+"""How often another stand is tried, as often as for the base in the order-picking paper (III-A.4)."""
 STARTS: Final = 1
+"""How often it is begun anew from home, where all stands may be tried again: each costs a drive with the
+item."""
 LEAVES: Final = 2
+"""How often letting go and drawing back are tried again, each time a moment (``A_MOMENT``) later. The item
+lies: more of them only keep the hand beside it longer."""
 
 
 def place(context: TreeContext, board: FetchBoard) -> Behaviour:

@@ -18,11 +18,15 @@ from tandem.trees.leaves.localise import localise
 from tandem.trees.recovery_kinds import another_way_helps, localising_helps, waiting_helps
 
 WAITS: Final = 4
+"""How often what passes by itself is waited for. A process, a sensor and a time-out share these, so one of
+each leaves one over; a skill that goes down each time still ends the task."""
 BACK_WITHIN: Final = 30.0
 """Seconds, of the robot and of the host, in which a skill that is gone must be back."""
 A_MOMENT: Final = 1.0
 """Robot seconds that are waited in any case: what passes by itself takes a while."""
 LOCALISES: Final = 2
+"""How often the robot looks anew where it is. Whoever hides the map may have gone by the second time; where
+that fails too, the place is the cause, and more only put off the failure."""
 WAYS: Final = 2
 """How often the distance to a goal is changed (order-picking paper, III-A.4)."""
 LET_PASS: Final = 2.0

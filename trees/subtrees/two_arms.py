@@ -30,6 +30,8 @@ ZONES_WITHIN: Final = 20.0
 WITHIN: Final = 60.0
 """Robot seconds after which the table is not looked at again."""
 LOOKS: Final = 2
+"""How often the table is looked at again: one picture may be blurred, or something in its way. More only put
+off the failure of an item that is not there."""
 ANOTHER_MOMENT: Final = 0.5
 """Robot seconds before the table is looked at again."""
 

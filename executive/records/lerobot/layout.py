@@ -11,10 +11,10 @@ from typing import Final
 
 VERSION: Final = "v3.0"
 CHUNK: Final = 1000
-"""Files of a folder."""
+"""Files of a folder, as LeRobot has it by default."""
 DATA_MB: Final = 100
 VIDEO_MB: Final = 200
-"""Megabytes after which the next file begins."""
+"""Megabytes after which the next file begins, of data and of videos: LeRobot's own, by default."""
 DATA: Final = "data/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
 VIDEO: Final = "videos/{video_key}/chunk-{chunk_index:03d}/file-{file_index:03d}.mp4"
 EPISODES: Final = "meta/episodes/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"

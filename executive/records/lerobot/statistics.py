@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 QUANTILES: Final = {"q01": 0.01, "q10": 0.1, "q50": 0.5, "q90": 0.9, "q99": 0.99}
+"""Those that LeRobot's own statistics have, by their names there."""
 Stats = dict[str, list[object]]
 Columns = Mapping[str, NDArray[np.generic]]
 

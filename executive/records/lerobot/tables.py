@@ -16,6 +16,8 @@ from tandem.executive.records.lerobot.layout import ACTION, DATA, DATA_MB, NUMBE
 
 _TEXT: Final = {"pandas_type": "unicode", "numpy_type": "object", "metadata": None}
 _NUMBER: Final = {"pandas_type": "int64", "numpy_type": "int64", "metadata": None}
+"""What pandas writes of a column of text and one of whole numbers: with it pandas reads an index back as
+one."""
 
 
 def frames_schema(features: Features) -> pa.Schema:

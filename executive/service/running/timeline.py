@@ -14,6 +14,8 @@ SAID: Final = 120
 """Characters of a node's message that are kept."""
 PHASE: Final = "Phase"
 WORKS: Final = frozenset({"action", "recovery"})
+"""Kinds of nodes that have stretches beside phases. Conditions take no time, and all others would only repeat
+their children."""
 ENDED: Final = frozenset({NodeStatus.SUCCESS, NodeStatus.FAILURE})
 
 

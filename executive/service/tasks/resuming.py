@@ -36,6 +36,7 @@ _HOW: Final[dict[TaskState, How]] = {
     TaskState.PAUSED: "paused",
     TaskState.CANCELING: "cancel",
 }
+"""How a task is taken up, by the state in which the crash left it."""
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,7 @@ FAR: Final = 30 * 86_400.0
 DOUBT: Final = 7 * 86_400.0
 """Host seconds at work for which old tasks are not deleted after a jump of more than ``FAR``."""
 _BOOT_ID: Final = Path("/proc/sys/kernel/random/boot_id")
+"""Where Linux keeps a name that is new with each start."""
 
 _LOG = logging.getLogger(__name__)
 

@@ -27,6 +27,7 @@ ITEMS: Final = {
     ITEM: Pose(position=(0.5, 0.5, 0.74), orientation=from_axes((0, -1, 0), (0, 0, 1), (-1, 0, 0)))
 }
 SKILL_SECONDS: Final = 0.02
+"""Robot seconds of a mocked skill: not 0, so that a crash may fall into one, and short for many runs."""
 TICK: Final = 0.01
 """Host seconds between two words of the clock."""
 TRUTH: Final = "truth.json"

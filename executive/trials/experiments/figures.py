@@ -14,6 +14,7 @@ from tandem.executive.trials.experiments.run import ExperimentRun
 from tandem.skills.ports.message import Vector3
 
 SIZE: Final = (720, 560)
+"""Pixels: width and height of a figure."""
 MARGIN: Final = (56, 64, 24, 44)
 """Pixels left, above (title and legend), right and below (the axis)."""
 TICK: Final = 0.2
@@ -21,6 +22,7 @@ TICK: Final = 0.2
 COLOURS: Final = {"left": "#2b6cb0", "right": "#c0392b"}
 GREY: Final = "#666"
 TOP: Final = 0.71
+"""Metres: the height of the table's top in the map."""
 TABLE: Final = ((0.44, -0.62, TOP), (1.34, -0.62, TOP), (1.34, 0.62, TOP), (0.44, 0.62, TOP))
 """The corners of the table's top in the map (m)."""
 REACH: Final = 0.95

@@ -28,6 +28,8 @@ RIGHT: Final = 42
 CARTON: Final = 0
 OTHER: Final = 7
 STEP: Final = 0.2
+"""Robot seconds of a period. A larger one would pass over what is short; a smaller one takes more steps for
+the same states."""
 
 _WHERE: Final = ("draw back", "at last")
 Happening = Callable[[MockRobot], None]

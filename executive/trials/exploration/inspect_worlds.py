@@ -18,6 +18,7 @@ from tandem.skills.testing.mock_skill import Fault
 from tandem.trees.inspection import NAME, InspectNotes
 
 SPOTS: Final = 2
+"""The least with which there is a next spot; each more only makes the worlds longer."""
 _NO_WAY: Final = Fault(
     failure=Failure(kind=FailureKind.BASE_NO_PATH, message="in this world there is no way")
 )

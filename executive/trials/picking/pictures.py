@@ -34,6 +34,7 @@ QUALITY: Final = 75
 BAND: Final = 24
 """Pixels below each for its words."""
 LETTERS: Final = 0.42
+"""Scale of OpenCV's font: letters that fit the band, with room above and below."""
 SCENE_COLOURS: Final[Mapping[Known, Vector3]] = {"there": (0.20, 0.75, 0.25), "held": (0.58, 0.22, 0.72)}
 """Green while the item is a thing of the scene, purple while it is attached: the paper's (IV-A)."""
 BESIDE, BEHIND, ABOVE = 0.75, 0.25, 0.95

@@ -40,7 +40,11 @@ WIDE: Final = 0.09
 """Metres of clearance that are as good as any."""
 AVOID, REACH = 1.0, 2.0
 KEPT: Final = 0.1
+"""Of cost, by which the pole of before is cheaper: a twentieth of the way's length, or a tenth of its
+clearance. With less the choice flickers between two ways as good; with more a worse way is kept."""
 WORST: Final = 7.0
+"""Of ``avoid`` at the most, which it is at e^-7 of WIDE, less than 0.1 mm of clearance: nearer is no worse,
+as both touch."""
 SAMPLES: Final = 9
 """Points of each leg at which its clearance is taken."""
 NEAR_END: Final = 0.10

@@ -32,6 +32,8 @@ LAND_WITHIN: Final = 0.15
 """Metres (and LAND_TURN radians) from the goal within which the joints go straight to it, as fast as they can
 and to rest without overshoot: this is why the field is not slow at its end."""
 LAND_TURN: Final = 0.7
+"""About 40 degrees. With more, joints that go straight lead the hand off its straight way; with less the
+field turns the hand itself, at no more than TURN_RATE."""
 LAND_LOOKS: Final = (0.25, 0.5, 0.75, 1.0)
 """Shares of the straight way of the joints at which it must be free for that."""
 TURN_RATE: Final = 2.0

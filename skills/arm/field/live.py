@@ -33,6 +33,7 @@ STANDS: Final = 0.002
 SHIFTED: Final = 0.002
 """Metres by which the base is believed elsewhere before obstacles are placed anew."""
 TURNED: Final = 0.002
+"""Radians, likewise: at an arm's length of a metre it shifts things by as much as SHIFTED."""
 GOAL_AGE: Final = 0.5
 """Robot seconds after which what was told of the other arm's approach is old."""
 

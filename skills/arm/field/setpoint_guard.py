@@ -36,6 +36,9 @@ class Floors:
 
 
 FIELD: Final = Floors(world=0.002, body=0.003, own=0.001, other=0.03)
+"""What the guard keeps while the field leads. Things that stand get millimetres, so that a hand gets between
+them; the other arm, which may move on, gets 3 cm. More closes ways; with less, noise and lag may let things
+touch."""
 DAMPED: Final = Floors(world=0.004, body=0.008, own=0.002, other=0.035)
 """The field's own: its dampers slow the arm down there already, so that the guard seldom has to stop it."""
 PLANNED: Final = Floors(world=-0.002, body=-0.001, own=-0.001, other=0.02)

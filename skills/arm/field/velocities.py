@@ -47,6 +47,7 @@ BRAKE_SHARE: Final = 0.4
 SOFT: Final = 8
 """DAQP's mark of a constraint that may be missed."""
 SOLVED: Final = 0
+"""DAQP's exit flags above it mean a solution; it and those below mean none."""
 
 
 @dataclass(frozen=True)

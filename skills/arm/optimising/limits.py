@@ -13,6 +13,8 @@ from tandem.skills.kinematics.transforms import Array
 ROUNDS: Final = 8
 """Corrections, after which the rest is cut off."""
 NOTHING: Final = 1e-9
+"""Weighed radians beyond a limit that are rounding, not a violation: without it the rounds would go on for
+rounding."""
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,9 @@ SPEED: Final = 6.0
 PUSH: Final = 2.5
 THINGS: Final = 25.0
 PEOPLE: Final = 6.0
+"""Weights of excesses: of motion to the side (m), of speed and acceleration beyond the limits, and of
+clearance that is lacking to things and to people (m). A larger one leaves less of an excess, and more of the
+others: room for people gives way before room for things."""
 HEADING: Final = 0.15
 """For each radian off the wished heading at the end."""
 CALM: Final = 0.2
