@@ -52,6 +52,16 @@ def _read(value: object) -> object:
     return seconds_of(value) if isinstance(value, str) else value
 
 
+def _read_said(value: object) -> object:
+    """Read a text within the bounds of ``Utc``, told as dates to whoever wrote a date."""
+    if not isinstance(value, str):
+        return value
+    seconds = seconds_of(value)
+    if not 0.0 <= seconds <= LATEST:
+        raise ValueError(f"a time from {iso(0.0)} to {iso(LATEST)}")
+    return seconds
+
+
 def _write(value: float, write: object, info: SerializationInfo) -> float | str:  # noqa: ARG001
     return iso(value) if info.context == ISO else value
 
@@ -60,7 +70,7 @@ UtcSeconds = Annotated[float, BeforeValidator(_read), WrapSerializer(_write)]
 """A time of day that we tell."""
 Utc = Annotated[
     float,
-    BeforeValidator(_read),
+    BeforeValidator(_read_said),
     Field(ge=0.0, le=LATEST),
     WrapSerializer(_write),
     WithJsonSchema(

@@ -41,6 +41,12 @@ def test_a_refused_time_says_what_was_expected() -> None:
         seconds_of("2026-11-24T08:30")
 
 
+@pytest.mark.parametrize("said", ["9999-12-31T23:59:59Z", "1969-12-31T23:59:59Z"])
+def test_a_date_out_of_bounds_is_refused_with_dates(said: str) -> None:
+    with pytest.raises(ValidationError, match="a time from 1970-01-01T00:00:00Z to 5138-11-16T09:46:40Z"):
+        Asked.model_validate_json(json.dumps({"at": said}), strict=True)
+
+
 def test_times_are_seconds_on_the_wire_and_iso_for_people() -> None:
     message = Asked(at=1.25)
     assert message.model_dump_json() == '{"at":1.25}'
