@@ -24,6 +24,17 @@ from tests.fakes.ros_link import MemoryLink, MemoryNet
 ROS = 1_700_000_000.0
 """ROS seconds at robot second 0."""
 CMD_VEL: Mapping[str, JsonValue] = {"topic": "/cmd_vel", "type": types.TWIST}
+ODOM = {"topic": "/odom", "type": types.ODOMETRY, "to": "odometry"}
+SONAR = {"topic": "/sonar", "type": types.RANGE, "to": "range"}
+SCAN = {"topic": "/scan", "type": types.LASER_SCAN, "to": "laser", "sensor": "base"}
+TF_POSE = {
+    "topic": "/tf",
+    "type": types.TF,
+    "to": "pose",
+    "sensor": "markers",
+    "parent": "map",
+    "child": "base_link",
+}
 
 
 @dataclass

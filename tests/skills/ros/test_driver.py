@@ -16,20 +16,9 @@ from tandem.skills.ports.pose import FloorPose
 from tandem.skills.ros import types
 from tandem.skills.ros.naming import data_key
 from tandem.skills.ros.wheels import ZEROS_FOR
-from tests.skills.ros.ros_rig import ROS, Rig
+from tests.skills.ros.ros_rig import ODOM, ROS, SCAN, SONAR, TF_POSE, Rig
 
-ODOM = {"topic": "/odom", "type": types.ODOMETRY, "to": "odometry"}
-SONAR = {"topic": "/sonar", "type": types.RANGE, "to": "range"}
 CLIFFS = {"topic": "/cliff", "type": types.RANGE, "to": "cliff"}
-SCAN = {"topic": "/scan", "type": types.LASER_SCAN, "to": "laser", "sensor": "base"}
-TF_POSE = {
-    "topic": "/tf",
-    "type": types.TF,
-    "to": "pose",
-    "sensor": "markers",
-    "parent": "map",
-    "child": "base_link",
-}
 BUMP = {"topic": "/bump", "type": types.BOOL, "to": "bumper", "sensor": "left"}
 AHEAD = BaseVelocity(linear=0.2, angular=-0.1)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import pytest
@@ -13,20 +12,9 @@ from tandem.skills.ports.hearing import Reason
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ros import types
 from tandem.skills.ros.naming import data_key
-from tests.skills.ros.ros_rig import Rig
+from tests.skills.ros.ros_rig import ODOM, SCAN, SONAR, TF_POSE, Rig
 
-ODOM = {"topic": "/odom", "type": types.ODOMETRY, "to": "odometry"}
 POSE = {"topic": "/mocap", "type": types.POSE_STAMPED, "to": "pose", "sensor": "markers"}
-TF = {
-    "topic": "/tf",
-    "type": types.TF,
-    "to": "pose",
-    "sensor": "markers",
-    "parent": "map",
-    "child": "base_link",
-}
-SCAN = {"topic": "/scan", "type": types.LASER_SCAN, "to": "laser", "sensor": "base"}
-SONAR = {"topic": "/sonar", "type": types.RANGE, "to": "range"}
 JOINTS = {"topic": "/j", "type": types.JOINT_STATE, "to": "joints"}
 BAD = (float("nan"), float("inf"), 1e300)
 
@@ -48,18 +36,12 @@ def tf(rig: Rig, value: float) -> None:
     rig.tell("/tf", types.TF, transforms=[rig.transform("map", "base_link", (value, 0.0, 0.0))])
 
 
-def joints(rig: Rig, value: float) -> None:
+def joints(rig: Rig, value: float, velocity: float = 0.0) -> None:
     names = [joint for group in rig.description.groups for joint in group.joints]
+    names += [joint for hand in rig.description.end_effectors for joint in hand.gripper.joints]
     zero = np.zeros(len(names))
-    rig.tell(
-        "/j",
-        types.JOINT_STATE,
-        header=rig.header(),
-        name=names,
-        position=zero + value,
-        velocity=zero,
-        effort=zero,
-    )
+    told = {"position": zero + value, "velocity": zero + velocity, "effort": zero}
+    rig.tell("/j", types.JOINT_STATE, header=rig.header(), name=names, **told)
 
 
 def scan(rig: Rig, value: float, beams: int | None = None) -> None:
@@ -81,23 +63,23 @@ def scan(rig: Rig, value: float, beams: int | None = None) -> None:
 
 
 Told = Callable[[Rig], None]
-HOSTILE: list[tuple[str, dict[str, Any], Told, Reason]] = [
+HOSTILE: list[tuple[str, dict[str, str], Told, Reason]] = [
     *(("p3dx", ODOM, lambda rig, v=v: odometry(rig, v, twist=False), Reason.MISFIT) for v in BAD),
     *(("p3dx", ODOM, lambda rig, v=v: odometry(rig, v, twist=True), Reason.MISFIT) for v in BAD),
     *(("p3dx", POSE, lambda rig, v=v: mocap(rig, v), Reason.MISFIT) for v in BAD),
     ("p3dx", POSE, lambda rig: turned(rig, float("nan")), Reason.MISFIT),
-    *(("p3dx", TF, lambda rig, v=v: tf(rig, v), Reason.MISFIT) for v in BAD),
+    *(("p3dx", TF_POSE, lambda rig, v=v: tf(rig, v), Reason.MISFIT) for v in BAD),
     *(("panda", JOINTS, lambda rig, v=v: joints(rig, v), Reason.MISFIT) for v in BAD),
     *(("tiago_base", SCAN, lambda rig, v=v: scan(rig, v), Reason.MISFIT) for v in BAD[:2]),
     ("tiago_base", SCAN, lambda rig: scan(rig, 0.0, beams=0), Reason.MISFIT),
 ]
 
 
-def raw(rig: Rig, made: dict[str, Any], payload: bytes, told: str = "") -> None:
+def raw(rig: Rig, made: dict[str, str], payload: bytes, told: str = "") -> None:
     rig.net.put(data_key(0, made["topic"], made["type"], told or types.HASHES[made["type"]]), payload)
 
 
-def rig_of(robot: str, *inputs: dict[str, Any]) -> Rig:
+def rig_of(robot: str, *inputs: dict[str, str]) -> Rig:
     made = Rig(robot, inputs, None)
     made.step(0.1)
     return made
@@ -105,7 +87,7 @@ def rig_of(robot: str, *inputs: dict[str, Any]) -> Rig:
 
 @pytest.mark.parametrize(("robot", "made", "tell", "reason"), HOSTILE)
 def test_numbers_that_are_none_are_counted_and_end_nothing(
-    robot: str, made: dict[str, Any], tell: Told, reason: Reason
+    robot: str, made: dict[str, str], tell: Told, reason: Reason
 ) -> None:
     rig = rig_of(robot, made)
     tell(rig)
@@ -113,7 +95,7 @@ def test_numbers_that_are_none_are_counted_and_end_nothing(
     assert rig.bus.ear.refused == {(made["topic"], reason): 1}
 
 
-@pytest.mark.parametrize("made", [ODOM, SCAN, SONAR, TF])
+@pytest.mark.parametrize("made", [ODOM, SCAN, SONAR, TF_POSE])
 @pytest.mark.parametrize(
     ("payload", "told", "reason"),
     [
@@ -125,7 +107,7 @@ def test_numbers_that_are_none_are_counted_and_end_nothing(
     ],
 )
 def test_what_is_no_message_of_the_type_is_counted(
-    made: dict[str, Any], payload: bytes, told: str, reason: Reason
+    made: dict[str, str], payload: bytes, told: str, reason: Reason
 ) -> None:
     rig = rig_of("tiago_base" if made is SCAN else "p3dx", made)
     raw(rig, made, payload, told)
@@ -136,18 +118,7 @@ def test_what_is_no_message_of_the_type_is_counted(
 def test_a_joint_whose_velocity_is_not_measured_is_told_at_rest() -> None:
     rig = rig_of("panda", JOINTS)
     heard = Latest(rig.bus, keys.JOINT_STATES)
-    names = [*(j for g in rig.description.groups for j in g.joints)]
-    names += [j for hand in rig.description.end_effectors for j in hand.gripper.joints]
-    zero = np.zeros(len(names))
-    rig.tell(
-        "/j",
-        types.JOINT_STATE,
-        header=rig.header(),
-        name=names,
-        position=zero,
-        velocity=zero * np.nan,
-        effort=zero,
-    )
+    joints(rig, 0.0, velocity=float("nan"))
     rig.step()
     told = heard.refresh()
     assert told is not None
