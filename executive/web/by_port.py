@@ -1,4 +1,4 @@
-"""Several pages of one process: each robot's has a port of its own: nothing of one reaches another."""
+"""Several pages of one process: each robot's has its own port, so that nothing of one reaches another."""
 
 from __future__ import annotations
 

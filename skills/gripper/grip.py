@@ -219,7 +219,7 @@ class Gripping:
             text = (
                 "did not open all the way"
                 if goal.grip is Grip.OPEN
-                else "stopped before it closed, at nothing"
+                else "stopped before it closed, and presses on nothing"
             )
             return failed(self._failure(FailureKind.GRIPPER_STUCK, text, **evidence))
         if goal.grip is Grip.GRASP and not full:
@@ -232,7 +232,7 @@ class Gripping:
         return succeeded(result)
 
     def _stuck(self, goal: GripGoal) -> bool:
-        """Say whether the pads stand where they were not told to, and nothing is there that holds them."""
+        """Say whether the pads stand short of open, or apart though nothing that is expected holds them."""
         state = self._now()
         match goal.grip:
             case Grip.OPEN:

@@ -11,6 +11,7 @@ import pytest
 from pydantic import Field
 
 from tandem.skills.ports.endpoint import Call, Refusal, answering, endpoint
+from tandem.skills.ports.hearing import Reason
 from tandem.skills.ports.keys import Nothing, Service
 from tandem.skills.ports.limits import Limits, Rates
 from tandem.skills.ports.message import Message
@@ -238,6 +239,9 @@ def test_what_is_put_is_checked_as_what_is_asked(room: Room) -> None:
         room.bus.publish("a/push", document)
     room.endpoints.step()
     assert room.pushed == [Push(by="me")]
+    assert room.bus.ear.refused == {("a/push", Reason.MALFORMED): 2}, (
+        "nobody waits for an answer that says so"
+    )
 
 
 def test_closed_it_answers_nobody(room: Room) -> None:
