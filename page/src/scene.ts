@@ -95,6 +95,7 @@ export class RobotScene {
     this.box.dataset.frames = String(this.frames);
     if (this.whole) this.box.dataset.robot = "loaded";
     this.box.dataset.shapes = String(this.renderer.info.memory.geometries);
+    this.box.dataset.latest = String(!this.dirty); // names are as of now; the picture is as of when it was begun
   }
 
   close() {
@@ -116,6 +117,7 @@ export class RobotScene {
 
   touch() {
     this.dirty = true;
+    this.box.dataset.latest = "false";
   }
 
   private paint = () => {
