@@ -184,7 +184,7 @@ class Executive:
         if self._whereabouts is not None:
             running = None if self._current is None else self.book.get(self._current.task)
             follows = None if self._current is None else self._current.follows
-            self._whereabouts.step(self.knowledge.robot, running, follows)
+            self._whereabouts.step(self.knowledge.robot, running, follows, self.knowledge.description)
         next_one = self._current is None and self.book.next() is not None and self._orphans.none
         return self._intake.unread or more or next_one
 

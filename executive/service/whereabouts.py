@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tandem.skills.ports.whereabouts import EVERY, Following, RobotWhereabouts, whereabouts
+from tandem.skills.ports.whereabouts import EVERY, LARGEST, Following, RobotWhereabouts, whereabouts
 
 if TYPE_CHECKING:
     from tandem.skills.ports.bus import Commons
     from tandem.skills.ports.clocks import Clocks
+    from tandem.skills.ports.robot_description import RobotDescription
     from tandem.skills.ports.tasks import TaskStatus
     from tandem.skills.ports.world import RobotPose
 
@@ -30,7 +31,11 @@ class Whereabouts:
         self._told_at = float("-inf")
 
     def step(
-        self, pose: RobotPose | None, status: TaskStatus | None, follows: Following | None = None
+        self,
+        pose: RobotPose | None,
+        status: TaskStatus | None,
+        follows: Following | None = None,
+        description: RobotDescription | None = None,
     ) -> None:
         """Tell, if it is time to.
 
@@ -38,6 +43,7 @@ class Whereabouts:
             pose: the robot's, as far as it is known.
             status: of the task that runs.
             follows: whom that task follows.
+            description: the robot's, once it is known: others are told how large it is.
         """
         now = self._clocks.passed()
         if now - self._told_at < EVERY - 1e-9:
@@ -52,6 +58,8 @@ class Whereabouts:
             kind="" if status is None else status.kind,
             phase="" if status is None else status.progress.phase[:200],
             follows=follows,
+            radius=None if description is None else min(description.footprint_radius, LARGEST),
+            height=None if description is None else min(description.height, LARGEST),
         )
         self._topic.publish(self._commons, told)
         self._sequence += 1

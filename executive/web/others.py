@@ -51,5 +51,6 @@ def _plain(told: RobotWhereabouts, age: float) -> JsonValue:
         "task": told.task,
         "kind": told.kind,
         "phase": told.phase,
+        "size": [told.radius, told.height],
         "silent": age > SILENT_AFTER,
     }

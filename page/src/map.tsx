@@ -3,7 +3,7 @@ import { useMemo } from "preact/hooks";
 import { may, who } from "./acting";
 import { useKinds, useRobot, useSite, type Kinds } from "./loading";
 import { go } from "./route";
-import { useLive } from "./state";
+import { RADIUS, useLive } from "./state";
 import type { Site } from "./types";
 import { Others } from "./others";
 import { KeyedList } from "./keyed";
@@ -20,7 +20,7 @@ export function Map({ url }: { url: URL }) {
   if (!site.value) return <p class="quiet">{site.error || "Loading the place…"}</p>;
   return (
     <div class="map">
-      <Room site={site.value} chosen={chosen} radius={robot.value?.footprint_radius ?? 0.27} />
+      <Room site={site.value} chosen={chosen} radius={robot.value?.footprint_radius ?? RADIUS} />
       <div class="side">
         <Offers site={site.value} kinds={kinds.value} chosen={chosen} />
         <Believed site={site.value} />
@@ -81,8 +81,8 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
       })}
       {Object.entries(robots).map(([name, told]) => told.at && (
         <g key={name} class={`other ${told.silent ? "lost" : ""}`} transform={turned(...told.at)} aria-label={`robot ${name}`}>
-          <circle r={radius} /><path d={`M${radius * 0.45} ${-radius * 0.4} L${radius * 0.92} 0 L${radius * 0.45} ${radius * 0.4} Z`} />
-          <text transform={`rotate(${(told.at[2] * 180) / Math.PI})`} y={-radius - 0.06}>{name}</text>
+          <Base radius={told.size?.[0] ?? RADIUS} />
+          <text transform={`rotate(${(told.at[2] * 180) / Math.PI})`} y={-(told.size?.[0] ?? RADIUS) - 0.06}>{name}</text>
         </g>
       ))}
       {Object.entries(people).map(([id, [x, y, vx, vy, size]]) => (
@@ -92,13 +92,21 @@ function Room({ site, chosen, radius }: { site: Site; chosen: Chosen; radius: nu
       ))}
       {pose && (
         <g class={`me ${pose.localised ? "" : "lost"}`} transform={turned(pose.x, pose.y, pose.yaw)}>
-          <circle r={radius} /><path d={`M${radius * 0.45} ${-radius * 0.4} L${radius * 0.92} 0 L${radius * 0.45} ${radius * 0.4} Z`} />
+          <Base radius={radius} />
         </g>
       )}
       {chosen.x && chosen.y && <path class="mark" transform={`translate(${Number(chosen.x)} ${-Number(chosen.y)})`} d="M-0.12 0 H0.12 M0 -0.12 V0.12" />}
     </svg>
   );
 }
+
+// A base from above, and where it looks.
+const Base = ({ radius }: { radius: number }) => (
+  <>
+    <circle r={radius} />
+    <path d={`M${radius * 0.45} ${-radius * 0.4} L${radius * 0.92} 0 L${radius * 0.45} ${radius * 0.4} Z`} />
+  </>
+);
 
 const mean = (values: number[]) => values.reduce((sum, each) => sum + each, 0) / values.length;
 const turned = (x: number, y: number, yaw: number) => `translate(${x} ${-y}) rotate(${(-yaw * 180) / Math.PI})`;

@@ -6,7 +6,7 @@ import URDFLoader, { type URDFRobot } from "urdf-loader";
 import { cubes } from "./cubes";
 import { Drawing } from "./drawing";
 import { label, spread, write } from "./labels";
-import type { Live } from "./state";
+import { type Live, RADIUS } from "./state";
 import type { Box, RobotDescription, Site } from "./types";
 import { named } from "./words";
 
@@ -253,7 +253,7 @@ export class RobotScene {
     this.touch();
   }
 
-  // Of another robot only its place is told: a drum with its name, and a nose that says where it looks.
+  // Of another robot its place and its size are told: a drum with its name, and a nose that says where it looks.
   private placeOthers(robots: Live["robots"], trails: Live["trails"]) {
     discard(this.others, this.gone);
     this.others.clear();
@@ -263,16 +263,17 @@ export class RobotScene {
       line.computeLineDistances();
       this.others.add(line);
     }
-    for (const [name, { at, silent }] of Object.entries(robots)) {
+    for (const [name, { at, silent, size }] of Object.entries(robots)) {
       if (!at) continue;
       const colour = new THREE.MeshLambertMaterial({ color: OTHER, transparent: true, opacity: silent ? 0.3 : 0.75 });
-      const drum = new THREE.Mesh(new THREE.CylinderGeometry(0.27, 0.27, 0.5, 32), colour);
+      const [radius, height] = [size?.[0] ?? RADIUS, size?.[1] ?? 0.5];
+      const drum = new THREE.Mesh(new THREE.CylinderGeometry(radius, radius, height, 32), colour);
       const nose = new THREE.Mesh(new THREE.BoxGeometry(0.2, 0.06, 0.06), colour);
       drum.rotation.x = Math.PI / 2;
-      drum.position.z = 0.25;
-      nose.position.set(0.3, 0, 0.4);
+      drum.position.z = height / 2;
+      nose.position.set(radius + 0.05, 0, height * 0.75);
       const robot = new THREE.Group();
-      robot.add(drum, nose, label(silent ? `${name} · silent` : name, silent ? "old" : "item", 0, 0, 0.65));
+      robot.add(drum, nose, label(silent ? `${name} · silent` : name, silent ? "old" : "item", 0, 0, height + 0.2));
       robot.position.set(at[0], at[1], 0);
       robot.rotation.z = at[2];
       this.others.add(robot);

@@ -33,6 +33,11 @@ class Following(Message):
     """Metres between the two centres that it keeps."""
 
 
+LARGEST: Final = 10.0
+"""Metres: no robot that drives about is larger, and one that says so would hide the rest of a map."""
+Extent = Annotated[float, Field(gt=0.0, le=LARGEST)]
+
+
 class RobotWhereabouts(Message):
     """Where a robot believes that it is, and what it does; owner: its executive."""
 
@@ -52,6 +57,10 @@ class RobotWhereabouts(Message):
     """Of that task."""
     follows: Following | None = None
     """Whom that task follows, if anybody."""
+    radius: Extent | None = None
+    """Metres: no part of it in its driving posture is farther from the base's axis. None: not known yet."""
+    height: Extent | None = None
+    """Metres above the floor that it reaches. None: not known yet."""
 
 
 def whereabouts(robot: str) -> Topic[RobotWhereabouts]:

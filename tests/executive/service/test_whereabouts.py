@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
 from surroundings import WAIT, Surroundings
 
-from tandem.skills.ports.whereabouts import Following, Neighbours
+from tandem.executive.service.whereabouts import Whereabouts
+from tandem.skills.ports.whereabouts import LARGEST, Following, Neighbours
+from tandem.skills.testing.mock_description import mock_description
 
 LEADER = Following(robot="r1", distance=1.0)
 
@@ -35,3 +38,17 @@ def test_a_task_that_follows_nobody_tells_nobody() -> None:
     neighbours = Neighbours(here.commons, here.clocks, "r1")
     here.ask({"task": "wait", "item": 1})
     assert told(here, neighbours) == ("wait", None)
+
+
+@pytest.mark.parametrize(
+    ("radius", "height", "heard"), [(0.18, 0.62, (0.18, 0.62)), (30.0, 0.62, (LARGEST, 0.62))]
+)
+def test_a_robot_tells_how_large_it_is(radius: float, height: float, heard: tuple[float, float]) -> None:
+    here = Surroundings()
+    neighbours = Neighbours(here.commons, here.clocks, "r1")
+    description = mock_description().model_copy(update={"footprint_radius": radius, "height": height})
+    Whereabouts(here.commons, here.clocks, "robot", "s").step(None, None, description=description)
+    neighbours.refresh()
+    robot = neighbours.of("robot")
+    assert robot is not None
+    assert (robot.told.radius, robot.told.height) == heard

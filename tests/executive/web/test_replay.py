@@ -96,7 +96,14 @@ def test_other_robots_are_where_they_were_and_grow_old_by_the_record_s_time(tmp_
         feed.poll()
         return feed.whole()["robots"]
 
-    there = {"at": [1.0, 0.5, 0.0], "task": "", "kind": "follow", "phase": "", "silent": False}
+    there = {
+        "at": [1.0, 0.5, 0.0],
+        "task": "",
+        "kind": "follow",
+        "phase": "",
+        "size": [None, None],
+        "silent": False,
+    }
     assert robots() == {"r3": there}
     host.advance(60.0)  # as it stands
     assert robots() == {"r3": there}

@@ -549,10 +549,12 @@ def test_the_other_robots_of_the_site_are_on_the_map(page: Page, robot: FakeRobo
     page.goto("/map")
     expect(page.locator(".link")).to_contain_text("nothing heard")
     told = RobotWhereabouts(
-        name="r2", start="s", sequence=1, base_in_map=HERE, kind="patrol", phase="corner 2"
-    )
+        name="r2", start="s", sequence=1, base_in_map=HERE, kind="patrol", phase="corner 2",
+        radius=0.38, height=0.39,
+    )  # fmt: skip
     robot.tell_site("r2", told)
     expect(page.get_by_label("robot r2")).to_contain_text("r2")
+    expect(page.get_by_label("robot r2").locator("circle")).to_have_attribute("r", "0.38")
     expect(page.locator(".others li")).to_have_text("r2 patrol: corner 2 · at 0.30, 0.20")
     expect(page.get_by_role("link", name="r2")).to_have_attribute("href", "https://r2.example/")
     page.get_by_role("link", name="Now").click()
