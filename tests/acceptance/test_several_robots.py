@@ -18,6 +18,7 @@ from tandem.executive.config.run_options import RunOptions
 from tandem.executive.security.authority import Wanted, begin, issue
 from tandem.executive.security.identity import Identity
 from tandem.executive.system.process_system import ProcessSystem
+from tandem.executive.system.processes import RESTARTS
 from tandem.executive.system.systems import RobotSystem
 from tandem.executive.trials.demo import Caller
 from tandem.sim.scenario import Scenario
@@ -116,3 +117,19 @@ def test_each_robot_has_processes_of_its_own_and_outlives_the_other(tmp_path: Pa
         assert not stopped(stops["r3"])
         assert has_moved(caller, "r1", TRIO.placed[1].start)
         assert not has_moved(caller, "r2", TRIO.placed[0].start)
+
+
+def test_robots_go_on_without_a_page_whose_process_dies_too_often(tmp_path: Path) -> None:
+    said, page = list[str](), "r2/web"
+    web = f"127.0.0.1:{free_pair()}"
+    options = RunOptions(bus=own_bus(), scenario=written(TRIO, tmp_path), data=tmp_path / "data", web=web)
+    with ProcessSystem(options, say=said.append) as system:
+        others = {name: process for name, process in system.pids().items() if name != page}
+        for _ in range(RESTARTS):
+            dead = system.pids()[page]
+            kill(dead)
+            go_on(system, partial(replaced, system, page, dead), within=20.0)
+        kill(system.pids()[page])
+        go_on(system, lambda: page not in system.pids(), within=20.0)
+        assert said[-1] == "the r2/web process ended (signal 9) too often; there is no page from now on"
+        assert system.pids() == others

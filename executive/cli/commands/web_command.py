@@ -107,12 +107,12 @@ def web(
         host, port = checked_address(at, secure=bus.keys is not None)
         secure, places = None, {bus.robot: (host, port)}
         if not is_loopback(host):
-            secure = _secured(bus, name or host, port, certificate, private_key)
             if also:
                 raise CommandError(
                     "--also: beyond this host one page has one address, for which its log-ins are; run "
                     "`tandem web` once for each robot, and name the other's address with --page"
                 )
+            secure = _secured(bus, name or host, port, certificate, private_key)
         else:
             places = addresses_of(at, tuple(dict.fromkeys((bus.robot, *(also or ())))))
         with Connection(bus) as connection:  # says who is not there, or whose key is not

@@ -6,15 +6,47 @@ import json
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 from urllib.request import urlopen
 
 import pytest
 
 from tandem.executive.cli.main import main
-from tests.fakes.ports import free_endpoint
+from tests.fakes.ports import free_endpoint, free_pair
 
 PROGRAM = "import sys; from tandem.executive.cli.start import run; sys.exit(run())"
+
+
+@contextmanager
+def told(words: list[str]) -> Iterator[Iterator[str]]:
+    """Give the lines that a command prints, and end it afterwards."""
+    with subprocess.Popen(
+        [sys.executable, "-c", PROGRAM, *words], stdout=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stdout is not None
+        try:
+            yield iter(process.stdout)
+        finally:
+            process.terminate()
+
+
+def session_at(address: str) -> dict[str, Any]:
+    session: dict[str, Any] = json.loads(urlopen(f"{address}api/session").read())  # noqa: S310 - our own address
+    return session
+
+
+def assert_two_pages(lines: Iterator[str], line: str) -> None:
+    """Each of r2 and r3 has a page at the address that is printed, which links to the other's."""
+    found = dict(next(match.groups() for each in lines if (match := re.search(line, each))) for _ in range(2))
+    sessions = {robot: session_at(address) for robot, address in found.items()}
+    assert {robot: each["robot"] for robot, each in sessions.items()} == {"r2": "r2", "r3": "r3"}
+    assert {robot: each["pages"] for robot, each in sessions.items()} == {
+        "r2": {"r3": found["r3"]},
+        "r3": {"r2": found["r2"]},
+    }
 
 
 @pytest.mark.parametrize(
@@ -24,6 +56,7 @@ PROGRAM = "import sys; from tandem.executive.cli.start import run; sys.exit(run(
         (["web", "--at", "0.0.0.0:8447", "--keys", "nowhere"], 2, "say with --name"),
         (["web", "--at", "192.168.1.5:0", "--keys", "nowhere"], 2, "a port that is known before"),
         (["web", "--at", "192.168.1.5:8447", "--keys", "nowhere"], 2, "nowhere"),
+        (["web", "--at", "192.168.1.5:8447", "--keys", "nowhere", "--also", "r3"], 2, "once for each robot"),
         (["keys", "link", "anna", "--page", "http://robot:8447"], 2, "an address such as https://"),
         (["keys", "link", "anna", "--page", "https://robot:8447", "--folder", "nowhere"], 2, "no such file"),
         (["web", "--record", "pyproject.toml"], 2, "expected a record of Tandem"),
@@ -48,31 +81,20 @@ def test_what_can_not_be_is_said(
 def test_up_starts_the_page_and_says_where_it_is(tmp_path: Path) -> None:
     endpoint, at = free_endpoint(), free_endpoint().removeprefix("tcp/")
     options = ["--only", "router", "--connect", endpoint, "--data", str(tmp_path), "--web", "--web-at", at]
-    words = [sys.executable, "-c", PROGRAM, "up", *options]
-    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as process:
-        assert process.stdout is not None
-        try:
-            told = next(line for line in process.stdout if "the page:" in line)
-            address = re.findall(r"http://\S+", told)[0]
-            session = json.loads(urlopen(f"{address}api/session").read())  # noqa: S310 - our own address
-        finally:
-            process.terminate()
+    with told(["up", *options]) as lines:
+        session = session_at(
+            next(re.findall(r"http://\S+", line)[0] for line in lines if "the page:" in line)
+        )
     assert (session["robot"], session["role"]) == ("tiago", "operator")
 
 
 @pytest.mark.processes
 @pytest.mark.xdist_group("processes")
 def test_each_of_several_robots_has_a_page_that_links_to_the_others(tmp_path: Path) -> None:
-    endpoint, at = free_endpoint(), free_endpoint().removeprefix("tcp/")
-    options = ["--only", "router", "--connect", endpoint, "--data", str(tmp_path), "--web-at", at]
-    words = [sys.executable, "-c", PROGRAM, "up", "--scenario", "Rocs3", *options]
-    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as process:
-        assert process.stdout is not None
-        try:
-            lines = (line for line in process.stdout if "the page of" in line)
-            found = [re.findall(r"of (\w+): (http://\S+)", next(lines))[0] for _ in range(2)]
-            told = {robot: json.loads(urlopen(f"{address}api/session").read()) for robot, address in found}  # noqa: S310 - our own
-        finally:
-            process.terminate()
-    assert {robot: each["robot"] for robot, each in told.items()} == {"r2": "r2", "r3": "r3"}
-    assert told["r2"]["pages"] == {"r3": dict(found)["r3"]}
+    endpoint, at = free_endpoint(), f"127.0.0.1:{free_pair()}"
+    up = ["--only", "router", "--connect", endpoint, "--data", str(tmp_path)]
+    with told(["up", "--scenario", "Rocs3", *up, "--web-at", at]) as lines:
+        assert_two_pages(lines, r"the page of (\w+): (http://\S+)")
+        robots = ["--site-key", "rocs", "--robot", "r2", "--also", "r3"]
+        with told(["web", "--connect", endpoint, *robots, "--at", "127.0.0.1:0"]) as others:
+            assert_two_pages(others, r"the page of rocs/(\w+) is at (http://\S+)")
