@@ -45,19 +45,27 @@ class Pipeline:
         """Claims there have been: a reflex sees by it that another goal has begun."""
         self._taken = 0
         self._last: Override | None = None
+        self._ends: Callable[[], None] = _nothing
 
-    def claim(self, action: str) -> bool:
-        """Take it at normal priority; False while another action, or a reflex, has it."""
+    def claim(self, action: str, ends: Callable[[], None] | None = None) -> bool:
+        """Take it at normal priority; False while another action, or a reflex, has it.
+
+        Args:
+            action: what takes it.
+            ends: brings to rest what the action moves. Called when a reflex takes the resource, before the
+                reflex commands anything; without it, what the action still sends must go nowhere
+                (``normal``).
+        """
         if self.override is not None or self.holder not in {"", action}:
             return False
-        self.holder = action
+        self.holder, self._ends = action, ends or _nothing
         self.claims += 1
         return True
 
     def release(self, action: str) -> None:
         """Give it back; nothing happens when the action has it no more."""
         if self.holder == action:
-            self.holder, self.doing = "", ()
+            self.holder, self.doing, self._ends = "", (), _nothing
 
     def yields_to(self, reflex: str, rank: int) -> bool:
         """Say whether a reflex of that rank may take it."""
@@ -67,9 +75,11 @@ class Pipeline:
         """Take it at high priority, from whoever has it; only ``take_all`` calls this."""
         if self.holder:
             self.overridden += 1
+        ends, self._ends = self._ends, _nothing
         self.holder, self.doing = "", ()
         self.override = self._last = override
         self._taken += 1
+        ends()
 
     def let_go(self, reflex: str) -> None:
         """Give it back to the tree; nothing happens when another reflex has it by now."""
@@ -122,6 +132,10 @@ class Pipeline:
                 kind=FailureKind.BUSY, message=f"{self.holder} has the {self.resource}", where=where
             )
         return None
+
+
+def _nothing() -> None:
+    """End nothing."""
 
 
 def take_all(pipelines: Sequence[Pipeline], override: Override) -> bool:

@@ -148,7 +148,8 @@ def chosen(
         resources: what may be taken.
         settings: what the robot's description and the site's file declare, each with what to call the place;
             later ones win.
-        elsewhere: names that may be declared though no such reflex is among ``types``: plug-ins left out.
+        elsewhere: names that may be declared though no such reflex is among ``types``: other owners', and of
+            plug-ins that are left out.
 
     Raises:
         DocumentError: an unknown reflex, parameters that contradict each other, a resource or a sensor that
@@ -157,7 +158,8 @@ def chosen(
     known = [each.name for each in types]
     for where, told in settings:
         if told.reflex not in known and told.reflex not in elsewhere:
-            raise DocumentError(f"{where}: no reflex {told.reflex!r}; expected one of {', '.join(known)}")
+            expected = ", ".join([*known, *sorted({*elsewhere} - {*known})])
+            raise DocumentError(f"{where}: no reflex {told.reflex!r}; expected one of {expected}")
     found = []
     for each in types:
         declared = [(where, told) for where, told in settings if told.reflex == each.name]

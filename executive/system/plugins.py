@@ -52,7 +52,7 @@ def _detectors(left_out: Mapping[str, str]) -> Loaded[object]:
 
 
 def _reflexes(left_out: Mapping[str, str]) -> Loaded[object]:
-    from tandem.skills.base.reflexes.registry import plugged  # noqa: PLC0415
+    from tandem.skills.reflex_owners import plugged  # noqa: PLC0415
 
     return plugged(left_out)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from tandem.skills.arm.doubt import Doubt
 from tandem.skills.arm.field.approach import Approach
@@ -11,8 +11,10 @@ from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm
 from tandem.skills.arm.status import ArmStatusBoard
 from tandem.skills.arm.survey import Survey
+from tandem.skills.claimed import Claimed
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.pipeline import Pipeline
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.compute import Compute
@@ -32,6 +34,7 @@ def nodes(
     seed: int = 0,
     charge: bool = False,
     compute: Compute | None = None,
+    pipelines: Mapping[str, Pipeline] | None = None,
 ) -> tuple[Node, ...]:
     """Return the state boards and the servers of the groups.
 
@@ -47,6 +50,7 @@ def nodes(
         seed: seeds the plans, with the goals' ids.
         charge: make a computation's slices cost their declared robot time (lockstep).
         compute: plans what can't be sliced (AORRTC); without one it is done in place, in one long step.
+        pipelines: of the groups, by name; a group that has none here gets one that no reflex takes.
 
     Raises:
         KeyError: for a group that the robot does not have.
@@ -58,11 +62,14 @@ def nodes(
         field = settings is not None and settings.field and not charge
         arm = Arm(bodies, description, name, field=field)
         board = ArmStatusBoard(bus, clocks, arm)
-        doubt = Doubt()
+        doubt, pipeline = Doubt(), (pipelines or {}).get(name) or Pipeline(name)
         skill = Move(
             bus, clocks, arm, board, settings or PlannerSettings(), seed=seed, compute=compute, doubt=doubt
         )
-        made += [board, ActionServer(bus, clocks, skill, charge=charge)]
+        made += [
+            board,
+            ActionServer(bus, clocks, Claimed(skill, pipeline), charge=charge, pipelines=(pipeline,)),
+        ]
         if arm.hand is not None:
             look = Survey(bus, clocks, arm, settings or PlannerSettings(), seed)
             made.append(ActionServer(bus, clocks, look, charge=charge))
@@ -76,5 +83,7 @@ def nodes(
                 compute=compute,
                 doubt=doubt,
             )
-            made.append(ActionServer(bus, clocks, near, charge=charge))
+            made.append(
+                ActionServer(bus, clocks, Claimed(near, pipeline), charge=charge, pipelines=(pipeline,))
+            )
     return tuple(made)

@@ -21,7 +21,7 @@ from tandem.skills.base.occupied import OccupiedFloor
 from tandem.skills.base.people.caution import Caution
 from tandem.skills.base.people.tracker import Tracker
 from tandem.skills.base.pose_filter import PoseTracker
-from tandem.skills.base.reflexes.registry import SHIPPED, BaseReflex, chosen_for, reflexes
+from tandem.skills.base.reflexes.registry import OWNER, BaseReflex
 from tandem.skills.base.reflexes.surroundings import BaseSurroundings
 from tandem.skills.base.rotate import Rotate
 from tandem.skills.base.sights import Sights
@@ -65,7 +65,7 @@ def assemble(
     clocks: Clocks,
     description: RobotDescription,
     site: Site,
-    types: Sequence[BaseReflex] = tuple(SHIPPED.values()),
+    types: Sequence[BaseReflex] = tuple(OWNER.shipped.values()),
 ) -> Base:
     """Return the parts, wired to each other. Takes some 0.2 s: the map is worked out."""
     site_map = build_map(site, description)
@@ -128,7 +128,7 @@ def build(
         left_out: plug-ins that are known not to load; None: all plug-ins are left out.
         neighbours: what the other robots of the site tell of themselves; None: there are none.
     """
-    types = reflexes(left_out)
+    types = OWNER.types(left_out)
     if description.drive is None:
         return [FixedBase(bus, clocks, site.home)]
     if not description.lasers:
@@ -199,5 +199,5 @@ def _cliffs(bus: Bus, clocks: Clocks, description: RobotDescription, monitor: Wh
 
 
 def _fitted(types: Sequence[BaseReflex], around: BaseSurroundings, site: Site) -> list[Fitted]:
-    choice = chosen_for(types, around.description, site, f"site {site.name}")
+    choice = OWNER.chosen_for(types, around.description, site, f"site {site.name}")
     return fitted(choice, around, {BASE: around.board.pipeline})

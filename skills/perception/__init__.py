@@ -1,6 +1,6 @@
 """See: tags, clutter and where the camera is. The only home of OpenCV among the skills.
 
-Skills: look, track, turn_head, snapshot, process.
+Skills: look, track, turn_head, snapshot, process; head_reflexes.
 Occupied space: mapper, occupancy.
 A run: session, eye, camera, camera_frames, head, head_view, ramp, blind.
 Where to look: aim, cover, gaze.

@@ -1,6 +1,6 @@
 """Pipelines and reflexes on the wire: who has a resource of the robot, and which reflex is switched off.
 
-A resource is what one owner commands: the base, an arm with its hand, the head. Its pipeline has two
+A resource is what one goal at a time commands: the base, an arm, its hand, the head. Its pipeline has two
 priorities (RoCS paper, 4.2 and 5.1): goals of the tree are normal, reflexes are high.
 """
 
@@ -17,6 +17,15 @@ from tandem.skills.ports.reflex_setting import ReflexName
 
 BASE: Final = "base"
 """The resource of whoever drives."""
+ARM: Final = "arm"
+"""In a reflex's file, any of the robot's arms: one reflex of each, on the pipeline of the arm's group."""
+HAND: Final = "hand"
+"""In a reflex's file, the hand of that arm: on the pipeline ``gripper_<side>``. An arm and its hand have one
+owner, which is why a reflex may take both."""
+HEAD: Final = "head"
+"""The resource of whoever looks."""
+OWNED: Final = ((BASE,), (ARM, HAND), (HEAD,))
+"""What one process owns, in the words of reflexes' files. A reflex takes its resources beside their owner."""
 
 
 class PipelineState(Message):
@@ -72,6 +81,11 @@ def before_off(state: ReflexState) -> str:
         return ""
     lasts = "It stays off until somebody switches it on, or its process starts anew."
     return f"It protects {state.protects}. {lasts}"
+
+
+def hand_resource(side: str) -> str:
+    """Return the name of a hand's pipeline."""
+    return f"gripper_{side}"
 
 
 def pipeline_state(resource: str) -> Topic[PipelineState]:

@@ -1,4 +1,4 @@
-"""An arm with its gripper: planning, motion, and the watch over what the hand holds."""
+"""An arm with its gripper: planning, motion, their reflexes, and the watch over what the hand holds."""
 
 from __future__ import annotations
 
@@ -15,13 +15,21 @@ from tandem.skills.ports.robot_description import RobotDescription
 def _nodes(side: HandName, at: Surroundings) -> Sequence[Node]:
     from tandem.skills.arm.planning.settings import PlannerSettings  # noqa: PLC0415
     from tandem.skills.arm.process import nodes as arm_nodes  # noqa: PLC0415
+    from tandem.skills.arm.reflexes.registry import OWNER  # noqa: PLC0415
     from tandem.skills.gripper.process import nodes as gripper_nodes  # noqa: PLC0415
     from tandem.skills.kinematics.described import check_reach, load_hulls  # noqa: PLC0415
+    from tandem.skills.limbs import Limb, arm  # noqa: PLC0415
+    from tandem.skills.ports.reflex import ARM, HAND  # noqa: PLC0415
 
     hulls = load_hulls(at.description, at.seed)
     check_reach(at.description, hulls)
     group = at.description.end_effector(side).group
+    choice = OWNER.chosen_for(
+        OWNER.types(at.left_out), at.description, at.site, f"site {at.site.name}", part=side
+    )
+    limb = Limb(arm(at.bus, at.clocks, at.description, side), choice)
     return [
+        limb,
         *arm_nodes(
             at.bus,
             at.clocks,
@@ -32,8 +40,11 @@ def _nodes(side: HandName, at: Surroundings) -> Sequence[Node]:
             seed=at.seed,
             charge=at.charge,
             compute=at.compute,
+            pipelines={group: limb.pipeline(ARM)},
         ),
-        *gripper_nodes(at.bus, at.clocks, at.description, side, charge=at.charge),
+        *gripper_nodes(
+            at.bus, at.clocks, at.description, side, charge=at.charge, pipeline=limb.pipeline(HAND)
+        ),
     ]
 
 

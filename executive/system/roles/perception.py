@@ -25,6 +25,7 @@ def _nodes(at: Surroundings) -> Sequence[Node]:
         detectors=seen_by,
         charge=at.charge,
         map_file=at.map_file,
+        left_out=at.left_out,
     )
 
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from tandem.skills.base.reflexes.registry import SHIPPED, plugged, reflexes
+from tandem.skills.arm.reflexes.registry import OWNER as ARMS
+from tandem.skills.base.reflexes.registry import OWNER
 from tandem.skills.ports.actions.base import GO, GoGoal
+from tandem.skills.reflex_owners import plugged
 from tests.fakes.packages import Installed
 from tests.fakes.sonar_rig import SonarRig
 
 SOURCE = """
-from tandem.api.reflexes import BASE, BaseSurroundings, Failure, FailureKind, Message, ReflexType
+from tandem.api.reflexes import ARM, BASE, HAND, BaseSurroundings, Failure, FailureKind, Message, ReflexType
 
 
 class Nothing(Message):
@@ -41,14 +43,17 @@ def made(name, resources):
     )
 
 
-FENCE, ARM = made("fence", (BASE,)), made("arm", ("arm_left",))
+FENCE, SQUEEZE = made("fence", (BASE,)), made("squeeze", (HAND, ARM))
+ARM_LEFT, BOTH = made("arm_left", ("arm_left",)), made("both", (BASE, ARM))
 """
 
 
 def install(installed: Installed) -> None:
     entries = {
         "fence": "fences:FENCE",
-        "arm": "fences:ARM",
+        "squeeze": "fences:SQUEEZE",
+        "arm_left": "fences:ARM_LEFT",
+        "both": "fences:BOTH",
         "other": "fences:FENCE",
         "thing": "fences:Nothing",
         "bumper": "fences:FENCE",
@@ -69,7 +74,8 @@ def test_one_of_another_package_takes_the_wheels(installed: Installed) -> None:
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("arm", "expected the resource 'base'"),
+        ("arm_left", "expected resources of one owner (base, or arm and hand, or head)"),
+        ("both", "expected resources of one owner"),
         ("other", "expected one name"),
         ("thing", "expected a ReflexType"),
         ("bumper", "taken"),
@@ -81,7 +87,8 @@ def test_what_is_wrong_with_one_is_said(installed: Installed, name: str, said: s
     assert said in broken.error
 
 
-def test_without_plug_ins_there_are_those_that_come_along(installed: Installed) -> None:
+def test_each_owner_has_its_own_and_those_that_come_along(installed: Installed) -> None:
     install(installed)
-    assert [each.name for each in reflexes(None)] == list(SHIPPED)
-    assert [each.name for each in reflexes()] == [*SHIPPED, "fence"]
+    assert [each.name for each in OWNER.types(None)] == list(OWNER.shipped)
+    assert [each.name for each in OWNER.types()] == [*OWNER.shipped, "fence"]
+    assert [each.name for each in ARMS.types()] == [*ARMS.shipped, "squeeze"]

@@ -1,0 +1,1 @@
+"""The reflexes of arms and hands, a file each."""
