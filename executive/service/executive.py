@@ -41,7 +41,7 @@ from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.site import Site
-from tandem.skills.ports.tasks import CancelTask, ExecutiveInfo, TaskState
+from tandem.skills.ports.tasks import CancelTask, ExecutiveInfo, TaskState, TaskStatus
 from tandem.skills.ports.whereabouts import Neighbours
 from tandem.trees.clients import Clients
 from tandem.trees.knowledge import Knowledge
@@ -112,7 +112,14 @@ class Executive:
         self._current: CurrentTask | None = None
         self._publisher = Publisher(bus, clocks, self.book, self._ledger)
         self._intake = Intake(
-            bus, clocks, self.book, self._kinds, site, robot=lambda: self.knowledge.description, bounds=bounds
+            bus,
+            clocks,
+            self.book,
+            self._kinds,
+            site,
+            robot=lambda: self.knowledge.description,
+            begin=self._begin_at_once,
+            bounds=bounds,
         )
         self._control = Control(self.book, clocks, lambda: self._current, self._publisher.tell)
         self._control.changed = self._changed_by_verb
@@ -165,13 +172,13 @@ class Executive:
         return None if self._current is None else self._current.run
 
     def step(self) -> bool:
-        """Answer whoever asks, then move the running task on."""
+        """Answer whoever asks, then move the running task on. Garbage is collected afterwards."""
+        with uncollected():
+            return self._step()
+
+    def _step(self) -> bool:
         self.book.look_at_the_clock(self._clocks.monotonic())
-        for task in self._intake.step():
-            status = self.book.get(task)
-            if status is not None and status.state is TaskState.QUEUED:
-                self._holds.asked(status.kind)
-                self._publisher.tell(status)
+        self._take_in()
         more = self._verbs.step()
         for late in self.book.expire(self._clocks.robot()):
             self._publisher.tell(late)
@@ -187,6 +194,21 @@ class Executive:
             self._whereabouts.step(self.knowledge.robot, running, follows, self.knowledge.description)
         next_one = self._current is None and self.book.next() is not None and self._orphans.none
         return self._intake.unread or more or next_one
+
+    def _take_in(self) -> None:
+        """Tell what was accepted; build the tree of what begins with that.
+
+        It is ticked after the verbs: who cancels a task in the step that takes it has it do nothing.
+        """
+        accepted, at_once = self._intake.step(), self.book.take_at_once()
+        for task in accepted:
+            first = at_once is not None and at_once.begun.task == task
+            status = at_once.accepted if at_once is not None and first else self.book.get(task)
+            if status is not None and status.state is TaskState.QUEUED:
+                self._holds.asked(status.kind)
+                self._publisher.tell(status)
+        if at_once is not None:
+            self._build(at_once.begun, at_once.asked, "go on")
 
     def close(self) -> None:
         """Stop the tree, whose leaves cancel their goals, and leave. Closing twice is allowed.
@@ -261,13 +283,7 @@ class Executive:
             if turn is None:
                 return
             self.book.queue.remove(turn.task)
-            with uncollected():
-                self._begin(turn.task, turn.asked, "go on")
-                self._go_on_if_begun()
-            return
-        self._go_on_if_begun()
-
-    def _go_on_if_begun(self) -> None:
+            self._begin(turn.task, turn.asked, "go on")
         if self._current is not None:
             self._go_on(self._current)
 
@@ -307,8 +323,20 @@ class Executive:
             _LOG.info("task makes room for another", extra={"task": turn.task, "room_for": waits.task})
             run.make_room()
 
+    def _begin_at_once(self) -> None:
+        """Begin what has just been accepted, if nothing is in its way."""
+        if self._current is None:
+            self._orphans.step()
+            if self._orphans.none:
+                self.book.begin_at_once(self._clocks.robot())
+
     def _begin(self, task: str, asked: Asked, how: How) -> None:
-        self._publisher.tell(self.book.begin(task, self._clocks.robot()))
+        self._build(self.book.begin(task, self._clocks.robot()), asked, how)
+
+    def _build(self, begun: TaskStatus, asked: Asked, how: How) -> None:
+        """Tell that a task runs, which is on disk before its tree is built: a builder may crash."""
+        task = begun.task
+        self._publisher.tell(begun)
         built = self._builder.build(task, asked)
         if isinstance(built, Failure):
             self._publisher.tell(self.book.end(task, TaskState.FAILED, self._clocks.robot(), built))

@@ -47,6 +47,7 @@ def test_ledger() -> None:
 def test_reaction() -> None:
     rows = told(list(reaction.rows(quick=True)))
     assert rows["from a skill's end to the next goal, p99"].aim == 2.0
+    assert rows["from a request's put to the first tick, with a ledger, p99"].aim == 10.0
 
 
 def test_growth() -> None:

@@ -49,6 +49,7 @@ class Intake:
         kinds: of tasks, by name.
         site: what is known beforehand.
         robot: says what is known of the robot; None while nothing is.
+        begin: begins what can begin at once; what it writes is on disk with what was accepted.
         bounds: what one client may ask for.
     """
 
@@ -61,10 +62,11 @@ class Intake:
         site: Site,
         *,
         robot: Callable[[], RobotDescription | None],
+        begin: Callable[[], None],
         bounds: Bounds,
     ) -> None:
         self._bus, self._book, self._kinds, self._site = bus, book, kinds, site
-        self._robot = robot
+        self._robot, self._begin = robot, begin
         limits = Limits(per_step=AT_ONCE // 2, rate=bounds.rate, burst=bounds.burst)
         service = Service(REQUEST, AnyDocument, TaskAnswer, limits=limits)
         self._endpoints = Endpoints(
@@ -136,8 +138,10 @@ class Intake:
     def _kept(self, answers: list[TaskAnswer]) -> list[TaskAnswer]:
         """Return what may be told once all is on disk, or that it could not be put there."""
         try:
+            self._begin()
             self._book.keep()
         except LedgerError as error:
+            self._book.drop_fresh()
             _LOG.exception("could not store requests")
             return [_not_kept(each.client_id, error) if each.accepted else each for each in answers]
         return [self._or_not(each) for each in answers]

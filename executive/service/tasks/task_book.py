@@ -6,7 +6,7 @@ import heapq
 import logging
 import uuid
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Final
 
 from pydantic import JsonValue
@@ -35,6 +35,17 @@ TURN: Final = "its turn"
 """What a task waits for that nothing keeps from beginning."""
 NOTE_EVERY: Final = 600.0
 """Host seconds between two notes of the clocks in the ledger."""
+
+
+@dataclass(frozen=True)
+class AtOnce:
+    """A task that began with its acceptance: one commit has both."""
+
+    accepted: TaskStatus
+    """How it was queued."""
+    begun: TaskStatus
+    """How it runs."""
+    asked: Asked
 
 
 def start_id() -> str:
@@ -77,6 +88,7 @@ class TaskBook:
         self._entries: dict[str, Entry] = {}
         self._ended: dict[str, TaskStatus] = {}
         self._fresh: list[str] = []  # accepted, and not yet on disk
+        self._at_once: AtOnce | None = None
         self.hold: Callable[[str], str] = lambda _: ""
         """Returns why no task of a kind may begin now, in words after "waits for"; or nothing."""
 
@@ -132,6 +144,31 @@ class TaskBook:
             raise
         self._fresh.clear()
 
+    def begin_at_once(self, now: RobotTime | None) -> None:
+        """Note that the next task runs, if it is one that was accepted since all was kept the last time.
+
+        So it is accepted and runs with one commit, and not with one after the other. ``take_at_once`` has it.
+
+        Raises:
+            LedgerError: when that can't be written; then what was accepted is not there either.
+        """
+        waits = self.next() if self._fresh else None
+        if waits is None or waits.task not in self._fresh:
+            return
+        accepted = self._entries[waits.task].status
+        try:
+            begun = self.begin(waits.task, now)
+        except LedgerError:
+            self.drop_fresh()
+            raise
+        self.queue.remove(waits.task)
+        self._at_once = AtOnce(accepted, begun, waits.asked)
+
+    def take_at_once(self) -> AtOnce | None:
+        """Return the task that was begun with its acceptance, once: its tree is to be built."""
+        taken, self._at_once = self._at_once, None
+        return taken
+
     def look_at_the_clock(self, now: float) -> None:
         """Follow the wall clock; from time to time have the clocks on disk. ``now``: host seconds."""
         self._wall.look()
@@ -150,6 +187,7 @@ class TaskBook:
             self.queue.remove(task)
             self._entries.pop(task, None)
         self._fresh.clear()
+        self._at_once = None
 
     def take_up(self, entry: Entry) -> None:
         """Know a task of before a restart again."""

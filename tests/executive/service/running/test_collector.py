@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import gc
 import weakref
+from dataclasses import replace
 
-from surroundings import Surroundings
+from py_trees.behaviour import Behaviour
+from surroundings import WAIT, Surroundings, WaitRequest, build
 
 from tandem.executive.service.running.uncollected import uncollected
 from tandem.skills.ports.tasks import TASK_CANCEL, CancelTask
+from tandem.trees.context import TreeContext
 
 
 def test_nothing_is_collected_within_and_what_was_off_stays_off() -> None:
@@ -17,6 +20,20 @@ def test_nothing_is_collected_within_and_what_was_off_stays_off() -> None:
         with uncollected():
             pass
         assert not gc.isenabled()
+    assert gc.isenabled()
+
+
+def test_nothing_is_collected_within_a_step() -> None:
+    here = Surroundings()
+    found: list[bool] = []
+
+    def watched(request: WaitRequest, context: TreeContext) -> Behaviour:
+        found.append(gc.isenabled())
+        return build(request, context)
+
+    here.executive._kinds["wait"] = replace(WAIT, build=watched)
+    here.ask({"task": "wait", "item": 3})
+    assert found == [False]
     assert gc.isenabled()
 
 

@@ -20,6 +20,7 @@ from tests.fakes.ports import free_endpoint
 
 POINTS = (
     "after keeping request",
+    "after keeping request and RUNNING",
     "before answer task/request",
     "after keeping goal of gripper_left/grip",
     "after query skill/gripper_left/grip/goal",
