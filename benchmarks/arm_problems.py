@@ -89,9 +89,9 @@ class Drawing:
         side = sides[int(rng.integers(len(sides)))]
         x, y = (float(rng.uniform(a, b)) for a, b in zip(surface.lower, surface.upper, strict=True))
         yaw = surface.facing + float(np.clip(rng.normal(0.0, ASKEW), -0.78, 0.78))
-        moved = replace_item(self.scenario, true.tag, surface.support, x, y, yaw)
-        others = build_scene(self.site, moved.without_item(true.tag))
-        item = item_body(self.site, moved.item(true.tag))
+        moved = replace_item(self.scenario, true.item, surface.support, x, y, yaw)
+        others = build_scene(self.site, moved.without_item(true.item))
+        item = item_body(self.site, moved.item(true.item))
         if any(_near(body, item) for body in others if body.mass > 0.0):
             return None
         bodies = build_scene(self.site, moved)
@@ -106,7 +106,7 @@ class Drawing:
         moment = Moment(self.at_home(), scene_of(bodies), base)
         grasps = tuple(grasp(tag, depth, pitch) for pitch in PITCHES)
         width = min(as_box(item).size[1] + 2 * FINGER_ROOM, hand.gripper.max_width)
-        return Problem(side, true.tag, surface.name, moment, grasps, width)
+        return Problem(side, true.item, surface.name, moment, grasps, width)
 
     def _fits(self, base: FloorPose, bodies: tuple[SceneBody, ...]) -> bool:
         radius = self.description.footprint_radius + ROOM
@@ -163,12 +163,14 @@ def held(moment: Moment, problem: Problem, number: int) -> Moment:
 
 
 def replace_item(  # noqa: PLR0917 - a place
-    scenario: Scenario, tag: int, support: str, x: float, y: float, yaw: float
+    scenario: Scenario, item: int, support: str, x: float, y: float, yaw: float
 ) -> Scenario:
     """Return the scenario with one item elsewhere."""
     yaw = math.remainder(yaw, 2 * math.pi)
     items = tuple(
-        each.model_copy(update={"support": support, "x": x, "y": y, "yaw": yaw}) if each.tag == tag else each
+        each.model_copy(update={"support": support, "x": x, "y": y, "yaw": yaw})
+        if each.item == item
+        else each
         for each in scenario.items
     )
     return scenario.model_copy(update={"items": items})
@@ -184,10 +186,10 @@ def tag_of(item: SceneBody) -> tuple[Pose, float]:
 
 
 def _object(body: SceneBody) -> SceneObject:
-    tag = None if body.label is None else body.label.tag
+    item = None if body.label is None else body.label.item
     box = as_box(body)
-    if tag is not None:
-        return SceneObject(name=body.name, kind="item", box=box, item=tag)
+    if item is not None:
+        return SceneObject(name=body.name, kind="item", box=box, item=item)
     return SceneObject(name=body.name, kind="clutter" if body.mass > 0.0 else "furniture", box=box)
 
 

@@ -5,6 +5,11 @@ A project names it in its pyproject.toml::
     [project.entry-points."tandem.detectors"]
     by_colour = "my_robot_app.by_colour:by_colour"
 
+The site file needs no number for such an item: a scenario, a request and a fault call it by its name::
+
+    items:
+      - {name: mug, size: [0.06, 0.06, 0.08], colour: [0.9, 0.1, 0.1]}
+
 It imports nothing of Tandem but the public surface. What it can't tell: two items of one colour, and items
 among other things of their colour.
 """

@@ -102,7 +102,7 @@ def draw_fetch(
     surface, place = _draw_place(site, scenario, item, rng, rejected, out_of_reach=out_of_reach)
     start = _draw_start(site, scenario.with_item(place), rng, robot_radius, rejected)
     drawn = scenario.with_item(place).starting_at(start)
-    return Draw(drawn, item.tag, surface, place, start, tuple(rejected))
+    return Draw(drawn, item.item, surface, place, start, tuple(rejected))
 
 
 def _draw_place(
@@ -114,7 +114,7 @@ def _draw_place(
     *,
     out_of_reach: OutOfReach,
 ) -> tuple[str, TrueItem]:
-    others = build_scene(site, scenario.without_item(item.tag))
+    others = build_scene(site, scenario.without_item(item.item))
     areas = [_area(surface) for surface in scenario.surfaces]
     if not sum(areas) > 0.0:
         raise ScenarioError(f"{scenario.name}: surfaces: expected one with an area to put items on")
@@ -131,12 +131,12 @@ def _draw_place(
         )
         reason, far = _why_not(site, place, others), None
         if reason is None:
-            reason = far = out_of_reach(scenario.with_item(place), item.tag)
+            reason = far = out_of_reach(scenario.with_item(place), item.item)
         if reason is None:
             return surface.name, place
-        words = f"item {item.tag} {reason}"
+        words = f"item {item.item} {reason}"
         rejected.append(Rejected("item", place.x, place.y, place.yaw, words, unreachable=far is not None))
-    raise ScenarioError(f"{scenario.name}: surfaces: no free place for item {item.tag}")
+    raise ScenarioError(f"{scenario.name}: surfaces: no free place for item {item.item}")
 
 
 def why_not(site: Site, scenario: Scenario, place: TrueItem) -> str | None:
@@ -149,7 +149,7 @@ def why_not(site: Site, scenario: Scenario, place: TrueItem) -> str | None:
     )
     if not inside:
         return "lies on no surface from which items are drawn"
-    return _why_not(site, place, build_scene(site, scenario.without_item(place.tag)))
+    return _why_not(site, place, build_scene(site, scenario.without_item(place.item)))
 
 
 def _why_not(site: Site, place: TrueItem, others: Sequence[SceneBody]) -> str | None:
@@ -178,7 +178,7 @@ def _draw_start(
 def _on_floor(site: Site, scenario: Scenario) -> list[SceneBody]:
     """Return the furniture, and what the scenario puts on the floor."""
     low = {obstacle.name for obstacle in scenario.obstacles if obstacle.support == FLOOR}
-    low |= {item_name(item.tag) for item in scenario.items if item.support == FLOOR}
+    low |= {item_name(item.item) for item in scenario.items if item.support == FLOOR}
     furniture = furniture_bodies(site)
     fixed = {body.name for body in furniture}
     return [body for body in build_scene(site, scenario) if body.name in fixed or body.name in low]

@@ -36,14 +36,14 @@ class Occurrence:
 
     event: str
     side: str | None = None
-    tag: int | None = None
+    item: int | None = None
 
     def is_one_of(self, awaited: Event) -> bool:
         """Say whether it is what a fault waits for."""
         if awaited.event != self.event:
             return False
-        side, tag = getattr(awaited, "side", None), getattr(awaited, "tag", None)
-        return side in {None, self.side} and tag in {None, self.tag}
+        side, item = getattr(awaited, "side", None), getattr(awaited, "item", None)
+        return side in {None, self.side} and item in {None, self.item}
 
 
 class Events:
@@ -113,16 +113,16 @@ class Events:
             height = self._world.pose(name).position[2]
             rise = height - self._stood.setdefault(name, height)
             if abs(rise) < STIRRED:
-                self._aloft.discard(label.tag)
+                self._aloft.discard(label.item)
                 continue
             touched = self._world.physics.contacts(self._world.id_of(name))
             if any(contact.body_b != self._robot.body for contact in touched):
                 self._stood[name] = height
                 continue
             hands = [self._links[contact.link_b] for contact in touched if contact.link_b in self._links]
-            if rise > LIFTED and hands and label.tag not in self._aloft:
-                self._aloft.add(label.tag)
-                found.append(Occurrence("item_lifted", hands[0], label.tag))
+            if rise > LIFTED and hands and label.item not in self._aloft:
+                self._aloft.add(label.item)
+                found.append(Occurrence("item_lifted", hands[0], label.item))
         return found
 
 

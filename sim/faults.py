@@ -11,11 +11,9 @@ from typing import Annotated, Final, Literal
 from pydantic import Field, model_validator
 
 from tandem.sim.things import Angle, BoxShape, Colour, Coordinate, Friction, Name, Shape
+from tandem.skills.ports.item_number import ITEM_OR_TAG, NamedItem
 from tandem.skills.ports.message import Count, HandName, Message, PartName, RobotTime
-from tandem.skills.ports.site import LAST_ITEM
 
-Tag = Annotated[int, Field(ge=0, le=LAST_ITEM)]
-"""An item's number."""
 Seconds = Annotated[float, Field(ge=0.0, le=3600.0)]
 Duration = Annotated[float, Field(gt=0.0, le=3600.0)]
 Share = Annotated[float, Field(ge=0.0, le=1.0)]
@@ -45,10 +43,10 @@ class GripperClosed(_Event):
 
 
 class ItemLifted(_Event):
-    """A tagged item, in the robot's hand, is more than 3 cm above where it stood; without a tag: any."""
+    """An item, in the robot's hand, is more than 3 cm above where it stood; without ``item``: any."""
 
     event: Literal["item_lifted"] = "item_lifted"
-    tag: Tag | None = None
+    item: NamedItem | None = Field(default=None, validation_alias=ITEM_OR_TAG)
 
 
 class ArmMoving(_Event):
@@ -224,10 +222,10 @@ class Place(Message):
 
 
 class ItemMoves(_Once):
-    """A person moves an item: by a step in map, or ``to`` a place. Without a tag: the event's item."""
+    """A person moves an item: by a step in map, or ``to`` a place. Without ``item``: the event's."""
 
     kind: Literal["item_moves"] = "item_moves"
-    tag: Tag | None = None
+    item: NamedItem | None = Field(default=None, validation_alias=ITEM_OR_TAG)
     dx: Step = 0.0
     dy: Step = 0.0
     dyaw: Angle = 0.0
@@ -235,26 +233,26 @@ class ItemMoves(_Once):
 
     @model_validator(mode="after")
     def _which(self) -> ItemMoves:
-        _needs_tag(self.tag, self.when)
+        _needs_item(self.item, self.when)
         if self.to is not None and (self.dx or self.dy or self.dyaw):
             raise ValueError("expected either to or dx, dy, dyaw, not both")
         return self
 
 
 class ItemGone(_Once):
-    """A person takes an item away. Without a tag: the event's item."""
+    """A person takes an item away. Without ``item``: the event's."""
 
     kind: Literal["item_gone"] = "item_gone"
-    tag: Tag | None = None
+    item: NamedItem | None = Field(default=None, validation_alias=ITEM_OR_TAG)
 
     @model_validator(mode="after")
     def _which(self) -> ItemGone:
-        _needs_tag(self.tag, self.when)
+        _needs_item(self.item, self.when)
         return self
 
 
 class ObstacleAppears(_Lasting):
-    """An object without a tag appears at x and y in map, or ``ahead`` of the base, until its end."""
+    """An object that is no item appears at x and y in map, or ``ahead`` of the base, until its end."""
 
     kind: Literal["obstacle_appears"] = "obstacle_appears"
     name: Name = "intruder"
@@ -282,7 +280,7 @@ class ObstacleAppears(_Lasting):
 
 
 class DepotTaken(_Lasting):
-    """A slot of a depot is taken: by an item with a tag, or by a parcel without one.
+    """A slot of a depot is taken: by an item, or by a parcel that is none.
 
     With ``lasts``, the parcel is removed at the end; an item stays.
     """
@@ -291,12 +289,12 @@ class DepotTaken(_Lasting):
     depot: Name = "depot"
     slot: Annotated[int, Field(ge=0, le=1000)] = 0
     """0 is the first."""
-    tag: Tag | None = None
+    item: NamedItem | None = Field(default=None, validation_alias=ITEM_OR_TAG)
     shape: Shape = PARCEL
 
     @model_validator(mode="after")
     def _ends(self) -> DepotTaken:
-        if self.tag is not None and self.lasts is not None:
+        if self.item is not None and self.lasts is not None:
             raise ValueError("lasts is for a parcel; an item that was put there stays")
         return self
 
@@ -342,6 +340,6 @@ class FaultEvent(Message):
     """Description: what happened where, or why it could not."""
 
 
-def _needs_tag(tag: int | None, when: object) -> None:
-    if tag is None and not isinstance(when, ItemLifted):
-        raise ValueError("tag: expected an item's tag, or when: {event: item_lifted}")
+def _needs_item(item: int | None, when: object) -> None:
+    if item is None and not isinstance(when, ItemLifted):
+        raise ValueError("item: expected an item's name or number, or when: {event: item_lifted}")

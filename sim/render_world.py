@@ -207,9 +207,9 @@ class RenderWorld:
     def _add(self, body: SceneBody) -> int:
         label, edge = body.label, None if body.label is None else body.label.tag_size
         if label is not None and edge is not None and isinstance(body.shape, BoxShape):
-            path = write_item(self._folder, label.tag, body.shape.size, edge)
+            path = write_item(self._folder, label.item, body.shape.size, edge)
         elif label is not None and edge is not None and isinstance(body.shape, CylinderShape):
-            path = write_tin(self._folder, label.tag, body.shape, edge)
+            path = write_tin(self._folder, label.item, body.shape, edge)
         else:
             path = write_shape(self._folder, f"body_{self._written}", body.shape)
             self._written += 1

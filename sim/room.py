@@ -44,8 +44,8 @@ class Room:
     def __init__(self, site: Site, world: World, robot: RobotBody) -> None:
         self._site, self.world, self.robot = site, world, robot
 
-    def change(self, asked: RoomFault, number: int, tag: int | None) -> Done:
-        """Do what a fault asks; ``tag`` is the item of its event.
+    def change(self, asked: RoomFault, number: int, item: int | None) -> Done:
+        """Do what a fault asks; ``item`` is that of its event.
 
         Raises:
             KeyError: when there is no such item, slot or furniture.
@@ -58,18 +58,18 @@ class Room:
             name = self._occupy(asked, number)
             return Done(
                 f"{name} is put on slot {asked.slot} of {asked.depot}",
-                made="" if asked.tag is not None else name,
+                made="" if asked.item is not None else name,
             )
-        tag = tag if asked.tag is None else asked.tag
-        if tag is None:
+        item = item if asked.item is None else asked.item
+        if item is None:
             raise KeyError("no item is meant")
         if isinstance(asked, ItemMoves):
-            return Done(f"item {tag} is put at {self._move(asked, tag)}")
-        self.world.remove(self._item(tag))
-        return Done(f"item {tag} is taken away")
+            return Done(f"item {item} is put at {self._move(asked, item)}")
+        self.world.remove(self._item(item))
+        return Done(f"item {item} is taken away")
 
-    def _move(self, asked: ItemMoves, tag: int) -> str:
-        name = self._item(tag)
+    def _move(self, asked: ItemMoves, item: int) -> str:
+        name = self._item(item)
         body, pose = self.world.bodies[name], self.world.pose(name)
         x, y, z = pose.position
         if asked.to is None:
@@ -118,9 +118,9 @@ class Room:
             self.world.remove(name)
 
     def _parcel(self, asked: DepotTaken, number: int) -> SceneBody:
-        if asked.tag is not None:
-            there = self.world.bodies.get(item_name(asked.tag))
-            return there or item_body(self._site, TrueItem(tag=asked.tag, support=FLOOR, x=0.0, y=0.0))
+        if asked.item is not None:
+            there = self.world.bodies.get(item_name(asked.item))
+            return there or item_body(self._site, TrueItem(item=asked.item, support=FLOOR, x=0.0, y=0.0))
         parcel = Obstacle(name=f"parcel_{number}", shape=asked.shape, x=0.0, y=0.0)
         return obstacle_body(self._site, parcel)
 
@@ -130,10 +130,10 @@ class Room:
         heading = yaw_of(orientation)
         return x + way * math.cos(heading), y + way * math.sin(heading), heading
 
-    def _item(self, tag: int) -> str:
-        name = item_name(tag)
+    def _item(self, item: int) -> str:
+        name = item_name(item)
         if name not in self.world.bodies:
-            raise KeyError(f"there is no item {tag}")
+            raise KeyError(f"there is no item {item}")
         return name
 
     def _put(self, body: SceneBody) -> None:

@@ -22,8 +22,9 @@ from tandem.sim.starts import ALONE, MOST_ROBOTS, ROBOT, RobotStart
 from tandem.sim.things import Angle, Coordinate, Drop, Name, Obstacle, TrueItem
 from tandem.skills.ports.message import PLAIN_TEXT, Message
 from tandem.skills.ports.pose import FloorPose
+from tandem.skills.ports.site import Site
 from tandem.skills.ports.sources import DocumentError, Source
-from tandem.skills.site import locate
+from tandem.skills.site import load, locate
 from tandem.skills.yaml_file import parse_document, read_document, validate
 
 SUFFIXES: Final = (".yaml", ".yml")
@@ -126,7 +127,7 @@ class Scenario(Message):
     def _unique(self) -> Scenario:
         for what, names in (
             ("robot", [each.name for each in self.robots]),
-            ("tag", [str(item.tag) for item in self.items]),
+            ("item", [str(item.item) for item in self.items]),
             ("obstacle", [obstacle.name for obstacle in self.obstacles]),
             ("person", [person.name for person in self.people]),
             ("surface", [surface.name for surface in self.surfaces]),
@@ -182,25 +183,26 @@ class Scenario(Message):
         """Return the path in the file of a field of one of ``placed``."""
         return field if self.start is not None else f"robots.{index}.{field}"
 
-    def item(self, tag: int) -> TrueItem:
-        """Return the item with a tag.
+    def item(self, number: int) -> TrueItem:
+        """Return the item of a number.
 
         Raises:
-            KeyError: naming the tags there are.
+            KeyError: naming the numbers there are.
         """
         for item in self.items:
-            if item.tag == tag:
+            if item.item == number:
                 return item
-        raise KeyError(f"no item {tag}; expected one of {', '.join(str(item.tag) for item in self.items)}")
+        known = ", ".join(str(item.item) for item in self.items)
+        raise KeyError(f"no item {number}; expected one of {known}")
 
     def with_item(self, item: TrueItem) -> Scenario:
         """Return the same scenario with this item put, or moved, where it says."""
-        others = tuple(other for other in self.items if other.tag != item.tag)
+        others = tuple(other for other in self.items if other.item != item.item)
         return self.model_copy(update={"items": (*others, item)})
 
-    def without_item(self, tag: int) -> Scenario:
+    def without_item(self, number: int) -> Scenario:
         """Return the same scenario without the item."""
-        return self.model_copy(update={"items": tuple(item for item in self.items if item.tag != tag)})
+        return self.model_copy(update={"items": tuple(item for item in self.items if item.item != number)})
 
     def with_faults(self, faults: tuple[Fault, ...]) -> Scenario:
         """Return the same scenario with more faults, after its own."""
@@ -222,20 +224,45 @@ def scenario_names() -> tuple[str, ...]:
     return tuple(sorted(name.removesuffix(".yaml") for name in files))
 
 
-def load_scenario(name_or_path: str | Path) -> Scenario:
+def load_scenario(name_or_path: str | Path, site: str = "") -> Scenario:
     """Return a scenario by the name of one that comes with the sim, or by the path of a YAML file.
+
+    Args:
+        name_or_path: of the scenario.
+        site: name or path of the site that it is to be in; empty: the one that it names.
 
     Raises:
         ScenarioError: when there is no such scenario.
-        DocumentError: when it has mistakes.
+        DocumentError: when it has mistakes, or names items of a site that can't be read.
     """
-    return read_scenario(name_or_path)[0]
+    return read_scenario(name_or_path, site)[0]
 
 
-def read_scenario(name_or_path: str | Path) -> tuple[Scenario, Source]:
+def read_scenario(name_or_path: str | Path, site: str = "") -> tuple[Scenario, Source]:
     """Return a scenario as ``load_scenario`` does, and where its parts stand in its file."""
     data, source = _complete(name_or_path, ())
-    return validate(data, source, Scenario), source
+    if site:
+        data["site"] = locate(site)
+    return validate(data, source, Scenario, knowing=_names_of(data, source)), source
+
+
+def _names_of(data: Mapping[str, JsonValue], source: Source) -> Site | None:
+    """Return the site of a scenario that names items; None for one that numbers them, which needs none."""
+    if not any(_name_items(data.get(key)) for key in ("items", "faults")):
+        return None
+    site = data.get("site", Scenario.model_fields["site"].default)
+    try:
+        return load(site) if isinstance(site, str) else None
+    except DocumentError as error:
+        raise ScenarioError(f"{source.at('site')}: {error}") from None
+
+
+def _name_items(part: JsonValue) -> bool:
+    if isinstance(part, list):
+        return any(_name_items(each) for each in part)
+    if isinstance(part, dict):
+        return isinstance(part.get("item"), str) or any(_name_items(each) for each in part.values())
+    return False
 
 
 def _complete(name_or_path: str | Path, asked_by: tuple[str, ...]) -> tuple[dict[str, JsonValue], Source]:

@@ -40,7 +40,7 @@ ITEM_COLOUR: Final = (1.0, 1.0, 1.0)
 class Label:
     """What makes a body an item: its number, and the tag on its four upright sides."""
 
-    tag: int
+    item: int
     tag_size: float | None
     """Edge in metres of the tag's black square; none: it bears no tag."""
 
@@ -59,9 +59,9 @@ class SceneBody:
     stiffness: float | None = None
 
 
-def item_name(tag: int) -> str:
+def item_name(item: int) -> str:
     """Return the name of an item's body."""
-    return f"item_{tag}"
+    return f"item_{item}"
 
 
 def build_scene(site: Site, scenario: Scenario, source: Source | None = None) -> tuple[SceneBody, ...]:
@@ -117,24 +117,24 @@ def item_body(site: Site, item: TrueItem) -> SceneBody:
     Raises:
         KeyError: when the site knows no such item, or nothing is there to stand on.
     """
-    known = site.item(item.tag)
+    known = site.item(item.item)
     if known is None:
-        raise KeyError(f"site {site.name} knows no item {item.tag}")
+        raise KeyError(f"site {site.name} knows no item {item.item}")
     z = support_height(site, item.support, item.x, item.y) + known.size[2] / 2 + GAP
     return SceneBody(
-        name=item_name(item.tag),
+        name=item_name(item.item),
         shape=shape_of(solid(known)),
         pose=Pose(position=(item.x, item.y, z), orientation=about((0, 0, 1), item.yaw)),
         mass=item.mass,
         friction=item.friction,
         colour=ITEM_COLOUR if known.colour is None or known.tag_size is not None else known.colour,
-        label=Label(item.tag, known.tag_size),
+        label=Label(item.item, known.tag_size),
         stiffness=item.stiffness,
     )
 
 
 def obstacle_body(site: Site, obstacle: Obstacle) -> SceneBody:
-    """Return an untagged thing where the scenario puts it.
+    """Return a thing that is no item where the scenario puts it.
 
     Raises:
         KeyError: when nothing is there to stand on.
@@ -181,12 +181,11 @@ def _problems(site: Site, scenario: Scenario, source: Source) -> list[str]:
     found: list[str] = []
     for index, each in enumerate(scenario.placed):
         found += _robot_problems(site, each, source, partial(scenario.path_of, index))
-    taken = {item_name(item.tag) for item in scenario.items}
+    taken = {item_name(item.item) for item in scenario.items}
     for index, item in enumerate(scenario.items):
-        if site.item(item.tag) is None:
-            known = ", ".join(str(each.item) for each in site.items)
-            where = source.at(f"items.{index}.tag")
-            found.append(f"{where}: expected one of {known}, found {item.tag}")
+        if site.item(item.item) is None:
+            where = source.at(f"items.{index}.item")
+            found.append(f"{where}: expected one of {site.item_words()}, found {item.item}")
         found += _support_problem(site, item, f"items.{index}", source)
     for index, obstacle in enumerate(scenario.obstacles):
         if obstacle.name in taken:
@@ -207,7 +206,7 @@ def _problems(site: Site, scenario: Scenario, source: Source) -> list[str]:
 def _name_problems(scenario: Scenario, source: Source) -> list[str]:
     """Return a line for each person who is called as something else is."""
     things = {
-        *(item_name(each.tag) for each in scenario.items),
+        *(item_name(each.item) for each in scenario.items),
         *(each.name for each in scenario.obstacles),
         *(each.name for each in scenario.placed),
     }
@@ -245,10 +244,9 @@ def fault_problems(site: Site, faults: Iterable[Fault], source: Source, robots: 
         if fault.robot is not None and fault.robot not in robots:
             expected = f"expected one of {', '.join(robots)}, found {fault.robot}"
             found.append(f"{source.at(f'{where}.robot')}: {expected}")
-        tag = getattr(fault, "tag", None)
-        if tag is not None and site.item(tag) is None:
-            known = ", ".join(str(each.item) for each in site.items)
-            found.append(f"{source.at(f'{where}.tag')}: expected one of {known}, found {tag}")
+        item = getattr(fault, "item", None)
+        if item is not None and site.item(item) is None:
+            found.append(f"{source.at(f'{where}.item')}: expected one of {site.item_words()}, found {item}")
         if isinstance(fault, DepotTaken):
             found += _slot_problem(site, fault, where, source)
         elif isinstance(fault, ObstacleAppears) and fault.x is not None and fault.y is not None:
@@ -265,10 +263,10 @@ def fault_problems(site: Site, faults: Iterable[Fault], source: Source, robots: 
 def _place_problem(site: Site, fault: ItemMoves, where: str, source: Source) -> list[str]:
     assert fault.to is not None
     found = _support_problem(site, fault.to, where, source)
-    if found or fault.tag is None or site.item(fault.tag) is None:
+    if found or fault.item is None or site.item(fault.item) is None:
         return found
     return _furniture_problem(
-        site, item_body(site, TrueItem(tag=fault.tag, **fault.to.model_dump())), where, source
+        site, item_body(site, TrueItem(item=fault.item, **fault.to.model_dump())), where, source
     )
 
 

@@ -8,9 +8,9 @@ from typing import Annotated, Final, Literal
 from pydantic import Field, model_validator
 
 from tandem.skills.ports import shapes
+from tandem.skills.ports.item_number import ITEM_OR_TAG, NamedItem
 from tandem.skills.ports.message import Message
 from tandem.skills.ports.shapes import Solid
-from tandem.skills.ports.site import LAST_ITEM
 
 FLOOR: Final = "floor"
 """The support of what stands on the ground; every other support is a piece of furniture of the site."""
@@ -26,8 +26,8 @@ Colour = tuple[float, float, float]
 class TrueItem(Message):
     """Where an item really stands at the start of the run; the site file gives its shape and looks."""
 
-    tag: int = Field(ge=0, le=LAST_ITEM)
-    """The item's number, whether it bears a tag or not."""
+    item: NamedItem = Field(validation_alias=ITEM_OR_TAG)
+    """Its number, whether it bears a tag or not. A file may say its name; ``tag`` is read, too."""
     support: Name
     """The furniture on whose top it stands, or ``floor``."""
     x: Coordinate
@@ -97,7 +97,7 @@ class Drop(Message):
 
 
 class Obstacle(Message):
-    """An object without a tag that is not in the site file: clutter on a table, or something on the floor."""
+    """An object that is no item and not in the site file: clutter on a table, or something on the floor."""
 
     name: Name
     shape: Shape

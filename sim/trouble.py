@@ -184,7 +184,7 @@ class Trouble:
             self._hardware.set_stop(StopState(stopped=True, by=fault.by, reason=fault.reason))
             return f"{fault.by} sets the stop"
         if isinstance(fault, ItemMoves | ItemGone | ObstacleAppears | DepotTaken):
-            done = self._room.change(fault, case.number, None if case.cause is None else case.cause.tag)
+            done = self._room.change(fault, case.number, None if case.cause is None else case.cause.item)
             case.made = done.made
             return done.words
         if isinstance(fault, CameraFrozen):

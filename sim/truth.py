@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from pydantic import Field
+
 from tandem.sim.scene import item_name, support_height
+from tandem.skills.ports.item_number import ITEM_OR_TAG
 from tandem.skills.ports.keys import Nothing, Service
 from tandem.skills.ports.message import Count, Message, RobotTime
 from tandem.skills.ports.pose import Pose
@@ -22,11 +25,11 @@ LYING_TOLERANCE: Final = 0.01
 
 
 class TrueBody(Message):
-    """Pose of a body's centre in map; ``tag`` for items."""
+    """Pose of a body's centre in map; an item's with its number."""
 
     name: str
     pose: Pose
-    tag: Count | None = None
+    item: Count | None = Field(default=None, validation_alias=ITEM_OR_TAG)
 
 
 class TrueContact(Message):
@@ -90,13 +93,13 @@ class Truth(Message):
                 return robot
         raise KeyError(f"no robot {name}; there are {', '.join(each.name for each in self.robots)}")
 
-    def item(self, tag: int) -> TrueBody:
-        """Return an item; KeyError when there is none with that tag."""
+    def item(self, number: int) -> TrueBody:
+        """Return an item; KeyError when there is none with that number."""
         for body in self.bodies:
-            if body.tag == tag:
+            if body.item == number:
                 return body
-        there = ", ".join(str(body.tag) for body in self.bodies if body.tag is not None)
-        raise KeyError(f"no item {tag}; there are {there}")
+        there = ", ".join(str(body.item) for body in self.bodies if body.item is not None)
+        raise KeyError(f"no item {number}; there are {there}")
 
     def touching(self, name: str) -> tuple[str, ...]:
         """Return what a body touches, sorted."""
@@ -114,7 +117,7 @@ def read_truth(world: World, robot: RobotBody, stamp: RobotTime) -> Truth:
     bodies = []
     for name in world.movable():
         label = world.bodies[name].label
-        bodies.append(TrueBody(name=name, pose=world.pose(name), tag=None if label is None else label.tag))
+        bodies.append(TrueBody(name=name, pose=world.pose(name), item=None if label is None else label.item))
     return Truth(
         stamp=stamp,
         base_in_map=Pose(position=position, orientation=orientation),
@@ -129,15 +132,15 @@ def read_truth(world: World, robot: RobotBody, stamp: RobotTime) -> Truth:
     )
 
 
-def lies_on(truth: Truth, site: Site, tag: int, furniture: str) -> bool:
+def lies_on(truth: Truth, site: Site, item: int, furniture: str) -> bool:
     """Say whether an item stands on a piece of furniture, on one of its sides, free of the robot.
 
     Raises:
         KeyError: when there is no such item or furniture.
     """
-    body, known = truth.item(tag), site.item(tag)
+    body, known = truth.item(item), site.item(item)
     if known is None:
-        raise KeyError(f"site {site.name} knows no item {tag}")
+        raise KeyError(f"site {site.name} knows no item {item}")
     if furniture not in [piece.name for piece in site.furniture]:
         raise KeyError(f"no furniture '{furniture}' at site {site.name}")
     x, y, z = body.pose.position
@@ -146,7 +149,7 @@ def lies_on(truth: Truth, site: Site, tag: int, furniture: str) -> bool:
     except KeyError:
         return False
     resting = any(abs(z - top - edge / 2) < LYING_TOLERANCE for edge in known.size)
-    held = any("/" in other for other in truth.touching(item_name(tag)))
+    held = any("/" in other for other in truth.touching(item_name(item)))
     return resting and not held
 
 

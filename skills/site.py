@@ -13,7 +13,7 @@ from tandem.skills.geometry.floor_plan import FloorPlan
 from tandem.skills.ports.plugins import UNTRIED, Group, Loaded
 from tandem.skills.ports.plugins import load as load_plugins
 from tandem.skills.ports.pose import FloorPose
-from tandem.skills.ports.site import Site
+from tandem.skills.ports.site import LAST_TAG, Site, number_of
 from tandem.skills.ports.sources import DocumentError
 from tandem.skills.yaml_file import parse_document, read_document, validate
 
@@ -73,6 +73,8 @@ def load(name_or_path: str) -> Site:
         data, source = read_document(Path(name_or_path))
     else:
         data, source = read_document(Path(locate(name_or_path)))
+    if unnumbered := [f"{source.at(where)}: {reason}" for where, reason in _number(data)]:
+        raise DocumentError("\n".join(unnumbered))
     site = validate(data, source, Site)
     if twice := [f"{source.at(where)}: {reason}" for where, reason in _told_twice(data)]:
         raise DocumentError("\n".join(twice))
@@ -81,15 +83,36 @@ def load(name_or_path: str) -> Site:
     return site
 
 
+def _items_of(data: JsonValue) -> Iterator[tuple[str, dict[str, JsonValue]]]:
+    """Give the items that a file tells, each with its path."""
+    items = data.get("items") if isinstance(data, dict) else None
+    for index, item in enumerate(items if isinstance(items, list) else ()):
+        if isinstance(item, dict):
+            yield f"items.{index}", item
+
+
+def _number(data: JsonValue) -> Iterator[tuple[str, str]]:
+    """Number the items of which a file says only the name; give the paths of others without a number."""
+    for where, item in _items_of(data):
+        if "item" in item:
+            continue
+        name = item.get("name")
+        if item.get("tag_size") is not None:
+            yield where, f"expected item, the number of its tag (0 to {LAST_TAG}), beside tag_size"
+        elif not isinstance(name, str) or not name:
+            yield where, "expected a name (text), or item, its number"
+        else:
+            item["item"] = number_of(name)
+
+
 def _told_twice(data: JsonValue) -> Iterator[tuple[str, str]]:
     """Give the paths of sizes in a file that stand beside a diameter, with the reason.
 
     On the wire a cylinder has both, for readers that know boxes only; in a file one would be forgotten.
     """
-    items = data.get("items") if isinstance(data, dict) else None
-    for index, item in enumerate(items if isinstance(items, list) else ()):
-        if isinstance(item, dict) and "size" in item and "diameter" in item:
-            yield f"items.{index}.size", "expected either size, of a box, or diameter and height; found both"
+    for where, item in _items_of(data):
+        if "size" in item and "diameter" in item:
+            yield f"{where}.size", "expected either size, of a box, or diameter and height; found both"
 
 
 def _misplaced(site: Site) -> Iterator[tuple[str, str]]:

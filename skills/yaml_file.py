@@ -99,15 +99,21 @@ def _hint(reason: str) -> str:
     return "; is this line indented as its neighbours are, and the one before it complete?" if indent else ""
 
 
-def validate(data: JsonValue, source: Source, model: type[Document]) -> Document:
+def validate(data: JsonValue, source: Source, model: type[Document], *, knowing: object = None) -> Document:
     """Return the model of what a file says. A value of another type is a mistake and is not converted.
+
+    Args:
+        data: what the file says.
+        source: the file.
+        model: of the document.
+        knowing: what its validators are to know beside it, such as the site that names its items.
 
     Raises:
         DocumentError: with a line for each mistake.
     """
     try:
         # By way of JSON: pydantic's strict mode then takes lists for tuples, and no text for numbers.
-        return model.model_validate_json(json.dumps(data), strict=True)
+        return model.model_validate_json(json.dumps(data), strict=True, context=knowing)
     except ValidationError as error:
         raise DocumentError("\n".join(mistakes(error, source))) from None
 

@@ -8,29 +8,16 @@ from __future__ import annotations
 
 from typing import Annotated, Final
 
-from pydantic import BeforeValidator, Field, ValidationInfo, WithJsonSchema
+from pydantic import BeforeValidator, Field, WithJsonSchema
 
-from tandem.skills.ports.site import LAST_ITEM, MAX_NAME, Site
+from tandem.skills.ports.item_number import numbered
+from tandem.skills.ports.site import LAST_ITEM, MAX_NAME
 
 _SAID: Final = "number of the item (if it bears a tag, that of the tag), or its name at this site"
 
-
-def _numbered(said: object, info: ValidationInfo) -> object:
-    """Return the number of a named item; whatever else was said is left to the validation."""
-    if not isinstance(said, str):
-        return said
-    site = info.context
-    if not isinstance(site, Site):
-        raise ValueError("expected a number: only who knows the site can read a name")  # noqa: TRY004 - pydantic's
-    named = None if said.isdecimal() else site.meant(said)  # a number is said as one
-    if named is None:
-        raise ValueError(f"expected one of the site's items: {site.item_words()}")
-    return named.item
-
-
 ItemNumber = Annotated[
     int,
-    BeforeValidator(_numbered),
+    BeforeValidator(numbered),
     Field(ge=0, le=LAST_ITEM, description=_SAID),
     WithJsonSchema(
         {

@@ -13,7 +13,8 @@ from tandem.executive.records.recording import Facts, open_recording
 from tandem.executive.system.systems import LockstepSystem
 from tandem.executive.trials.provenance import checkout
 from tandem.executive.trials.recorded_lockstep import HeldTo, RecordedLockstep
-from tandem.sim.scenario import Scenario
+from tandem.sim.scenario import Scenario, load_scenario
+from tandem.skills.site import load
 from tandem.skills.testing.faulty_bus import BusFaults
 from tandem.skills.wire.clocks import HostClocks
 
@@ -75,7 +76,10 @@ def facts_of(options: RunOptions) -> Facts:
 
 def _faults(options: RunOptions) -> str:
     """Return the file of faults as JSON; empty when there is none."""
-    return "" if options.faults is None else load_faults(options.faults).model_dump_json(exclude_none=True)
+    if options.faults is None:
+        return ""
+    site = load(load_scenario(options.scenario, options.site).site)
+    return load_faults(options.faults, site).model_dump_json(exclude_none=True)
 
 
 def _recording(options: RunOptions) -> Sink:

@@ -49,7 +49,7 @@ from tandem.sim.scenario import Scenario, read_scenario
 from tandem.sim.scene import build_scene
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.sources import DocumentError
-from tandem.skills.site import load, locate
+from tandem.skills.site import load
 from tandem.skills.testing.faulty_bus import BusFaults
 
 USUAL: Final = Demonstration(request={"task": "fetch", "item": 29, "to": "depot"}, view=USUAL_VIEW)
@@ -207,9 +207,7 @@ def _require_writable(folder: Path) -> None:
 
 
 def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
-    scenario, source = read_scenario(options.scenario)
-    if options.site:
-        scenario = scenario.model_copy(update={"site": locate(options.site)})
+    scenario, source = read_scenario(options.scenario, options.site)
     site = load(scenario.site)
     build_scene(site, scenario, source=source)
     check_reflexes(scenario, site, options.left_out)

@@ -22,20 +22,24 @@ class FaultFile(Message):
     """Of what skills and executive receive; the hardware's own end stays sound."""
 
 
-def load_faults(path: str | Path) -> FaultFile:
+def load_faults(path: str | Path, site: Site) -> FaultFile:
     """Return what a YAML file says.
+
+    Args:
+        path: of the file.
+        site: has the names of the items.
 
     Raises:
         DocumentError: with one line for each mistake: file, path and line in it, what was expected.
     """
-    return _read(path)[0]
+    return _read(path, site)[0]
 
 
-def _read(path: str | Path) -> tuple[FaultFile, Source]:
+def _read(path: str | Path, site: Site) -> tuple[FaultFile, Source]:
     data, source = read_document(Path(path))
     if not isinstance(data, dict):
         raise DocumentError(f"{source.name}: expected a mapping with faults: [...], bus: {{...}} or both")
-    return validate(data, source, FaultFile), source
+    return validate(data, source, FaultFile, knowing=site), source
 
 
 def check_faults(path: str | Path, site: Site, robots: Mapping[str, str]) -> FaultFile:
@@ -44,7 +48,7 @@ def check_faults(path: str | Path, site: Site, robots: Mapping[str, str]) -> Fau
     Raises:
         DocumentError: as ``load_faults``.
     """
-    file, source = _read(path)
+    file, source = _read(path, site)
     if problems := fault_problems(site, file.faults, source, tuple(robots)):
         raise DocumentError("\n".join(problems))
     if any(isinstance(fault, JointStall | BumperPressed | RangeSilent | RangeStuck) for fault in file.faults):

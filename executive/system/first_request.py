@@ -40,7 +40,7 @@ def way_to(bus: BusOptions) -> list[str]:
 
 def _request(scenario: Scenario, site: Site) -> list[str]:
     """Return the words of a request; none when the scenario has no item that the site knows."""
-    known = [item for each in scenario.items if (item := site.item(each.tag)) is not None]
+    known = [item for each in scenario.items if (item := site.item(each.item)) is not None]
     for item in known:
         if not item.needs_two:
             depots = [depot.name for depot in site.depots]

@@ -37,7 +37,8 @@ def _with_faults(settings: WorkerSettings, bus: Bus, clocks: Clocks) -> Bus:
     if settings.faults is None:
         return bus
     from tandem.executive.config.fault_file import load_faults  # noqa: PLC0415
+    from tandem.skills.site import load  # noqa: PLC0415
     from tandem.skills.testing.faulty_bus import FaultyBus  # noqa: PLC0415
 
-    faults = load_faults(settings.faults).bus
+    faults = load_faults(settings.faults, load(settings.site)).bus
     return bus if faults is None else FaultyBus(bus, clocks, f"{settings.seed}/{settings.role}", faults)

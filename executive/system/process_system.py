@@ -40,7 +40,6 @@ from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.keys import STOP_STATE, Latest, Nothing
 from tandem.skills.ports.tasks import TASK_INFO
 from tandem.skills.ports.world import ROBOT_POSE
-from tandem.skills.site import locate
 from tandem.skills.wire.clocks import ProcessClocks
 from tandem.skills.wire.loop import CALM
 from tandem.skills.wire.zenoh_bus import BusError, ZenohBus
@@ -90,7 +89,7 @@ class ProcessSystem:
         first: Sequence[str] = (),
         births: Births | None = None,
     ) -> None:
-        scenario = load_scenario(options.scenario)
+        scenario = load_scenario(options.scenario, options.site)
         self._crews = crews_of(scenario, options, roles, hung_after)
         self._main = self._crews[0]
         self._options, self._say = options, say
@@ -103,7 +102,7 @@ class ProcessSystem:
         self._settings = SettingsOfProcesses(
             options,
             self._crews,
-            site=locate(options.site) if options.site else scenario.site,
+            site=scenario.site,
             folder=Path(self._folder.name),
             played_by=played_by,
         )

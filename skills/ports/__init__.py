@@ -6,6 +6,7 @@ What a robot says it is: robot_description, sensors.
 What is said: hardware, world, whereabouts, tasks, site, action, failure; goals are in ``actions/``.
 Occupied space: occupancy, lattice. Ways: planners.
 The table of keys: keys, match, delivery.
+Items by name or number: item_number.
 Protocols: bus, forwarding_bus, clocks, compute, node, skill, steps.
 Serving and hearing: serving, endpoint, limits, hearing, checks, refusals.
 Who commands: lease, fencing; reflex, reflex_setting.

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Mapping
 from typing import Annotated, Final, Literal
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import AfterValidator, Field, field_validator, model_validator
 
 from tandem.skills.ports.message import PLAIN_TEXT, HandName, Message, Vector3
 from tandem.skills.ports.occupancy import OccupancySetting
@@ -18,6 +19,8 @@ LAST_TAG: Final = 586
 """The last number of the family 36h11, whose first is 0."""
 LAST_ITEM: Final = 9999
 """The last number of an item. Four digits are read at a glance; a site has fewer items than that."""
+FIRST_MADE: Final = 1000
+"""The first number that is made from a name: those below are said, and the tags' are among them."""
 FACE: Final = 0.8
 """Share of a face's edge that a tag's black square takes on the sites' labels, with a tenth as margin on each
 side. Of an item without a tag as much of a face has to be seen."""
@@ -87,11 +90,21 @@ def _about(told: Mapping[str, object]) -> Vector3:
     return (0.0, 0.0, 0.0)
 
 
+def number_of(name: str) -> int:
+    """Return the number of an item of which only the name is said.
+
+    It depends on nothing else, so that beliefs and histories stay true when a site's file changes. The
+    checksum is that of ``zlib.crc32``, which is the same everywhere.
+    """
+    return FIRST_MADE + zlib.crc32(name.encode()) % (LAST_ITEM + 1 - FIRST_MADE)
+
+
 class SiteItem(Message):
     """An item: number, name, shape (m), its tag or colour if it has one, and its hands.
 
     ``item`` is the number by which keys and messages call it, and that of its tag if it bears one. Then
-    ``tag_size`` is the edge (m) of the tag's black square. Without a tag another detector has to tell it.
+    ``tag_size`` is the edge (m) of the tag's black square. Without a tag another detector has to tell it,
+    and a file may leave ``item`` out: ``number_of`` makes it from the name.
 
     A box has ``size``, its full edges. A cylinder has ``diameter`` and ``height``; its ``size`` follows, the
     edges of the upright box about it.
@@ -181,6 +194,20 @@ class SiteItem(Message):
         return self
 
 
+def _numbers_are_unique(items: tuple[SiteItem, ...]) -> tuple[SiteItem, ...]:
+    found: dict[int, SiteItem] = {}
+    for item in items:
+        other = found.setdefault(item.item, item)
+        if other is item or other.name == item.name != "":  # of two of one name it is that which is told
+            continue
+        both = (other, item)
+        called = " and ".join(each.name or "one without a name" for each in both)
+        made = [each.name for each in both if each.name and each.item == number_of(each.name)]
+        advice = f"; say item: with another number for {' or '.join(made)}" if made else ""
+        raise ValueError(f"expected each number once; {item.item} is that of two items, {called}{advice}")
+    return items
+
+
 class Site(Message):
     """A place that robots work in. The map's frame has its origin in ``bounds``; z is up from the floor."""
 
@@ -192,7 +219,7 @@ class Site(Message):
     home: FloorPose
     spots: Annotated[tuple[Spot, ...], Field(min_length=1)]
     depots: tuple[Depot, ...] = ()
-    items: tuple[SiteItem, ...] = ()
+    items: Annotated[tuple[SiteItem, ...], AfterValidator(_numbers_are_unique)] = ()
     local_planner: LocalPlanner = "pursuit"
     """How the base drives along a plan."""
     reflexes: tuple[ReflexSetting, ...] = ()
@@ -208,7 +235,6 @@ class Site(Message):
             ("furniture", [each.name for each in self.furniture]),
             ("spots", [each.name for each in self.spots]),
             ("depots", [each.name for each in self.depots]),
-            ("items", [str(each.item) for each in self.items]),
             ("names of items", [each.name for each in self.items if each.name]),
         ):
             twice = sorted({name for name in names if names.count(name) > 1})

@@ -19,7 +19,7 @@ pytestmark = pytest.mark.lockstep
 
 BEFORE_THE_TABLE = FloorPose(x=-0.55, y=0.50, yaw=0.0)
 BACK_TO_THE_TABLE = FloorPose(x=-0.55, y=0.50, yaw=math.pi)
-ON_THE_CABINET = TrueItem(tag=29, support="cabinet", x=1.10, y=-2.57, yaw=0.2)
+ON_THE_CABINET = TrueItem(item=29, support="cabinet", x=1.10, y=-2.57, yaw=0.2)
 """Too far from home and from the first search spot for its tag to be read."""
 
 

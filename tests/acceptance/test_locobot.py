@@ -14,7 +14,7 @@ from tests.acceptance.course import course
 pytestmark = pytest.mark.lockstep
 
 BEFORE_THE_SHELF = FloorPose(x=1.20, y=0.68, yaw=-0.60)
-ON_THE_UPPER_BOARD = TrueItem(tag=29, support="upper_board", x=1.78, y=0.395, yaw=0.96)
+ON_THE_UPPER_BOARD = TrueItem(item=29, support="upper_board", x=1.78, y=0.395, yaw=0.96)
 LIFTED = 0.55
 """Metres: on the board the item's middle is 0.48 m high."""
 

@@ -1,7 +1,7 @@
 """Files with a mistake in them, given to the command.
 
 A user would have seen: of a key that stands twice only the last value, without a word; item 29 where the file
-says ``tag: 035``; items, obstacles and the robot thrown about at the start because two were in one place; and
+says ``item: 035``; items, obstacles and the robot thrown about at the start as two were in one place; and
 exit code 70 with a traceback in the log for 3,000 brackets. Right is exit code 2, and a line with the file,
 the path in it, the line, and the reason, from each command that reads such a file.
 """
@@ -22,7 +22,7 @@ WITHIN = 60.0
 """Seconds for a command that starts nothing; it takes about one."""
 
 HEAD = "name: mine\nsite: lab\nstart: {x: -0.8, y: 1.2, yaw: 0.0}\n"
-ITEM = "  - {tag: 29, support: table, x: 0.50, y: 0.62}\n"
+ITEM = "  - {item: 29, support: table, x: 0.50, y: 0.62}\n"
 MUG = """\
   - name: mug
     support: table
@@ -39,8 +39,8 @@ WRONG = {
     ),
     "the same key further down": (f"{HEAD}items: []\nname: other\n", r"name \(line 5\): .* line 1"),
     "an octal number": (
-        f"{HEAD}items:\n  - {{tag: 035, support: table, x: 0.5, y: 0.6}}\n",
-        r"items\.0\.tag \(line 5\): 035 .*octal",
+        f"{HEAD}items:\n  - {{item: 035, support: table, x: 0.5, y: 0.6}}\n",
+        r"items\.0\.item \(line 5\): 035 .*octal",
     ),
     "a number in sixties": (f"{HEAD}camera_rate: 1:30\n", r"camera_rate \(line 4\): 1:30 .*base 60"),
     "a number beyond all": (
@@ -50,15 +50,15 @@ WRONG = {
     "a number with underscores": (f"{HEAD}camera_rate: 1_0\n", r"camera_rate \(line 4\): 1_0 .*underscores"),
     "a word that some read as false": ("name: no\n", r"name \(line 1\): no .*true or false"),
     "a truth value for a number": (
-        f"{HEAD}items:\n  - {{tag: true, support: table, x: 0.5, y: 0.6}}\n",
-        r"items\.0\.tag \(line 5\): expected a whole number, found true",
+        f"{HEAD}items:\n  - {{item: true, support: table, x: 0.5, y: 0.6}}\n",
+        r"items\.0\.item \(line 5\): expected a whole number, found true",
     ),
     "text for a number": (
         f"{HEAD}camera_rate: '5'\n",
         r'camera_rate \(line 4\): expected a number, found "5"',
     ),
     "two items in one place": (
-        f"{HEAD}items:\n{ITEM}  - {{tag: 42, support: table, x: 0.52, y: 0.63}}\n",
+        f"{HEAD}items:\n{ITEM}  - {{item: 42, support: table, x: 0.52, y: 0.63}}\n",
         r"items\.1 \(line 6\): item_42 is in one place with item_29",
     ),
     "an item inside an obstacle": (
@@ -88,7 +88,7 @@ WRONG = {
         ),
         r"at most 100000 values",
     ),
-    "a tag twice": (f"{HEAD}items:\n{ITEM}{ITEM}", r"expected each tag once; several times there: 29$"),
+    "an item twice": (f"{HEAD}items:\n{ITEM}{ITEM}", r"expected each item once; several times there: 29$"),
     "half a letter": ('name: "\\uD800"\n', r"name \(line 1\): expected Unicode text, found half a surr"),
     "a control character": ('name: "a\\e[2J"\nsite: lab\n', r"name \(line 1\): expected"),
     "no text": (b"name: \xff\xfe", "not UTF-8"),
@@ -144,7 +144,7 @@ def test_each_command_refuses_it(kind: str, command: tuple[str, ...], tmp_path: 
     ("content", "reason"),
     [
         ("faults: []\nfaults: []\n", r"faults \(line 2\): duplicate key"),
-        ("faults: [{kind: item_gone, tag: 035}]\n", r"faults\.0\.tag \(line 1\): 035 .*octal"),
+        ("faults: [{kind: item_gone, item: 035}]\n", r"faults\.0\.item \(line 1\): 035 .*octal"),
         (
             "faults:\n- kind: obstacle_appears\n  x: 1.3\n  y: -2.75\n",
             r"faults\.0 \(line 2\): .* in one place with cabinet\.0",
@@ -176,8 +176,8 @@ def test_what_is_clear_is_taken(tmp_path: Path) -> None:
     """Quoted text that looks like a number, numbers as JSON writes them, and things side by side."""
     content = (
         "name: '007'\nsite: lab\nstart: {x: -8e-1, y: 1.2, yaw: 0}\nitems:\n"
-        "  - &item {tag: 29, support: table, x: 0.50, y: 0.60}\n"
-        "  - {tag: 42, support: table, x: 0.56, y: 0.60}\n"
+        "  - &item {item: 29, support: table, x: 0.50, y: 0.60}\n"
+        "  - {item: 42, support: table, x: 0.56, y: 0.60}\n"
     )
     run = tandem("scenario", "check", written(tmp_path, content))
     assert run.returncode == 0, run.stdout + run.stderr

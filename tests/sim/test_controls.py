@@ -72,13 +72,20 @@ def accepted(answer: bytes) -> Answer:
 
 
 def test_an_item_is_placed_on_its_support(room: Room, ask: Asking) -> None:
-    assert accepted(ask(PLACE_ITEM.key, {"tag": 29, "support": "depot", "x": -2.5, "y": -1.2})).accepted
+    assert accepted(ask(PLACE_ITEM.key, {"item": 29, "support": "depot", "x": -2.5, "y": -1.2})).accepted
     room.world.settle()
     truth = Truth.model_validate_json(ask(TRUTH.key, {}))
     assert lies_on(truth, room.site, 29, "depot")
     assert not lies_on(truth, room.site, 42, "depot")
     assert truth.item(29).pose.position == pytest.approx((-2.5, -1.2, 0.74), abs=0.002)
     assert "depot.0" in truth.touching("item_29")
+
+
+def test_what_was_written_up_to_release_0_1_0_says_tag(ask: Asking) -> None:
+    assert accepted(ask(PLACE_ITEM.key, {"tag": 29, "support": "depot", "x": -2.5, "y": -1.2})).accepted
+    told = Truth.model_validate_json(ask(TRUTH.key, {}))
+    before = told.model_dump_json().replace('"item":', '"tag":')
+    assert Truth.model_validate_json(before) == told
 
 
 def test_an_obstacle_is_placed_moved_and_removed(room: Room, ask: Asking) -> None:
@@ -95,8 +102,8 @@ def test_an_obstacle_is_placed_moved_and_removed(room: Room, ask: Asking) -> Non
     ("key", "document", "said"),
     [
         (PLACE_ITEM.key, b"{", "a JSON object with"),
-        (PLACE_ITEM.key, {"tag": 500, "support": "table", "x": 1, "y": 0.5}, "knows no item 500"),
-        (PLACE_ITEM.key, {"tag": 29, "support": "sofa", "x": 1, "y": 0.5}, "no furniture 'sofa'"),
+        (PLACE_ITEM.key, {"item": 500, "support": "table", "x": 1, "y": 0.5}, "knows no item 500"),
+        (PLACE_ITEM.key, {"item": 29, "support": "sofa", "x": 1, "y": 0.5}, "no furniture 'sofa'"),
         (REMOVE.key, {"name": "nothing"}, "nothing movable is called 'nothing'"),
         (MOVE.key, {"name": "mug", "pose": {"position": [0, 0]}}, "pose.position"),
         (RESET.key, {"seed": -1}, "seed"),

@@ -201,7 +201,7 @@ def test_a_stop_that_somebody_else_has_set_stays(make_rig: MakeRig) -> None:
 
 
 def test_an_item_is_moved_out_of_the_hand_that_lifts_it(make_rig: MakeRig) -> None:
-    rig = make_rig(ItemMoves(dx=-0.3, dy=0.8, when=ItemLifted(tag=29)))
+    rig = make_rig(ItemMoves(dx=-0.3, dy=0.8, when=ItemLifted(item=29)))
     rig.lift()
     rig.ticks(100)
     assert rig.phases() == [("item_moves", BEGAN)]
@@ -210,7 +210,7 @@ def test_an_item_is_moved_out_of_the_hand_that_lifts_it(make_rig: MakeRig) -> No
 
 
 def test_an_item_is_not_moved_into_something_else(make_rig: MakeRig) -> None:
-    rig = make_rig(ItemMoves(tag=29, dx=-0.68, dy=-0.15, at=0.1))
+    rig = make_rig(ItemMoves(item=29, dx=-0.68, dy=-0.15, at=0.1))
     rig.ticks(30)
     assert rig.phases() == [("item_moves", REFUSED)]
     assert "robot" in rig.events[0].words
@@ -218,7 +218,7 @@ def test_an_item_is_not_moved_into_something_else(make_rig: MakeRig) -> None:
 
 
 def test_an_item_is_gone_and_a_second_time_there_is_none(make_rig: MakeRig) -> None:
-    rig = make_rig(ItemGone(tag=29, at=0.1), ItemGone(tag=29, at=0.2))
+    rig = make_rig(ItemGone(item=29, at=0.1), ItemGone(item=29, at=0.2))
     rig.ticks(30)
     assert rig.phases() == [("item_gone", BEGAN), ("item_gone", REFUSED)]
     assert [event.number for event in rig.events] == [0, 1]

@@ -140,7 +140,7 @@ def test_an_obstacle_that_waits_appears_as_soon_as_there_is_room(stage: Stage) -
 
 
 def test_a_slot_of_the_depot_is_taken_by_a_parcel_or_an_item(stage: Stage) -> None:
-    station = stage(DepotTaken(slot=0), DepotTaken(slot=1, tag=29), DepotTaken(slot=0))
+    station = stage(DepotTaken(slot=0), DepotTaken(slot=1, item=29), DepotTaken(slot=0))
     told = keys.Latest(stage.bus, FAULTS)
     stage.run(0.5)
     assert [event.phase for event in told.take()] == ["began", "began", "refused"]
@@ -188,7 +188,7 @@ def test_a_reset_mends_everything_and_begins_the_faults_anew(stage: Stage) -> No
         (JointStall(group="leg"), "faults.0.group: expected one of arm_left"),
         (DepotTaken(depot="attic"), "faults.0.depot: expected one of depot"),
         (DepotTaken(slot=9), "faults.0.slot: expected 0 to 6"),
-        (DepotTaken(tag=500), "faults.0.tag: expected one of 3"),
+        (DepotTaken(item=500), "faults.0.item: expected one of 3"),
         (ObstacleAppears(support="sofa", x=0.0, y=0.0), "faults.0.support: no furniture 'sofa'"),
     ],
 )

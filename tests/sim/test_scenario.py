@@ -25,7 +25,7 @@ def test_each_packaged_scenario_fits_its_site(name: str) -> None:
 def test_the_demo_has_what_is_promised() -> None:
     demo = load_scenario("Demo")
     assert len(demo.items) >= 8
-    assert {29, 42} <= {item.tag for item in demo.items}
+    assert {29, 42} <= {item.item for item in demo.items}
     assert abs(demo.noise.odometry_scale) >= 0.02
     assert demo.noise.laser_sigma >= 0.010
     assert demo.noise.depth_sigma > 0.0
@@ -37,14 +37,14 @@ def test_the_demo_has_what_is_promised() -> None:
     [
         ("name: [", "", "not YAML"),
         ("name: x\n site: lab", "line 2", "indented as its neighbours"),
-        ("items:\n  - {tag: 1}\n - {tag: 2}", "line 3", "indented as its neighbours"),
+        ("items:\n  - {item: 1}\n - {item: 2}", "line 3", "indented as its neighbours"),
         ("- 1", "", "a mapping"),
         ("name: x", "start", "expected a value"),
         ("{name: x, start: {x: 0, y: 0, yaw: 0}, colour: red}", "colour", "no such field"),
         ("{name: x, start: {x: a, y: 0, yaw: 0}}", "start.x", "a number"),
         ("{name: x, start: {x: .nan, y: 0, yaw: 0}}", "start.x", "finite"),
         (
-            "{name: x, start: {x: 0, y: 0, yaw: 0}, items: [{tag: 29, support: table, x: 0, y: 0, mass: 7}]}",
+            "{name: x, start: {x: 0, y: 0, yaw: 0}, items: [{item: 9, support: table, x: 0, y: 0, mass: 7}]}",
             "items.0.mass",
             "less than or equal to 5",
         ),
@@ -70,19 +70,19 @@ def test_a_missing_file_is_named(tmp_path: Path) -> None:
         load_scenario(tmp_path / "none.yaml")
 
 
-def test_a_tag_may_be_there_once() -> None:
+def test_an_item_may_be_there_once() -> None:
     demo = load_scenario("Demo")
     doubled = {**demo.model_dump(), "items": [demo.item(29), demo.item(29)]}
-    with pytest.raises(ValueError, match="each tag once; several times there: 29"):
+    with pytest.raises(ValueError, match="each item once; several times there: 29"):
         type(demo).model_validate(doubled)
 
 
 @pytest.mark.parametrize(
     ("item", "said"),
     [
-        (TrueItem(tag=500, support="table", x=1.0, y=0.5), "items.0.tag: expected one of 3, 7"),
-        (TrueItem(tag=29, support="sofa", x=1.0, y=0.5), "items.0.support: no furniture 'sofa'"),
-        (TrueItem(tag=29, support="table", x=-1.0, y=0.5), "is not above table"),
+        (TrueItem(item=500, support="table", x=1.0, y=0.5), "items.0.item: expected one of 3 (salt), 7"),
+        (TrueItem(item=29, support="sofa", x=1.0, y=0.5), "items.0.support: no furniture 'sofa'"),
+        (TrueItem(item=29, support="table", x=-1.0, y=0.5), "is not above table"),
     ],
 )
 def test_what_the_site_has_no_place_for_is_refused(item: TrueItem, said: str) -> None:
@@ -94,7 +94,7 @@ def test_what_the_site_has_no_place_for_is_refused(item: TrueItem, said: str) ->
 
 def test_variants_leave_the_original_alone() -> None:
     demo = load_scenario("Demo")
-    moved = demo.with_item(TrueItem(tag=29, support="shelf_board", x=-1.0, y=2.7))
+    moved = demo.with_item(TrueItem(item=29, support="shelf_board", x=-1.0, y=2.7))
     assert moved.item(29).support == "shelf_board"
     assert demo.item(29).support == "table"
     assert len(demo.without_item(29).items) == len(demo.items) - 1
@@ -165,3 +165,43 @@ def test_one_that_is_like_nothing_is_refused(tmp_path: Path, text: str, said: st
     with pytest.raises(DocumentError) as caught:
         load_scenario(tmp_path / "mine.yaml")
     assert said in str(caught.value)
+
+
+NAMED = (
+    "{name: mine, site: lab, start: {x: -0.8, y: 1.2, yaw: 0}, items: [{%s, support: table, x: 0.5, y: 0.6}]}"
+)
+
+
+@pytest.mark.parametrize("said", ["item: 29", "item: tea", "tag: 29"])
+def test_an_item_is_said_by_its_number_or_by_its_name(said: str, tmp_path: Path) -> None:
+    (tmp_path / "mine.yaml").write_text(NAMED % said)
+    assert load_scenario(tmp_path / "mine.yaml").item(29).support == "table"
+
+
+@pytest.mark.parametrize(
+    ("said", "reason"),
+    [
+        ("item: cocoa", "items.0.item (line 1): expected one of the site's items: 3 (salt), 7, 11"),
+        ("item: tea, tag: 29", "items.0.tag (line 1): expected no such field, found 29"),
+        ("tag: true", "items.0.tag (line 1): expected a whole number, found true"),
+        ("mass: 0.1", "items.0.item (line 1): expected a value"),
+    ],
+)
+def test_an_item_that_is_none_of_the_sites_is_refused(said: str, reason: str, tmp_path: Path) -> None:
+    (tmp_path / "mine.yaml").write_text(NAMED % said)
+    with pytest.raises(DocumentError) as caught:
+        load_scenario(tmp_path / "mine.yaml")
+    assert str(caught.value).startswith(f"{tmp_path / 'mine.yaml'}: {reason}")
+
+
+def test_names_are_those_of_the_site_that_the_scenario_is_to_be_in(tmp_path: Path) -> None:
+    (tmp_path / "mine.yaml").write_text(NAMED % "item: tin")
+    assert load_scenario(tmp_path / "mine.yaml", "pantry").item(20).x == 0.5
+    with pytest.raises(DocumentError, match="no site 'nowhere'"):
+        load_scenario(tmp_path / "mine.yaml", "nowhere")
+
+
+def test_names_of_a_site_that_can_not_be_read_are_told_at_the_site(tmp_path: Path) -> None:
+    (tmp_path / "mine.yaml").write_text(NAMED.replace("lab", "none.yaml") % "item: tea")
+    with pytest.raises(DocumentError, match=r"mine\.yaml: site \(line 1\): .*none\.yaml: cannot read"):
+        load_scenario(tmp_path / "mine.yaml")

@@ -26,7 +26,7 @@ def station() -> Iterator[Station]:
 @pytest.mark.parametrize(
     ("update", "said"),
     [
-        ({"items": (TrueItem(tag=29, support="sofa", x=0.0, y=0.0),)}, "sofa"),
+        ({"items": (TrueItem(item=29, support="sofa", x=0.0, y=0.0),)}, "sofa"),
         ({"site": "elsewhere"}, "site: expected lab, found elsewhere"),
     ],
 )

@@ -84,13 +84,65 @@ def test_a_site_reads_on_the_wire_as_in_its_file() -> None:
     assert Site.model_validate_json(site.model_dump_json()) == site
 
 
-def test_an_item_may_be_of_name_and_shape_only(tmp_path: Path) -> None:
+MUG = "{name: mug, size: [0.06, 0.06, 0.08], colour: [0.9, 0.1, 0.1]}"
+
+
+def with_items(items: str, folder: Path) -> Path:
     shipped = (resources.files("tandem.skills") / "sites" / "pantry.yaml").read_text("utf-8")
-    file = tmp_path / "pantry.yaml"
-    file.write_text(shipped.replace(TIN, "{item: 600, name: mug, size: [0.06, 0.06, 0.08]}"), "utf-8")
-    item = load(str(file)).meant("mug")
+    head, _ = shipped.split("\nitems:\n")
+    file = folder / "pantry.yaml"
+    file.write_text(f"{head}\nitems: [{items}]\n", "utf-8")
+    return file
+
+
+@pytest.mark.parametrize(
+    ("items", "number"),
+    [
+        (MUG, 1409),
+        (f"{TIN}, {{name: bowl, size: [0.06, 0.06, 0.08]}}, {MUG}", 1409),
+        (MUG.replace("name", "item: 600, name"), 600),
+    ],
+    ids=["alone", "after others", "said"],
+)
+def test_an_item_may_be_of_name_and_shape_only(items: str, number: int, tmp_path: Path) -> None:
+    item = load(str(with_items(items, tmp_path))).meant("mug")
     assert item is not None
-    assert (item.item, item.tag_size, item.seen_edge) == (600, None, pytest.approx(0.048))
+    assert (item.item, item.tag_size, item.seen_edge) == (number, None, pytest.approx(0.048))
+
+
+@pytest.mark.parametrize(
+    ("items", "reason"),
+    [
+        (
+            "{size: [0.06, 0.06, 0.06]}",
+            r"items\.0 \(line \d+\): expected a name \(text\), or item, its number",
+        ),
+        (
+            "{name: mug, size: [0.06, 0.06, 0.06], tag_size: 0.048}",
+            r"items\.0 \(line \d+\): expected item, the number of its tag \(0 to 586\), beside tag_size",
+        ),
+        ("{name: 5, size: [0.06, 0.06, 0.06]}", r"items\.0 \(line \d+\): expected a name \(text\), or item"),
+        (
+            "{name: screw, size: [0.06, 0.06, 0.06]}, {name: soup, size: [0.06, 0.06, 0.06]}",
+            r"items \(line \d+\): .* 2900 is .* screw and soup; say item: with .* number for screw or soup",
+        ),
+        (
+            f"{{item: 1409, name: bowl, size: [0.06, 0.06, 0.06]}}, {MUG}",
+            r"items \(line \d+\): .* bowl and mug; say item: with another number for mug",
+        ),
+        (
+            f"{TIN}, {TIN.replace('tin', 'can')}",
+            r"items \(line \d+\): expected each number once; 20 is that of two items, tin and can, found",
+        ),
+        (f"{MUG}, {MUG}", r"\(the whole document\): names of items: expected unique names, twice there: mug"),
+    ],
+)
+def test_an_item_of_which_nothing_tells_the_number_is_refused(
+    items: str, reason: str, tmp_path: Path
+) -> None:
+    file = with_items(items, tmp_path)
+    with pytest.raises(DocumentError, match=rf"^{re.escape(str(file))}: {reason}"):
+        load(str(file))
 
 
 def test_a_tag_has_the_number_of_one(tmp_path: Path) -> None:

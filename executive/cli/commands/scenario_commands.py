@@ -40,7 +40,7 @@ def list_all(*, as_json: Json = False) -> None:
         start = "; ".join(
             f"({at.x:g}, {at.y:g}), {at.yaw:.2f} rad" for at in (each.start for each in scenario.placed)
         )
-        tags = " ".join(str(item.tag) for item in scenario.items)
+        tags = " ".join(str(item.item) for item in scenario.items)
         table.add_row(name, scenario.site, tags, str(len(scenario.obstacles)), start)
     Console().print(table)
 
@@ -92,7 +92,7 @@ def _facts(scenario: Scenario) -> ScenarioFacts:
     return ScenarioFacts(
         name=scenario.name,
         site=scenario.site,
-        items=tuple(item.tag for item in scenario.items),
+        items=tuple(item.item for item in scenario.items),
         obstacles=len(scenario.obstacles),
         faults=len(scenario.faults),
     )
@@ -106,11 +106,9 @@ def checked(name_or_path: str, site: str = "") -> Scenario:
     """
     from tandem.sim.scenario import read_scenario  # noqa: PLC0415
     from tandem.sim.scene import build_scene  # noqa: PLC0415
-    from tandem.skills.site import load, locate  # noqa: PLC0415
+    from tandem.skills.site import load  # noqa: PLC0415
 
-    scenario, source = read_scenario(name_or_path)
-    if site:
-        scenario = scenario.model_copy(update={"site": locate(site)})
+    scenario, source = read_scenario(name_or_path, site)
     build_scene(load(scenario.site), scenario, source=source)
     return scenario
 

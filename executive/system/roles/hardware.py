@@ -35,14 +35,15 @@ def _play(stage: Stage) -> None:
         resting_period=None if settings.speed is None else RESTING_PERIOD,
         gui=settings.gui,
     )
-    scenario = load_scenario(settings.scenario)
+    site = load(settings.site)
+    scenario = load_scenario(settings.scenario, settings.site)
     if settings.faults is not None:
         from tandem.executive.config.fault_file import load_faults  # noqa: PLC0415
 
-        scenario = scenario.with_faults(load_faults(settings.faults).faults)
+        scenario = scenario.with_faults(load_faults(settings.faults, site).faults)
     with ExitStack() as ends:
         buses, stopped = _buses(stage, scenario.robots_on_the_bus, ends)
-        station = Station(buses or bus, load(settings.site), scenario, how)
+        station = Station(buses or bus, site, scenario, how)
         ends.callback(station.close)
         stops = {scenario.first.name: settings.stop, **settings.stops}
         for name, stop in stops.items():

@@ -112,7 +112,9 @@ class Reachable:
 
 def _object(body: SceneBody) -> SceneObject:
     if body.label is not None:
-        return SceneObject(name=item_name(body.label.tag), kind="item", box=as_box(body), item=body.label.tag)
+        return SceneObject(
+            name=item_name(body.label.item), kind="item", box=as_box(body), item=body.label.item
+        )
     return SceneObject(name=body.name, kind="clutter" if body.mass > 0.0 else "furniture", box=as_box(body))
 
 

@@ -128,7 +128,7 @@ def _a_little(case: Case, when: Event) -> ItemMoves:
         if why_not(case.site, case.scenario, place) is not None:
             continue
         if case.out_of_reach(case.scenario.with_item(place), case.item) is None:
-            return ItemMoves(tag=case.item, dx=dx, dy=dy, dyaw=dyaw, when=when)
+            return ItemMoves(item=case.item, dx=dx, dy=dy, dyaw=dyaw, when=when)
     raise ScenarioError(f"{case.scenario.name}: no free place within 5 cm of item {case.item}")
 
 
@@ -163,7 +163,7 @@ RECOVERABLE: Final[Mapping[str, Draw]] = MappingProxyType(
         "gripper stuck": lambda c: (
             GripperStuck(lasts=c.number(3, 8), when=ArmMoving(nth=c.nth(MOTIONS), after=0.3)),
         ),
-        "dropped when lifted": lambda c: (HandOpens(when=ItemLifted(tag=c.item, after=c.number(0.0, 0.2))),),
+        "dropped when lifted": lambda c: (HandOpens(when=ItemLifted(item=c.item, after=c.number(0.0, 0.2))),),
         "squeezed, then lost": lambda c: (HandOpens(when=GripperClosed(after=c.number(0.1, 0.6))),),
         "hardware silent": lambda c: (HardwareSilent(lasts=c.number(1, 5), at=c.number(3, 40)),),
         "bumper": lambda c: (
@@ -189,7 +189,7 @@ def _all_slots(case: Case) -> tuple[Fault, ...]:
 
 HOPELESS: Final[Mapping[str, tuple[Draw, frozenset[FailureKind]]]] = MappingProxyType(
     {
-        "item gone": (lambda c: (ItemGone(tag=c.item, at=0.0),), frozenset((_K.ITEM_NOT_FOUND,))),
+        "item gone": (lambda c: (ItemGone(item=c.item, at=0.0),), frozenset((_K.ITEM_NOT_FOUND,))),
         "depot full": (_all_slots, frozenset((_K.DESTINATION_FULL,))),
         "stop pressed": (
             lambda c: (StopSet(when=ArmMoving(nth=c.nth(MOTIONS), after=0.3)),),

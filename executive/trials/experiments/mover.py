@@ -91,7 +91,7 @@ class Mover:
     def _ask(self, waiting: _Waiting) -> None:
         to = waiting.step.to[waiting.tries]
         place = Place(support="table", x=to.x, y=to.y, yaw=to.yaw)
-        FAULT.query(self.bus, FaultRequest(fault=ItemMoves(tag=waiting.step.item, to=place)))
+        FAULT.query(self.bus, FaultRequest(fault=ItemMoves(item=waiting.step.item, to=place)))
         waiting.asked = True
 
     def _due(self, step: Step, now: float) -> bool:

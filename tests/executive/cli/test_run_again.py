@@ -20,6 +20,7 @@ from tandem.executive.trials.campaigns import fetch
 from tandem.executive.trials.campaigns.recording import HeldRuns
 from tandem.sim.faults import CameraDark
 from tandem.sim.scenario import Scenario
+from tandem.skills.site import load
 
 FAULTS = FaultFile(faults=(CameraDark(at=3.0),))
 
@@ -70,7 +71,7 @@ def test_a_demo_is_repeated_with_its_faults(tmp_path: Path, monkeypatch: pytest.
 
     def run(options: RunOptions) -> ExitCode:
         assert options.faults is not None
-        asked.append(load_faults(options.faults))
+        asked.append(load_faults(options.faults, load("lab")))
         return ExitCode.OK
 
     monkeypatch.setattr(running_system, "run_demo", run)

@@ -36,10 +36,11 @@ def test_each_example_is_right(path: Path) -> None:
     assert check_faults(path, load("lab"), ROBOTS).faults
 
 
-def test_what_a_file_says_is_what_is_read(tmp_path: Path) -> None:
-    text = "faults: [{kind: hand_opens, side: left, when: {event: item_lifted, tag: 29, nth: 2}}]"
-    file = load_faults(written(tmp_path, text))
-    assert file.faults == (HandOpens(side="left", when=ItemLifted(tag=29, nth=2)),)
+@pytest.mark.parametrize("said", ["item: 29", "item: tea", "tag: 29"])
+def test_what_a_file_says_is_what_is_read(said: str, tmp_path: Path) -> None:
+    text = f"faults: [{{kind: hand_opens, side: left, when: {{event: item_lifted, {said}, nth: 2}}}}]"
+    file = load_faults(written(tmp_path, text), load("lab"))
+    assert file.faults == (HandOpens(side="left", when=ItemLifted(item=29, nth=2)),)
     assert file.bus is None
 
 
@@ -52,14 +53,16 @@ def test_what_a_file_says_is_what_is_read(tmp_path: Path) -> None:
         ("faults: [{kind: camera_blue}]", "faults.0", "camera_dark"),
         ("faults: [{at: 1}]", "faults.0", "kind"),
         ("faults: [{kind: camera_dark, lasts: 0}]", "faults.0.camera_dark.lasts", "greater than 0"),
-        ("faults: [{kind: item_gone, tag: 3, lasts: 1}]", "faults.0.item_gone.lasts", "no such field"),
+        ("faults: [{kind: item_gone, item: 3, lasts: 1}]", "faults.0.item_gone.lasts", "no such field"),
         ("faults: [{kind: stop, at: 1, when: {event: base_moving}}]", "faults.0.stop", "either at or when"),
         ("faults: [{kind: stop, when: {event: dawn}}]", "faults.0.stop.when", "base_moving"),
-        ("faults: [{kind: item_moves, dx: 1}]", "faults.0.item_moves", "an item's tag"),
+        ("faults: [{kind: item_moves, dx: 1}]", "faults.0.item_moves", "an item's name or number"),
         ("faults: [{kind: obstacle_appears}]", "faults.0.obstacle_appears", "either x and y, or ahead"),
         ("faults: [{kind: depot_taken, slot: 99}]", "faults.0.slot", "0 to 6"),
-        ("faults: [{kind: depot_taken, tag: 3, lasts: 1}]", "faults.0.depot_taken", "lasts is for a parcel"),
-        ("faults: [{kind: item_gone, tag: 500}]", "faults.0.tag", "one of 3"),
+        ("faults: [{kind: depot_taken, item: 3, lasts: 1}]", "faults.0.depot_taken", "lasts is for a parcel"),
+        ("faults: [{kind: item_gone, item: 500}]", "faults.0.item", "one of 3"),
+        ("faults: [{kind: item_gone, item: cocoa}]", "faults.0.item_gone.item", "one of the site's items: 3"),
+        ("faults: [{kind: item_gone, item: tea, tag: 29}]", "faults.0.item_gone.tag", "no such field"),
         ("faults: [{kind: joint_stall, group: leg}]", "faults.0.group", "one of arm_left"),
         ("faults: [{kind: bumper, bumper: front_left}]", "faults.0.bumper", "one of front, left"),
         ("faults: [{kind: range_stuck}]", "faults.0.kind", "a robot with range sensors or cliff sensors"),

@@ -16,7 +16,7 @@ DEMO = load_scenario("Demo")
 
 
 def test_an_item_of_the_scenario_with_nothing_but_defaults() -> None:
-    first = DEMO.items[0].tag
+    first = DEMO.items[0].item
     assert hint(RunOptions(), DEMO, LAB) == f"tandem request fetch --item {first} --wait"
 
 

@@ -34,7 +34,7 @@ def test_each_moment_is_a_leaf_of_its_task(moment: Moment) -> None:
 
 def truth(*touches: tuple[str, str], at: Pose = IDENTITY) -> Truth:
     stamp = RobotTime(boot="test", seconds=1.0)
-    bodies = (TrueBody(name="item_29", pose=at, tag=29), TrueBody(name="item_42", pose=at, tag=42))
+    bodies = (TrueBody(name="item_29", pose=at, item=29), TrueBody(name="item_42", pose=at, item=42))
     contacts = tuple(TrueContact(first=first, second=second, force=1.0) for first, second in touches)
     return Truth(stamp=stamp, base_in_map=IDENTITY, bodies=bodies, contacts=contacts)
 

@@ -25,7 +25,7 @@ STAMP = RobotTime(boot="test", seconds=1.0)
 
 
 def truth(at: Vector3, *touches: str) -> Truth:
-    body = TrueBody(name="item_29", pose=Pose(position=at), tag=29)
+    body = TrueBody(name="item_29", pose=Pose(position=at), item=29)
     contacts = tuple(TrueContact(first="item_29", second=each, force=1.0) for each in touches)
     return Truth(stamp=STAMP, base_in_map=IDENTITY, bodies=(body,), contacts=contacts)
 

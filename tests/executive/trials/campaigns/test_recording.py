@@ -12,6 +12,7 @@ from tandem.executive.config.fault_file import FaultFile, load_faults
 from tandem.executive.trials.campaigns.recording import UNRECORDED, RecordedRuns
 from tandem.sim.faults import CameraDark
 from tandem.sim.scenario import load_scenario
+from tandem.skills.site import load
 from tandem.skills.testing.faulty_bus import BusFaults
 
 RUNS = RecordedRuns(Path("runs"), "recovery", "Demo", seed=4, commit="c0ffee")
@@ -28,7 +29,7 @@ def test_the_faults_are_facts_and_a_file_of_faults_again(tmp_path: Path) -> None
     scenario, bus = load_scenario("Demo").with_faults(drawn), BusFaults(drop=0.1)
     path = tmp_path / "faults.yaml"
     path.write_text(RUNS.facts(scenario, 7, bus).faults, "utf-8")
-    assert load_faults(path) == FaultFile(faults=drawn, bus=bus)
+    assert load_faults(path, load("lab")) == FaultFile(faults=drawn, bus=bus)
 
 
 def test_without_a_folder_nothing_is_recorded() -> None:
