@@ -28,11 +28,12 @@ PartName = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,31}$")]
 """A part of the robot, as its description names it; it becomes a part of keys."""
 HandName = PartName
 """A hand, such as ``left``."""
-_ODD: Final = r"\x00-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069"
+_ODD: Final = r"\x00-\x1f\x7f-\x9f\u00ad\u200b\u200e\u200f\u2028-\u202e\u2060-\u2064\u2066-\u2069\ufeff"
 PLAIN_TEXT: Final = rf"^[^{_ODD}]*$"
-"""Text without control characters, line breaks and what reorders the text around it, as a pattern.
+"""Text without control characters, line breaks, and what is unseen or reorders the text around it: a pattern.
 
-An id with an override such as U+202E is shown as another one (Unicode Technical Report 36, 2.6).
+An id with an override such as U+202E, or with a space of no width, is shown as another one (Unicode Technical
+Report 36, 2.6). The two joiners (U+200C, U+200D) may stand in it: words of Persian and Hindi need them.
 """
 _ODD_CHARACTER: Final = re.compile(f"[{_ODD}]")
 

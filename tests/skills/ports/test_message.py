@@ -33,7 +33,7 @@ def test_kinds_of_messages_with_settings_of_their_own_keep_no_strings_either(kin
     assert kind.model_config.get("cache_strings") == "none"
 
 
-@pytest.mark.parametrize("text", ["\x1b[2Jgone", "a\nb", "\u202egnp.exe", "\x9b31m", "\u2028"])
+@pytest.mark.parametrize("text", ["\x1b[2Jgone", "a\nb", "\u202egnp.exe", "\x9b31m", "\u2028", "\ufeff29"])
 def test_what_others_wrote_reaches_the_screen_without_what_would_change_it(text: str) -> None:
     """A stop with such a reason still stops: it is written otherwise, where a request would be refused."""
     stop = Stop.model_validate_json(json.dumps({"by": text, "reason": text}))

@@ -163,8 +163,10 @@ def test_a_name_that_is_none_gets_nowhere(name: str) -> None:
     assert here.executive.book.all() == ()
 
 
-@pytest.mark.parametrize("text", ["a\nb", "\x00", "\x7f", "\u2028", "a\n", "\u202e92"])
-def test_an_id_has_no_control_characters(text: str) -> None:
+@pytest.mark.parametrize(
+    "text", ["a\nb", "\x00", "\x7f", "\u2028", "a\n", "\u202e92", "29\u200b", "\ufeff29"]
+)
+def test_an_id_has_no_characters_that_control_or_are_not_seen(text: str) -> None:
     assert refused(Here().ask("", {**WAIT, "id": text}))[0] == "id"
 
 
