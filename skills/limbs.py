@@ -97,6 +97,11 @@ class Limb:
         """The node's name."""
         return f"{self._around.group}/reflexes"
 
+    @property
+    def busy(self) -> bool:
+        """Whether a reflex has any of it."""
+        return any(pipeline.override is not None for pipeline in self._around.pipelines.values())
+
     def pipeline(self, resource: str) -> Pipeline:
         """Return the pipeline of ``ARM``, ``HAND`` or ``HEAD``; KeyError when it is no part of this limb."""
         return self._around.pipelines[resource]

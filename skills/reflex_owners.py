@@ -27,6 +27,7 @@ COME_ALONG: Final[Mapping[str, tuple[str, ...]]] = MappingProxyType(
         "base_guard": (BASE,),
         "avoid_collision": (BASE,),
         "approach": (BASE,),
+        "arm_guard": (ARM,),
     }
 )
 """The resources of the reflexes that come along, by name: an owner knows the others' names without loading

@@ -11,7 +11,7 @@ from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.hardware import StopState
 from tandem.skills.ports.keys import CLOCK, DESCRIPTION, STOP_STATE, Latest, Nothing
 from tandem.skills.ports.message import HandName, RobotTime
-from tandem.skills.ports.reflex import BASE, PipelineState, pipeline_state
+from tandem.skills.ports.reflex import BASE, HEAD, PipelineState, hand_resource, pipeline_state
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.site import Site
 from tandem.skills.ports.whereabouts import Neighbours
@@ -60,7 +60,8 @@ class Knowledge:
         self._robot = Latest(bus, ROBOT_POSE)
         self._stop = Latest(bus, STOP_STATE)
         self._zones = Latest(bus, ZONES, depth=4)
-        self._base = Latest(bus, pipeline_state(BASE))
+        self._whole = {each: Latest(bus, pipeline_state(each)) for each in (BASE, HEAD)}
+        self._limbs: dict[str, Latest[PipelineState]] = {}
         self._arms: dict[HandName, Latest[ArmStatus]] = {}
         self.assume_hands(ASSUMED)
         self._ticks = Latest(bus, CLOCK, depth=4)
@@ -78,7 +79,8 @@ class Knowledge:
         self._robot.refresh()
         self._stop.refresh()
         self.neighbours.refresh()
-        self._base.refresh()
+        for pipeline in self._pipelines.values():
+            pipeline.refresh()
         self._hear_hardware()
         for latest in self._arms.values():
             latest.refresh()
@@ -97,11 +99,16 @@ class Knowledge:
             return
         for latest in self._arms.values():
             latest.close()
+        for pipeline in self._limbs.values():
+            pipeline.close()
+        limbs = [name for hand in hands for name in (f"arm_{hand}", hand_resource(hand))]
+        self._limbs = {name: Latest(self._bus, pipeline_state(name)) for name in limbs}
         self._arms = {hand: Latest(self._bus, arm_status(f"arm_{hand}")) for hand in hands}
 
     def _believed(self) -> tuple[object, ...]:
-        told = (self.world, self.robot_localised, self.stopped, self.base_taken)
-        return (*told, *(self.arm(hand) for hand in self.hands))
+        told = (self.world, self.robot_localised, self.stopped)
+        taken = (self.taken(resource) for resource in self._pipelines)
+        return (*told, *taken, *(self.arm(hand) for hand in self.hands))
 
     @property
     def world(self) -> WorldState | None:
@@ -133,22 +140,39 @@ class Knowledge:
         return self._stop.value or StopState(stopped=False)
 
     @property
-    def base_reflex(self) -> PipelineState | None:
-        """What the base's pipeline told last, if a reflex has it; None when none has, or it is silent."""
-        state, now = self._current(self._base.value), self._clocks.robot()
+    def _pipelines(self) -> dict[str, Latest[PipelineState]]:
+        return self._whole | self._limbs
+
+    def reflex_of(self, resource: str) -> PipelineState | None:
+        """Return what a pipeline told last, if a reflex has its resource; None if none has, or it is silent.
+
+        Args:
+            resource: as leaves name what they need: ``base``, ``head``, ``arm_left``, ``gripper_left``.
+        """
+        heard = self._pipelines.get(resource)
+        state, now = None if heard is None else self._current(heard.value), self._clocks.robot()
         if state is None or not state.reflex:
             return None
         age = None if now is None else now.since(state.stamp)
         return None if age is not None and age > STALE else state
 
-    @property
-    def base_taken(self) -> str:
-        """Which reflex has the base, and what it saw, in words; nothing when none has it."""
-        state = self.base_reflex
+    def taken(self, resource: str) -> str:
+        """Return which reflex has a resource, and what it saw, in words; nothing when none has it."""
+        state = self.reflex_of(resource)
         if state is None:
             return ""
         saw = "" if state.why is None else f": {state.why.message}"
-        return f"reflex {state.reflex} has the base{saw}"
+        return f"reflex {state.reflex} has the {resource}{saw}"
+
+    @property
+    def base_reflex(self) -> PipelineState | None:
+        """What the base's pipeline told last, if a reflex has it."""
+        return self.reflex_of(BASE)
+
+    @property
+    def base_taken(self) -> str:
+        """Which reflex has the base, and what it saw, in words; nothing when none has it."""
+        return self.taken(BASE)
 
     @property
     def hardware_silent_for(self) -> float:
@@ -187,8 +211,9 @@ class Knowledge:
         self._stop.close()
         self.neighbours.close()
         self._zones.close()
-        self._base.close()
         self._ticks.close()
+        for pipeline in self._pipelines.values():
+            pipeline.close()
         for latest in self._arms.values():
             latest.close()
 

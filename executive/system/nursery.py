@@ -34,6 +34,7 @@ SKILLS_NEED: Final = (
     "tandem.skills.world.process",
     "tandem.skills.base.process",
     "tandem.skills.arm.process",
+    "tandem.skills.arm.reflexes.registry",
     "tandem.skills.gripper.process",
     "tandem.skills.bimanual.process",
     "tandem.skills.kinematics.described",

@@ -12,6 +12,7 @@ from tandem.executive.system.leased_loop import run_leased
 from tandem.executive.system.roles.role import Role, Stage, Surroundings
 from tandem.skills import map_file
 from tandem.skills.goal_journal import GoalJournal
+from tandem.skills.limbs import Limb
 from tandem.skills.one_boot import OneBoot
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks
@@ -81,7 +82,7 @@ def play_skills(stage: Stage, role: Role) -> None:
 def calm_now(role: Role, nodes: Sequence[Node]) -> bool:
     """Say whether these nodes move nothing now."""
     if role.calm == "between goals":
-        return not any(isinstance(node, ActionServer) and node.busy for node in nodes)
+        return not any(isinstance(node, ActionServer | Limb) and node.busy for node in nodes)
     return role.calm == "always"
 
 

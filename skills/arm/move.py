@@ -23,7 +23,6 @@ from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm, Moment, Plan
 from tandem.skills.arm.pushed import PushedBase
 from tandem.skills.arm.right_of_way import Gate
-from tandem.skills.arm.silence import SILENT_AFTER, joints_silent
 from tandem.skills.arm.status import ArmStatusBoard
 from tandem.skills.geometry.poses import distance
 from tandem.skills.ports.actions.arm import ArmState, MoveFeedback, MoveGoal, MovePhase, MoveResult, move
@@ -320,13 +319,13 @@ class Move:
     ) -> Generator[MoveFeedback | Slice, Command, tuple[Ended, Command, bool]]:
         """Wait for the end, and say whether an order or a pause has brought it about.
 
-        A cancel, a pause, an order, an obstacle, an item that has moved, a pushed base or silent joints stop
-        the hardware; its rest is awaited. Who is resumed before that has stopped short all the same.
+        A cancel, a pause, an order, an obstacle, an item that has moved or a pushed base stop the hardware;
+        its rest is awaited. Who is resumed before that has stopped short all the same.
         """
         stopping = held = False
         wrong: Failure | None = None
         while True:
-            wrong = wrong or watch.found or self._followed.moved() or self._pushed.moved() or self._blind()
+            wrong = wrong or watch.found or self._followed.moved() or self._pushed.moved()
             held = held or command is Command.PAUSE or self._gate.order() is not None
             if (command is Command.CANCEL or held or wrong is not None) and not stopping:
                 self._driver.stop()
@@ -340,13 +339,6 @@ class Move:
                 continue
             phase = MovePhase.STOPPING if stopping else MovePhase.MOVING
             command = _graver(command, (yield self._feedback(phase)))
-
-    def _blind(self) -> Failure | None:
-        """Return the failure of an arm that nobody sees: no reflex would stop it either."""
-        if not joints_silent(self._joints.refresh(), self._clocks):
-            return None
-        message = f"no joint states for {SILENT_AFTER} s while {self._arm.group.name} moved"
-        return self._failure(FailureKind.HARDWARE_LOST, message)
 
     def _held(self) -> Generator[MoveFeedback | Slice, Command, bool]:
         """Wait until the coordination lets the group go on; True when it was cancelled instead."""

@@ -1,6 +1,7 @@
 """Whether the joints' states have stopped coming: then nobody sees what the arm does, and it must not move.
 
-The reflex against crossing arms, the field, and the last check of each motion all read them.
+The reflex ``arm_guard`` watches them while a goal has the arm; the field does not wait for rest that is not
+told.
 """
 
 from __future__ import annotations

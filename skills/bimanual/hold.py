@@ -1,7 +1,7 @@
 """What both arms do together, period by period: each hand goes to its pose, and the squeeze is kept.
 
 It goes on between two goals: what is between the hands must not fall while the tree thinks. It lets go of
-the arms when it is told to, or when somebody else moves one of them.
+the arms when it is told to, when somebody else moves one of them, or when a reflex takes one.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from tandem.skills.ports.hardware import GroupStatus, JointStates, MotionState, 
 from tandem.skills.ports.keys import JOINT_STATES, STOP_STATE, Latest, group_setpoint, group_status, wrench
 from tandem.skills.ports.message import HandName, RobotTime, Vector3
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.reflex import PipelineState, pipeline_state
 from tandem.skills.ports.robot_description import RobotDescription
 
 LONGEST: Final = 0.05
@@ -50,6 +51,7 @@ class TwoArms:
         self._approaches: list[Latest[ApproachStatus]] = [
             Latest(bus, approach_status(arm.group)) for arm in self.arms
         ]
+        self._pipelines = [Latest(bus, pipeline_state(arm.group)) for arm in self.arms]
         self._at: RobotTime | None = None
         self._bare: dict[HandName, Vector3] = dict.fromkeys(PAIR, _NOTHING)
         self.aims: tuple[Pose, Pose] | None = None
@@ -75,6 +77,12 @@ class TwoArms:
     def leading(self) -> bool:
         """Whether both arms are led."""
         return self.aims is not None
+
+    @property
+    def taken(self) -> PipelineState | None:
+        """What the pipeline of an arm told last, if a reflex has that arm."""
+        told = (pipeline.value for pipeline in self._pipelines)
+        return next((state for state in told if state is not None and state.reflex), None)
 
     def tools(self) -> tuple[Pose, Pose]:
         """Return both tools in the base as the joints tell, left first. Only when ``ready``."""
@@ -136,6 +144,8 @@ class TwoArms:
         """With each new message of the joints: press, and tell both arms where to be."""
         joints = self._joints.refresh()
         self._stop.refresh()
+        for pipeline in self._pipelines:
+            pipeline.refresh()
         for told in self._wrenches.values():
             if self.leading or told.value is None:  # else nobody asks what the wrists feel
                 told.refresh()
@@ -155,12 +165,12 @@ class TwoArms:
         return False
 
     def _somebody_else(self) -> bool:
-        """Say whether one of the arms is moved by somebody else."""
+        """Say whether one of the arms is moved by somebody else, or taken by a reflex."""
         goals = [status.refresh() for status in self._status]
         approaches = [status.refresh() for status in self._approaches]
-        return any(goal is not None and goal.state is MotionState.ACTIVE for goal in goals) or any(
-            each is not None and each.active for each in approaches
-        )
+        moved = any(goal is not None and goal.state is MotionState.ACTIVE for goal in goals)
+        approached = any(each is not None and each.active for each in approaches)
+        return moved or approached or self.taken is not None
 
     def _lead(self, period: float) -> None:
         now = self._clocks.robot()
@@ -190,6 +200,8 @@ class TwoArms:
         for status, approaching in zip(self._status, self._approaches, strict=True):
             status.close()
             approaching.close()
+        for pipeline in self._pipelines:
+            pipeline.close()
 
     def _positions(self) -> Mapping[str, float]:
         joints: JointStates | None = self._joints.value

@@ -10,6 +10,7 @@ from tandem.skills.bimanual.squeeze import TOUCH
 from tandem.skills.ports.actions.bimanual import PAIR, TWO_HANDS
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.reflex import PipelineState
 
 STRAYED: Final = 0.12
 """Radians by which an arm may be off what it was told before it is said to have failed."""
@@ -28,7 +29,7 @@ def trouble(arms: TwoArms, *, holding: bool, level: Pose | None = None) -> Failu
     if arms.stopped:
         return _failure(FailureKind.HARDWARE_STOPPED, "the hardware's stop is set")
     if not arms.leading:
-        return _failure(FailureKind.ARM_STOPPED, "somebody else moves one of the arms")
+        return _let_go(arms)
     off, side = arms.strayed()
     if off > STRAYED:
         return _failure(
@@ -48,6 +49,19 @@ def trouble(arms: TwoArms, *, holding: bool, level: Pose | None = None) -> Failu
             FailureKind.TILTED, f"the hands lean by {leaning:.3f} rad", tilt_rad=round(leaning, 4)
         )
     return None
+
+
+def _let_go(arms: TwoArms) -> Failure:
+    if arms.taken is not None:
+        return overridden(FailureKind.OVERRIDDEN, arms.taken)
+    return _failure(FailureKind.ARM_STOPPED, "somebody else moves one of the arms")
+
+
+def overridden(kind: FailureKind, taken: PipelineState) -> Failure:
+    """Return that a reflex has an arm; ``kind``: ``OVERRIDDEN`` for a goal under way, else ``BUSY``."""
+    saw = "" if taken.why is None else f": {taken.why.message}"
+    failure = _failure(kind, f"reflex {taken.reflex} has the {taken.resource}{saw}", reflex=taken.reflex)
+    return failure if taken.why is None else failure.model_copy(update={"causes": (taken.why,)})
 
 
 def _failure(kind: FailureKind, message: str, **evidence: str | float) -> Failure:

@@ -17,7 +17,7 @@ from tandem.skills.bimanual.landing import Landing
 from tandem.skills.bimanual.object_frame import HandsApartError, tilt
 from tandem.skills.bimanual.ready import STRAIGHT, between, ready_tools, swing, ways_back
 from tandem.skills.bimanual.squeeze import agree
-from tandem.skills.bimanual.supervision import trouble
+from tandem.skills.bimanual.supervision import overridden, trouble
 from tandem.skills.bimanual.way_trial import SLICE, OutOfReach, try_way
 from tandem.skills.geometry.poses import compose, invert, to_pose
 from tandem.skills.grasping.item_frames import standing_in_map
@@ -112,7 +112,9 @@ class HoldWithTwo:
         return 0.01
 
     def check(self, goal: TwoHandsGoal) -> Failure | None:
-        """Refuse an item that does not take both hands, and a MOVE to nowhere."""
+        """Refuse an item that does not take both hands, a MOVE to nowhere, and an arm that a reflex has."""
+        if self._arms.taken is not None:
+            return overridden(FailureKind.BUSY, self._arms.taken)
         known = self._site.item(goal.item)
         if known is None:
             return self._failure(FailureKind.ITEM_UNKNOWN, f"site {self._site.name} has no item {goal.item}")

@@ -8,9 +8,11 @@ import numpy as np
 
 from tandem.skills.arm.problem import Moment
 from tandem.skills.arm.process import nodes
+from tandem.skills.arm.reflexes.registry import OWNER
 from tandem.skills.arm.trajectory import Trajectory
 from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.limbs import Limb, arm
 from tandem.skills.ports.action import GoalState, GoalStatus, SendGoal, goal_service, status_topic
 from tandem.skills.ports.actions.arm import ArmState, MoveGoal, MoveResult, arm_status, move
 from tandem.skills.ports.bus import Pending
@@ -26,6 +28,7 @@ from tandem.skills.ports.keys import JOINT_STATES, Latest, group_cancel, group_g
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.packages import resolve
 from tandem.skills.ports.pose import FloorPose, Pose
+from tandem.skills.ports.reflex import ARM
 from tandem.skills.ports.robot_description import (
     DifferentialDrive,
     EndEffector,
@@ -37,6 +40,7 @@ from tandem.skills.ports.robot_description import (
 )
 from tandem.skills.ports.sensors import CameraSensor, LaserSensor
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, Box, PlanningScene, RobotPose, SceneObject
+from tandem.skills.site import load
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus
 
@@ -127,7 +131,7 @@ class JointsOnly:
     """The hardware of one group; a ``Node``. ``stray_at`` aborts a motion at that share of its time.
 
     The joint ``stuck`` stays where it is, and aborts motions in which it strays or does not arrive. So many
-    answers to goals as ``answers_lost`` says never arrive.
+    answers to goals as ``answers_lost`` says never arrive. While it is ``silent``, it tells no joint states.
     """
 
     bus: MemoryBus
@@ -137,6 +141,7 @@ class JointsOnly:
     stray_at: float | None = None
     answers_lost: int = 0
     stuck: str = ""
+    silent: bool = False
     goals: list[TrajectoryGoal] = field(default_factory=list)
     _began: float = 0.0
     _active: Trajectory | None = None
@@ -177,6 +182,8 @@ class JointsOnly:
                 self._tell(MotionState.CANCELED, at_rest=True)
         if self._active is not None:
             self._follow(self._active)
+        if self.silent:
+            return False
         names = tuple(self.positions)
         rest = tuple(0.0 for _ in names)
         values = tuple(self.positions.values())
@@ -185,6 +192,11 @@ class JointsOnly:
             JointStates(stamp=self.stamp, names=names, positions=values, velocities=rest, efforts=rest),
         )
         return False
+
+    @property
+    def moves(self) -> bool:
+        """Whether a motion is under way."""
+        return self._active is not None
 
     def close(self) -> None:
         self._goal.close()
@@ -237,10 +249,21 @@ class ArmRig:
         self.description, self.group = description, description.group(group)
         self.hardware = JointsOnly(self.bus, self.clocks, self.group, home)
         self.hulls = load_hulls(description) if hulls is None else hulls
-        self._nodes = [
-            self.hardware,
-            *nodes(self.bus, self.clocks, description, (group,), hulls=self.hulls, seed=seed, charge=True),
-        ]
+        (side,) = [hand.side for hand in description.end_effectors if hand.group == group]
+        choice = OWNER.chosen_for(OWNER.types(None), description, load("lab"), "lab", part=side)
+        self.limb = Limb(arm(self.bus, self.clocks, description, side), choice)
+        pipelines = {group: self.limb.pipeline(ARM)}
+        servers = nodes(
+            self.bus,
+            self.clocks,
+            description,
+            (group,),
+            hulls=self.hulls,
+            seed=seed,
+            charge=True,
+            pipelines=pipelines,
+        )
+        self._nodes = [self.hardware, self.limb, *servers]
         self._status = Latest(self.bus, status_topic(f"{group}/move"))
         self._states = Latest(self.bus, arm_status(group))
         self.states: list[ArmState] = []

@@ -9,10 +9,12 @@ import numpy as np
 
 from tandem.sim.joints import GroupController
 from tandem.skills.arm.process import nodes
+from tandem.skills.arm.reflexes.registry import OWNER
 from tandem.skills.geometry.poses import about, compose
 from tandem.skills.grasping.tag_grasps import tool_orientation
 from tandem.skills.kinematics.bodies import BoxShape, Obstacle
 from tandem.skills.kinematics.hulls import RobotHulls
+from tandem.skills.limbs import Limb, arm
 from tandem.skills.ports.action import (
     GoalCommand,
     GoalState,
@@ -43,6 +45,7 @@ from tandem.skills.ports.keys import (
 )
 from tandem.skills.ports.message import HandName, Message, RobotTime, Vector3
 from tandem.skills.ports.pose import Pose
+from tandem.skills.ports.reflex import ARM
 from tandem.skills.ports.robot_description import RobotDescription
 from tandem.skills.ports.skill import Command
 from tandem.skills.ports.world import (
@@ -55,6 +58,7 @@ from tandem.skills.ports.world import (
     SceneObject,
     WorldState,
 )
+from tandem.skills.site import load
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryBus
 from tests.fakes.robot_pose import localised
@@ -78,6 +82,7 @@ class Joints:
     positions: dict[str, float]
     held_fast: bool = False
     stopped: bool = False
+    silent: bool = False
     sent: dict[str, list[SetPoint]] = field(default_factory=dict)
 
     name = "joints"
@@ -111,7 +116,8 @@ class Joints:
             velocities=tuple(speeds[each] for each in names),
             efforts=tuple(0.0 for _ in names),
         )
-        JOINT_STATES.publish(self.bus, states)
+        if not self.silent:
+            JOINT_STATES.publish(self.bus, states)
         STOP_STATE.publish(self.bus, StopState(stopped=self.stopped))
         return False
 
@@ -174,9 +180,12 @@ class FieldRig:
         for hand in description.end_effectors:
             positions |= dict.fromkeys(hand.gripper.joints, 0.045)
         self.hardware = Joints(self.bus, self.clocks, description, groups, positions)
+        limbs = {f"arm_{side}": self._limb(side) for side in sides}
+        pipelines = {group: limb.pipeline(ARM) for group, limb in limbs.items()}
         self._nodes = [
             self.hardware,
-            *nodes(self.bus, self.clocks, description, groups, hulls=hulls, charge=True),
+            *limbs.values(),
+            *nodes(self.bus, self.clocks, description, groups, hulls=hulls, charge=True, pipelines=pipelines),
         ]
         self._status = {g: Latest(self.bus, status_topic(f"{g}/approach")) for g in groups}
         self._told = {g: Latest(self.bus, approach_status(g)) for g in groups}
@@ -184,6 +193,10 @@ class FieldRig:
         self.items: dict[int, Pose] = {}
         self.others: tuple[SceneObject, ...] = (table(),)
         self._version = 0
+
+    def _limb(self, side: HandName) -> Limb:
+        choice = OWNER.chosen_for(OWNER.types(None), self.description, load("lab"), "lab", part=side)
+        return Limb(arm(self.bus, self.clocks, self.description, side), choice)
 
     def put(self, item: int, x: float, y: float, yaw: float = 0.0) -> None:
         """Have an item be believed to stand on the table there (its centre, in the map and the base)."""

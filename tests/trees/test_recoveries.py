@@ -13,6 +13,7 @@ from tandem.skills.ports.actions.base import DriveGoal
 from tandem.skills.ports.actions.gripper import Grip, GripGoal
 from tandem.skills.ports.actions.world import EditGoal, SceneEdit
 from tandem.skills.ports.failure import Failure, FailureKind
+from tandem.skills.ports.reflex import PipelineState, pipeline_state
 from tandem.skills.testing.mock_skill import Fault
 from tandem.trees.recovery_kinds import RECOVERIES
 from tandem.trees.subtrees.travel import PASSERS_BY
@@ -148,6 +149,73 @@ def test_what_a_reflex_saw_says_what_helps_a_goal_that_it_overrode() -> None:
     while bench.step() is Status.RUNNING:
         pass
     assert [each.recovery for each in bench.context.failures.attempts] == [WAY]
+
+
+@pytest.mark.parametrize(
+    ("kind", "saw", "recovery"),
+    [
+        (K.OVERRIDDEN, K.HARDWARE_LOST, WAIT),
+        (K.OVERRIDDEN, K.ARM_STOPPED, GRASP),
+        (K.BUSY, K.ARM_STOPPED, WAIT),
+    ],
+)
+@pytest.mark.parametrize("leaf", ["pre-grasp", "close"])
+def test_an_arm_or_a_hand_that_a_reflex_took_is_tried_again_by_what_it_saw(
+    leaf: str, kind: FailureKind, saw: FailureKind, recovery: str
+) -> None:
+    bench = fetch_worlds()["in view"]()
+    why = Failure(kind=saw, message="what the reflex saw")
+    bench.robot.leaf_faults[leaf, 1] = Fault(
+        failure=Failure(kind=kind, message="taken", evidence={"reflex": "yields_left"}, causes=(why,))
+    )
+    status = Status.RUNNING
+    while status is Status.RUNNING:
+        status = bench.step()
+    assert status is Status.SUCCESS
+    assert [each.recovery for each in bench.context.failures.attempts] == [recovery]
+
+
+def limb(bench: TreeBench, resource: str, reflex: str) -> None:
+    stamp = bench.clocks.robot()
+    assert stamp is not None
+    why = Failure(kind=K.HARDWARE_LOST, message="nobody sees it") if reflex else None
+    state = PipelineState(stamp=stamp, resource=resource, reflex=reflex, why=why)
+    pipeline_state(resource).publish(bench.robot.bus, state)
+
+
+@pytest.mark.parametrize(
+    ("resource", "leaf"), [("arm_left", "pre-grasp"), ("gripper_left", "open"), ("head", "look here")]
+)
+def test_a_goal_is_not_sent_before_the_reflex_has_given_back_what_it_moves(resource: str, leaf: str) -> None:
+    bench = fetch_worlds()["in view"]()
+    for _ in range(STEPS):
+        limb(bench, resource, "yields")
+        bench.step()
+        waits = [each for each in bench.running_leaves() if each.name == leaf]
+        if waits and waits[0].feedback_message.startswith("waits: reflex"):
+            break
+    assert waits[0].feedback_message == f"waits: reflex yields has the {resource}: nobody sees it"
+    limb(bench, resource, "")
+    status = Status.RUNNING
+    while status is Status.RUNNING:
+        status = bench.step()
+    assert status is Status.SUCCESS
+    assert bench.context.failures.attempts == []
+
+
+def test_an_arm_that_a_reflex_never_gives_back_ends_the_task_with_an_answer_that_says_so() -> None:
+    bench = fetch_worlds()["in view"]()
+    for _ in range(STEPS):
+        limb(bench, "arm_left", "yields")
+        limb(bench, "arm_right", "yields")
+        status = bench.step()
+        if status is not Status.RUNNING:
+            break
+    failure = bench.failure()
+    assert status is Status.FAILURE
+    assert failure is not None
+    assert (failure.kind, failure.reason.kind) == (K.OVERRIDDEN, K.HARDWARE_LOST)
+    assert "waits: reflex yields has the arm_" in failure.message
 
 
 def test_a_drive_goes_on_after_a_reflex_and_tries_another_way_at_last() -> None:

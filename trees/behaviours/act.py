@@ -11,9 +11,12 @@ from py_trees.common import Status
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.message import Message
+from tandem.skills.ports.reflex import BASE, PipelineState
 from tandem.skills.ports.skill import ActionType
+from tandem.trees.behaviours.give_way import FREE_WITHIN, REFLEX, WAITED
 from tandem.trees.client import GoalHandle
 from tandem.trees.context import TreeContext
+from tandem.trees.recovery_kinds import waiting_helps
 
 G = TypeVar("G", bound=Message)
 F = TypeVar("F", bound=Message)
@@ -42,7 +45,9 @@ class Act(Behaviour, Generic[G, F, R]):
         context: the task's surroundings.
         action: which skill; or a function that says so when the leaf starts (which arm it is).
         goal: makes the goal when the leaf starts, from what is known then; or says why there is none.
-        resources: what the skill moves, or a function that says so; the leaf waits until it has it all.
+        resources: what the skill moves, or a function that says so; the leaf waits until it has it all, and
+            no reflex has any of it. The base is excepted: a drive may have other ways, so what is above waits
+            (``trees/subtrees/travel.py``).
         judge: looks at a success and may turn it into a failure; stores what later leaves need.
         believed: says whether what the result means has reached the tree's knowledge; the leaf is RUNNING
             until then, because the next leaf will ask the knowledge and not the result.
@@ -68,6 +73,7 @@ class Act(Behaviour, Generic[G, F, R]):
         self._handle: GoalHandle[G, F, R] | None = None
         self._attempt = 0
         self._ended_at: float | None = None
+        self._waits_since: float | None = None
         self.failure: Failure | None = None
 
     @property
@@ -87,7 +93,7 @@ class Act(Behaviour, Generic[G, F, R]):
 
     def initialise(self) -> None:
         """Begin a new attempt."""
-        self._handle, self.failure, self._ended_at = None, None, None
+        self._handle, self.failure, self._ended_at, self._waits_since = None, None, None, None
         self._attempt = self._context.notes.next_attempt(self.name)
         self.feedback_message = ""
 
@@ -134,6 +140,9 @@ class Act(Behaviour, Generic[G, F, R]):
     def _start(self) -> Status:
         action, needs = self._which(), self._needs()
         self._skill = action.name
+        taken = self._taken(needs)
+        if taken is not None:
+            return self._wait(taken)
         if not self._context.resources.claim(needs, self.holder):
             self.feedback_message = f"waits for {', '.join(needs)}"
             return Status.RUNNING
@@ -144,6 +153,29 @@ class Act(Behaviour, Generic[G, F, R]):
         self._handle = self._context.clients.of(action).start(goal, self.holder)
         self.feedback_message = f"sent to {action.name}"
         return Status.RUNNING
+
+    def _taken(self, needs: tuple[str, ...]) -> PipelineState | None:
+        """Return which reflex has something that the skill moves; the base is waited for where it goes."""
+        told = (self._context.knowledge.reflex_of(name) for name in needs if name != BASE)
+        return next((state for state in told if state is not None), None)
+
+    def _wait(self, taken: PipelineState) -> Status:
+        """Wait until the reflex gives it back; after ``FREE_WITHIN`` waiting is not tried again."""
+        now, words = self._context.seconds, self._context.knowledge.taken(taken.resource)
+        self._waits_since = now if self._waits_since is None else self._waits_since
+        self.feedback_message = f"waits: {words}"
+        if now - self._waits_since <= FREE_WITHIN:
+            return Status.RUNNING
+        status = self._fail(
+            Failure(
+                kind=FailureKind.OVERRIDDEN,
+                message=f"waits: {words}",
+                evidence={WAITED: FREE_WITHIN, REFLEX: taken.reflex},
+                causes=() if taken.why is None else (taken.why,),
+            )
+        )
+        self._context.failures.exhausted = (self._context.failures.last(), frozenset((waiting_helps,)))
+        return status
 
     def _fail(self, failure: Failure) -> Status:
         self.failure = failure.model_copy(update={"where": f"{self.name}: {failure.where or self._skill}"})

@@ -171,8 +171,6 @@ class Ride:
         live = self.parts.live
         if live.stopped:
             self.fail(FailureKind.HARDWARE_STOPPED, "the hardware's stop is set")
-        elif live.silent:
-            self.fail(FailureKind.HARDWARE_LOST, "no joint states come any more")
         else:
             stray, number = self.motion.stray
             joint = self.parts.arm.group.joints[number]

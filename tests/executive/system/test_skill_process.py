@@ -10,15 +10,17 @@ import pytest
 
 from tandem.executive.system.roles.registry import role_named
 from tandem.executive.system.skill_process import calm_now
+from tandem.skills.limbs import Limb
 from tandem.skills.server import ActionServer
 
 
-def server(*, busy: bool) -> Any:
-    made = create_autospec(ActionServer, instance=True)
+def node(kind: type[ActionServer[Any, Any, Any] | Limb], *, busy: bool) -> Any:
+    made = create_autospec(kind, instance=True)
     made.busy = busy
     return made
 
 
+@pytest.mark.parametrize("kind", [ActionServer, Limb])
 @pytest.mark.parametrize(
     ("name", "busy", "expected"),
     [
@@ -29,9 +31,9 @@ def server(*, busy: bool) -> Any:
         ("keeper", True, True),
     ],
 )
-def test_arms_are_calm_between_goals_and_who_has_a_reflex_never(
-    *, name: str, busy: bool, expected: bool
+def test_arms_are_calm_while_neither_a_goal_nor_a_reflex_has_them(
+    kind: type[ActionServer[Any, Any, Any] | Limb], *, name: str, busy: bool, expected: bool
 ) -> None:
     role = role_named(name)
     assert role is not None
-    assert calm_now(role, [SimpleNamespace(), server(busy=busy)]) is expected  # type: ignore[list-item]
+    assert calm_now(role, [SimpleNamespace(), node(kind, busy=busy)]) is expected  # type: ignore[list-item]

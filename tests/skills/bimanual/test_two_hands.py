@@ -17,11 +17,12 @@ from tandem.skills.ports.actions.bimanual import (
     TwoHandsGoal,
     TwoHandsResult,
 )
-from tandem.skills.ports.failure import FailureKind
+from tandem.skills.ports.failure import Failure, FailureKind
 from tandem.skills.ports.hardware import Wrench
 from tandem.skills.ports.keys import JOINT_STATES, Latest, group_setpoint, wrench
 from tandem.skills.ports.message import Quaternion, RobotTime, Vector3
 from tandem.skills.ports.pose import IDENTITY, Pose
+from tandem.skills.ports.reflex import PipelineState, pipeline_state
 from tandem.skills.ports.skill import Command, Outcome
 from tandem.skills.ports.world import ROBOT_POSE, WORLD, ItemFact, WorldState
 from tandem.skills.site import load
@@ -230,3 +231,44 @@ def test_a_carton_that_has_fallen_over_is_not_squeezed() -> None:
     assert outcome.failure is not None
     assert outcome.failure.kind is FailureKind.ITEM_UNREACHABLE
     assert not rig.arms.leading
+
+
+def taken(rig: Rig, side: str, reflex: str = "yields") -> None:
+    """Have the owner of an arm tell that a reflex has it; "" that none has."""
+    why = Failure(kind=FailureKind.HARDWARE_LOST, message="nobody sees it") if reflex else None
+    stamp = RobotTime(boot="test", seconds=rig.clocks.seconds)
+    state = PipelineState(stamp=stamp, resource=f"arm_{side}", reflex=reflex, why=why)
+    pipeline_state(f"arm_{side}").publish(rig.bus, state)
+
+
+@pytest.mark.parametrize("side", PAIR)
+def test_a_reflex_that_takes_an_arm_has_both_let_go_and_the_goal_says_so(side: str) -> None:
+    rig = held()
+    run = rig.skill.run(up(0.10), "t/two/2")
+    next(run)
+    for _ in range(30):
+        rig.period()
+        run.send(Command.GO_ON)
+    taken(rig, side)
+    rig.period()
+    assert not rig.arms.leading
+    with pytest.raises(StopIteration) as ended:
+        run.send(Command.GO_ON)
+    outcome: Outcome[TwoHandsResult] = ended.value.value
+    assert outcome.failure is not None
+    assert (outcome.failure.kind, outcome.failure.reason.kind) == (
+        FailureKind.OVERRIDDEN,
+        FailureKind.HARDWARE_LOST,
+    )
+
+
+def test_while_a_reflex_has_an_arm_both_hands_begin_nothing() -> None:
+    rig = Rig()
+    taken(rig, "left")
+    rig.period()
+    refused = rig.skill.check(SQUEEZE)
+    assert refused is not None
+    assert (refused.kind, refused.evidence) == (FailureKind.BUSY, {"reflex": "yields"})
+    taken(rig, "left", "")
+    rig.period()
+    assert rig.skill.check(SQUEEZE) is None

@@ -279,3 +279,18 @@ def test_the_same_goal_gives_the_same_set_points(robot: RobotDescription, hulls:
         run(again, lambda _: None)
         runs.append([each.model_dump_json() for each in again.hardware.sent["arm_left"]])
     assert runs[0] == runs[1]
+
+
+def test_an_approach_that_nobody_sees_ends_as_overridden_with_the_arm_at_rest(rig: FieldRig) -> None:
+    rig.send(goal(ITEM))
+    rig.until(GoalState.RUNNING)
+    rig.rounds(60)
+    rig.hardware.silent = True
+    status = rig.ended()
+    failure = status.failure
+    assert failure is not None
+    assert (failure.kind, failure.reason.kind) == (FailureKind.OVERRIDDEN, FailureKind.HARDWARE_LOST)
+    sent, stood = len(rig.hardware.sent["arm_left"]), dict(rig.hardware.positions)
+    rig.rounds(50)
+    assert len(rig.hardware.sent["arm_left"]) == sent, "nothing of the approach is sent any more"
+    assert rig.hardware.positions == stood
