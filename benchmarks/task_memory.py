@@ -23,7 +23,7 @@ from tandem.executive.service.running.tree_run import Run
 from tandem.executive.system.process_usage import anonymous_memory
 from tandem.executive.trials.campaigns.crash_world import RESET, AskReset, LastingRobot
 from tandem.executive.trials.campaigns.soak import CANCEL_EVERY, request
-from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask, TaskAnswer, TreeSnapshot
+from tandem.skills.ports.tasks import REQUEST, TASK_CANCEL, CancelTask, TaskAnswer
 from tandem.skills.site import load
 from tandem.skills.wire.clocks import SteppedClocks
 from tandem.skills.wire.memory import MemoryHub
@@ -83,7 +83,7 @@ def look_seldom() -> None:
     """Have the tree's picture made at every ``LOOK_EVERY``-th question only."""
     look, asked = Run.changed_tree, iter(range(sys.maxsize))
 
-    def seldom(self: Run) -> TreeSnapshot | None:
+    def seldom(self: Run) -> bytes | None:
         return None if next(asked) % LOOK_EVERY else look(self)
 
     Run.changed_tree = seldom  # type: ignore[method-assign]  # in this process only

@@ -56,10 +56,11 @@ def check_paths(root: Behaviour) -> None:
 
 def paths(root: Behaviour, above: str = "") -> Iterator[tuple[str, Behaviour]]:
     """Give each node of a tree after its parent, with its path."""
-    path = f"{above}{BETWEEN}{root.name}" if above else root.name
-    yield path, root
-    for child in root.children:
-        yield from paths(child, path)
+    left = [(f"{above}{BETWEEN}{root.name}" if above else root.name, root)]
+    while left:
+        path, node = left.pop()
+        yield path, node
+        left.extend((f"{path}{BETWEEN}{child.name}", child) for child in reversed(node.children))
 
 
 def _what(path: str, node: Behaviour) -> str:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import logging
-from typing import Final
 
 from tandem.executive.ledger.port import Ledger
 from tandem.executive.service.running.current_task import CurrentTask
 from tandem.executive.service.running.timeline import Spans
+from tandem.executive.service.running.tree_run import NO_NODE
 from tandem.executive.service.tasks.task_book import TURN, TaskBook
 from tandem.executive.service.tasks.task_log import TaskLog
 from tandem.executive.service.tasks.task_queue import Waiting
@@ -18,14 +18,11 @@ from tandem.skills.ports.tasks import (
     TREE,
     TaskStatus,
     Timeline,
-    TreeNode,
     TreeSnapshot,
     task_status,
 )
 
 _LOG = logging.getLogger(__name__)
-_NO_TREE: Final = TreeNode(path="idle", name="idle", kind="action", type="Nothing")
-"""What is told as the tree before the first task."""
 
 
 class Publisher:
@@ -46,7 +43,7 @@ class Publisher:
         """What the first of those that wait waits for."""
         self._first = ""
         self._log, self._spans = TaskLog(), Spans()
-        self._last_tree = TreeSnapshot(task="", kind="", tick=0, root=_NO_TREE)
+        self._last_tree = TreeSnapshot(task="", kind="", tick=0, root=NO_NODE).model_dump_json().encode()
 
     def tell(self, status: TaskStatus) -> None:
         """Publish a status once it is on disk."""
@@ -67,8 +64,10 @@ class Publisher:
         tree = turn.run.changed_tree()
         if tree is not None:
             self._last_tree = tree
-            TREE.publish(self._bus, tree)
-            self._spans.see(tree)
+            TREE.publish_written(self._bus, tree)
+            now = self._clocks.robot()
+            if now is not None:
+                self._spans.see(turn.run.take_changed(), now)
         status = turn.progress()
         if status is not None:
             self.tell(status)
@@ -91,8 +90,8 @@ class Publisher:
             _LOG.info("a task waits", extra={"task": status.task, "waits_for": self.waits_for})
             self.tell(status)
 
-    def tree(self, turn: CurrentTask | None) -> TreeSnapshot:
-        """Return the tree of the task under way as it is, or the last one."""
+    def tree(self, turn: CurrentTask | None) -> bytes:
+        """Return the tree of the task under way as it is, or the last one: a ``TreeSnapshot`` in JSON."""
         return self._last_tree if turn is None else turn.run.tree()
 
     def timeline(self, task: str, turn: CurrentTask | None) -> Timeline:

@@ -67,6 +67,10 @@ class Topic(Generic[M]):
         """Put the message; a command carries the lease of the bus's process."""
         bus.publish(self.key, _with_lease(bus, message).model_dump_json().encode())
 
+    def publish_written(self, bus: Commons, document: bytes) -> None:
+        """Put what is JSON already. Not for commands: it carries no lease."""
+        bus.publish(self.key, document)
+
     def decode(self, payload: bytes) -> M:
         """Return the message; pydantic's ValidationError when it is none."""
         return _read(self.key, self.model, payload)

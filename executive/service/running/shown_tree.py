@@ -8,7 +8,6 @@ from typing import Final
 from py_trees.behaviour import Behaviour
 
 from tandem.executive.service.running.tree_view import Change, TreeView
-from tandem.skills.ports.tasks import TreeNode
 from tandem.trees.breakpoints import Breakpoints
 
 WORDS_EVERY: Final = 0.5
@@ -35,10 +34,10 @@ class ShownTree:
         """Show another tree from now on."""
         self.view, self.touched, self._unshown = TreeView(root), True, Change.STATUS
 
-    def look(self) -> TreeNode:
-        """Return the tree as it is now, which does not count as showing it."""
+    def written(self) -> str:
+        """Return the tree as it is now, as JSON, which does not count as showing it."""
         self._unshown = max(self._unshown, self.view.change())
-        return self.view.look()
+        return self.view.written()
 
     def changed(self, gates: Breakpoints, now: float) -> bool:
         """Say whether to show it: a status or a gate is another than when it was shown, or messages are.

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Final
+from collections.abc import Iterable
+from typing import Final, Protocol
 
 from tandem.skills.ports.message import RobotTime
-from tandem.skills.ports.tasks import NodeStatus, Span, TreeNode, TreeSnapshot
+from tandem.skills.ports.tasks import NodeStatus, Span
+from tandem.trees.snapshot import Kind
 
 MOST: Final = 256
 """Runs of nodes that are kept of a task; the oldest go. A fetch has about 60."""
@@ -19,6 +20,23 @@ their children."""
 ENDED: Final = frozenset({NodeStatus.SUCCESS, NodeStatus.FAILURE})
 
 
+class _Node(Protocol):
+    """A node as it is now."""
+
+    @property
+    def path(self) -> str: ...
+    @property
+    def kind(self) -> Kind: ...
+    @property
+    def type(self) -> str: ...
+    @property
+    def status(self) -> NodeStatus: ...
+    @property
+    def last(self) -> NodeStatus: ...
+    @property
+    def message(self) -> str: ...
+
+
 class Spans:
     """Watches one task's tree.
 
@@ -29,13 +47,12 @@ class Spans:
     def __init__(self, before: tuple[Span, ...] = ()) -> None:
         self._done = [each for each in before if each.end is not None]
         self._open: dict[str, Span] = {}
-        self._seen: dict[str, TreeNode] = {}
 
-    def see(self, tree: TreeSnapshot) -> None:
-        """Take in the tree as it is now."""
-        if tree.stamp is not None:
-            for node in self._changed(tree.root):
-                self._note(node, tree.stamp)
+    def see(self, changed: Iterable[_Node], now: RobotTime) -> None:
+        """Take in the nodes that have changed, as they are now."""
+        for node in changed:
+            if node.kind in WORKS or node.type == PHASE:
+                self._note(node, now)
 
     def all(self) -> tuple[Span, ...]:
         """Return them in the order in which they began to be known; those that go on have no end."""
@@ -47,19 +64,7 @@ class Spans:
             self._close(path, span, NodeStatus.INVALID, at or span.begin, span.message)
         return self.all()
 
-    def _changed(self, root: TreeNode) -> Iterator[TreeNode]:
-        left, seen = [root], self._seen
-        while left:
-            node = left.pop()
-            # Of a branch in which nothing has changed the very same node is told again.
-            if seen.get(node.path) is node:
-                continue
-            seen[node.path] = node
-            if node.kind in WORKS or node.type == PHASE:
-                yield node
-            left.extend(reversed(node.children))
-
-    def _note(self, node: TreeNode, now: RobotTime) -> None:
+    def _note(self, node: _Node, now: RobotTime) -> None:
         span = self._open.get(node.path)
         if span is not None and node.status is not NodeStatus.RUNNING:
             how = node.status if node.status in ENDED else node.last

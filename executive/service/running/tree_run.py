@@ -34,11 +34,12 @@ from tandem.executive.service.running.time_limits import (
     SILENT_AFTER,
     WIND_DOWN_WITHIN,
 )
+from tandem.executive.service.running.tree_view import SeenNode
 from tandem.executive.service.running.wind_down import WindDown
 from tandem.skills.ports.clocks import Clocks
 from tandem.skills.ports.failure import Failure
 from tandem.skills.ports.message import Message
-from tandem.skills.ports.tasks import NodeStatus, Progress, TaskState, TreeSnapshot
+from tandem.skills.ports.tasks import NodeStatus, Progress, TaskState, TreeNode, TreeSnapshot
 from tandem.trees.breakpoints import Breakpoints
 from tandem.trees.clients import AnyGoal
 from tandem.trees.context import TreeContext
@@ -48,6 +49,8 @@ from tandem.trees.task import TaskType
 from tandem.trees.told_board import told_board
 
 WAITS: Final = "waiting for the hardware"
+NO_NODE: Final = TreeNode(path="idle", name="idle", kind="action", type="Nothing")
+"""What is told as the tree before the first task."""
 
 _LOG = logging.getLogger(__name__)
 
@@ -233,23 +236,28 @@ class Run:
         self._pausing.resume(step)
         return ""
 
-    def changed_tree(self) -> TreeSnapshot | None:
-        """Return the tree if it is to be shown: see ``ShownTree.changed``."""
+    def changed_tree(self) -> bytes | None:
+        """Return the tree, as ``tree`` does, if it is to be shown: see ``ShownTree.changed``."""
         return self.tree() if self._shown.changed(self.gates, self._clocks.monotonic()) else None
 
-    def tree(self) -> TreeSnapshot:
-        """Return the tree as it is; with its gates for as long as it may come to them."""
+    def take_changed(self) -> tuple[SeenNode, ...]:
+        """Return the nodes that have changed in the trees that were returned since they were taken last."""
+        return self._shown.view.take_changed()
+
+    def tree(self) -> bytes:
+        """Return the tree as it is, a ``TreeSnapshot`` in JSON; with its gates while it may come to them."""
         gates = None if self.held_up_by() else self.gates
-        return TreeSnapshot(
+        beside = TreeSnapshot(
             task=self.context.task,
             kind=self._kind.name,
             tick=self.ticks,
             stamp=self._clocks.robot(),
-            root=self._shown.look(),
+            root=NO_NODE,
             board=told_board(self.context.board),
             breakpoints={} if gates is None else gates.breakpoints(),
             forced={} if gates is None else gates.forced(),
-        )
+        ).model_dump_json(exclude={"root"})
+        return f'{beside[:-1]},"root":{self._shown.written()}}}'.encode()
 
     def held_up_by(self) -> str:
         """Return why its tree is not to be held or changed any more, or nothing."""

@@ -1,15 +1,17 @@
-"""A running tree as data, made anew only where it has changed: most ticks change one branch of many."""
+"""A running tree as JSON, of which only what changed is written anew: most ticks change one branch."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from enum import IntEnum
+from json.encoder import encode_basestring
 from typing import Final
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from tandem.skills.ports.tasks import NodeStatus, TreeNode
+from tandem.skills.ports.tasks import NodeStatus
+from tandem.trees.node_paths import BETWEEN
 from tandem.trees.snapshot import kind_of
 
 
@@ -24,44 +26,70 @@ class Change(IntEnum):
 
 
 _STATUSES: Final = {each: NodeStatus(each.name) for each in Status}
+_AS_JSON: Final = encode_basestring
+"""As pydantic writes text: a test compares them."""
+
+
+class SeenNode:
+    """A node as it was at the last look; its path, kind and type are so for ever.
+
+    Args:
+        behaviour: the node.
+        path: its names from the root.
+        after: what stands after it in the JSON of the tree: the ends of what is complete with it.
+    """
+
+    __slots__ = (
+        "_after",
+        "_before",
+        "behaviour",
+        "children",
+        "kind",
+        "last",
+        "message",
+        "path",
+        "said",
+        "seen",
+        "status",
+        "type",
+        "written",
+    )
+
+    def __init__(self, behaviour: Behaviour, path: str, after: str) -> None:
+        self.behaviour, self.path = behaviour, path
+        self.children = list(behaviour.children)
+        self.kind, self.type = kind_of(behaviour), type(behaviour).__name__
+        names = f'"path":{_AS_JSON(path)},"name":{_AS_JSON(behaviour.name)}'
+        self._before = f'{{{names},"kind":"{self.kind}","type":{_AS_JSON(self.type)},"status":"'
+        self._after = ',"children":[' if self.children else f',"children":[]}}{after}'
+        self.seen: Status | None = None
+        self.status = self.last = NodeStatus.INVALID
+        self.said = self.message = ""
+        self.written = ""
+        """Its part of the tree's JSON."""
+
+    def look(self, last: NodeStatus) -> None:
+        """Take in how it is now. ``last``: how it ended last."""
+        behaviour = self.behaviour
+        self.seen, self.said, self.last = behaviour.status, behaviour.feedback_message, last
+        self.status, self.message = _STATUSES[self.seen], str(self.said)  # a leaf may say what is no text
+        message = _AS_JSON(self.message)
+        self.written = f'{self._before}{self.status}","last":"{last}","message":{message}{self._after}'
 
 
 class TreeView:
     """Looks at the tree below a behaviour, again and again.
 
-    ``look`` returns what ``trees.snapshot.snapshot`` would, with how each node ended last, and the very same
-    object as long as nothing has changed. Names and types of nodes don't change; children may be added and
-    removed.
+    ``written`` returns the JSON of what ``trees.snapshot.snapshot`` would return, with how each node ended
+    last. Names and types of nodes don't change; children may be added and removed.
     """
 
-    __slots__ = (
-        "_behaviour",
-        "_behaviours",
-        "_children",
-        "_ended",
-        "_flat",
-        "_last",
-        "_message",
-        "_node",
-        "_path",
-        "_status",
-    )
-
-    def __init__(
-        self, behaviour: Behaviour, above: str = "", ended: dict[Behaviour, NodeStatus] | None = None
-    ) -> None:
-        """``above``: the path of its parent; ``ended``: how nodes ended, as the root's view has heeded it."""
-        self._behaviour = behaviour
-        self._ended = {} if ended is None else ended
-        self._last = NodeStatus.INVALID
-        self._path = f"{above}/{behaviour.name}" if above else behaviour.name
-        self._behaviours: list[Behaviour] = []
-        self._children: list[TreeView] = []
-        self._status: Status | None = None
-        self._message = ""
-        self._node: TreeNode | None = None
-        self._flat: tuple[TreeView, ...] = ()
-        """All below, as of the last look, in the view that is asked alone. Itself would make a cycle."""
+    def __init__(self, root: Behaviour) -> None:
+        self._root = root
+        self._ended: dict[Behaviour, NodeStatus] = {}
+        self._nodes: list[SeenNode] = []
+        """Parents first, as they stand in the JSON."""
+        self._changed: dict[SeenNode, None] = {}
 
     def heed(self, ticked: Iterator[Behaviour]) -> Iterator[Behaviour]:
         """Pass on the nodes of a tick, and note how each ends.
@@ -75,67 +103,56 @@ class TreeView:
                 self._ended.pop(node, None)
             yield node
 
-    def look(self) -> TreeNode:
-        """Return the tree as it is now."""
-        if self._node is None or self.change() is not Change.NONE:
-            self._look()
-            self._flat = tuple(self._below())
-        assert self._node is not None, "a look makes it"
-        return self._node
+    def written(self) -> str:
+        """Return the tree as it is now, as the JSON of a ``TreeNode``."""
+        self.look()
+        return "".join([node.written for node in self._nodes])
+
+    def take_changed(self) -> tuple[SeenNode, ...]:
+        """Return the nodes that a look found changed since they were taken last."""
+        taken, self._changed = tuple(self._changed), {}
+        return taken
 
     def change(self) -> Change:
         """Say what a look would find: in one loop, as it is asked after each tick."""
-        ended = self._ended.get
-        never = NodeStatus.INVALID
-        found = Change.NONE
-        for view in (self, *self._flat):
-            seen = view._behaviour  # noqa: SLF001 - one of us
+        ended, never = self._ended.get, NodeStatus.INVALID
+        found = Change.NONE if self._nodes else Change.STATUS
+        for node in self._nodes:
+            behaviour = node.behaviour
             if (
-                view._node is None  # noqa: SLF001
-                or seen.status is not view._status  # noqa: SLF001
-                or ended(seen, never) is not view._last  # noqa: SLF001
-                or seen.children != view._behaviours  # noqa: SLF001
+                behaviour.status is not node.seen
+                or ended(behaviour, never) is not node.last
+                or behaviour.children != node.children
             ):
                 return Change.STATUS
-            if seen.feedback_message != view._message:  # noqa: SLF001
+            if behaviour.feedback_message != node.said:
                 found = Change.MESSAGE
         return found
 
-    def _below(self) -> Iterator[TreeView]:
-        for child in self._children:
-            yield child
-            yield from child._below()  # noqa: SLF001
+    def look(self) -> None:
+        """Take in how the tree is now."""
+        if not self._nodes or any(node.behaviour.children != node.children for node in self._nodes):
+            self._nodes, self._changed = list(_laid_out(self._root)), {}
+        ended, never = self._ended.get, NodeStatus.INVALID
+        for node in self._nodes:
+            behaviour = node.behaviour
+            last = ended(behaviour, never)
+            if (
+                behaviour.status is not node.seen
+                or last is not node.last
+                or behaviour.feedback_message != node.said
+            ):
+                node.look(last)
+                self._changed[node] = None
 
-    def _look(self) -> TreeNode:
-        seen = self._behaviour
-        if seen.children != self._behaviours:
-            self._behaviours = list(seen.children)
-            self._children = [TreeView(child, self._path, self._ended) for child in self._behaviours]
-            self._node = None
-        node, last = self._node, self._ended.get(seen, NodeStatus.INVALID)
-        changed = (
-            node is None
-            or seen.status is not self._status
-            or last is not self._last
-            or seen.feedback_message != self._message
-        )
-        children: list[TreeNode] = []
-        for child in self._children:
-            before = child._node  # noqa: SLF001 - one of us
-            now = child._look()  # noqa: SLF001
-            changed = changed or now is not before
-            children.append(now)
-        if node is not None and not changed:
-            return node
-        self._status, self._last, self._message = seen.status, last, seen.feedback_message
-        self._node = TreeNode(
-            path=self._path,
-            name=seen.name,
-            kind=kind_of(seen) if node is None else node.kind,
-            type=type(seen).__name__,
-            status=_STATUSES[self._status],
-            last=last,
-            message=self._message,
-            children=tuple(children),
-        )
-        return self._node
+
+def _laid_out(root: Behaviour) -> Iterator[SeenNode]:
+    """Yield all nodes, parents first, each with what closes in the JSON after it."""
+    left = [(root, root.name, "")]
+    while left:
+        behaviour, path, after = left.pop()
+        yield SeenNode(behaviour, path, after)
+        follows = f"]}}{after}"
+        for child in reversed(behaviour.children):
+            left.append((child, f"{path}{BETWEEN}{child.name}", follows))
+            follows = ","

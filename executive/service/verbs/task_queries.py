@@ -64,7 +64,7 @@ class Questions:
         *,
         info: Callable[[], ExecutiveInfo],
         last: Callable[[], str],
-        tree: Callable[[], TreeSnapshot],
+        tree: Callable[[], bytes],
         kinds: Callable[[], bytes],
         site: Site,
         timeline: Callable[[str], Timeline],

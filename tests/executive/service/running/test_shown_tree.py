@@ -8,6 +8,7 @@ from py_trees.composites import Sequence
 
 from tandem.executive.service.running.shown_tree import WORDS_EVERY, ShownTree
 from tandem.executive.trials.exploration.tree_bench import TreeBench
+from tandem.skills.ports.tasks import TreeNode
 from tandem.skills.site import load
 from tandem.trees.breakpoints import Breakpoints
 
@@ -39,5 +40,5 @@ def test_a_status_is_shown_at_once() -> None:
 def test_whoever_asks_for_the_tree_takes_nothing_from_those_who_follow_it() -> None:
     tree, leaf, gates = shown()
     leaf.status, tree.touched = Status.FAILURE, True
-    assert tree.look().children[0].status == "FAILURE"
+    assert TreeNode.model_validate_json(tree.written()).children[0].status == "FAILURE"
     assert tree.changed(gates, WORDS_EVERY / 100)

@@ -13,7 +13,6 @@ from tandem.skills.ports.tasks import (
     NodeStatus,
     Span,
     TreeNode,
-    TreeSnapshot,
 )
 
 WAIT = {"task": "wait", "item": 3}
@@ -25,12 +24,13 @@ RUNNING, SUCCESS, FAILURE, INVALID = (
 )
 
 
-def tree(seconds: float, status: NodeStatus, last: NodeStatus = INVALID, message: str = "") -> TreeSnapshot:
+def see(
+    spans: Spans, seconds: float, status: NodeStatus, last: NodeStatus = INVALID, message: str = ""
+) -> None:
     leaf = TreeNode(
         path="root/leaf", name="leaf", kind="action", type="Leaf", status=status, last=last, message=message
     )
-    root = TreeNode(path="root", name="root", kind="sequence", type="Sequence", children=(leaf,))
-    return TreeSnapshot(task="t", kind="k", tick=0, stamp=RobotTime(boot="b", seconds=seconds), root=root)
+    spans.see([leaf], RobotTime(boot="b", seconds=seconds))
 
 
 def told(spans: tuple[Span, ...]) -> list[tuple[float, float | None, NodeStatus, str]]:
@@ -39,24 +39,26 @@ def told(spans: tuple[Span, ...]) -> list[tuple[float, float | None, NodeStatus,
 
 def test_each_run_of_a_node_is_a_span_with_its_end_and_its_words() -> None:
     spans = Spans()
-    for each in (tree(1, RUNNING), tree(2, FAILURE, FAILURE, "empty"), tree(3, RUNNING), tree(4, RUNNING)):
-        spans.see(each)
+    see(spans, 1, RUNNING)
+    see(spans, 2, FAILURE, FAILURE, "empty")
+    see(spans, 3, RUNNING)
+    see(spans, 4, RUNNING)
     assert told(spans.all()) == [(1, 2, FAILURE, "empty"), (3, None, RUNNING, "")]
-    spans.see(tree(5, INVALID, SUCCESS))
+    see(spans, 5, INVALID, SUCCESS)
     assert told(spans.all())[1:] == [(3, 5, SUCCESS, "")]
 
 
 def test_what_is_left_while_it_runs_is_told_as_left() -> None:
     spans = Spans()
-    spans.see(tree(1, RUNNING))
+    see(spans, 1, RUNNING)
     assert told(spans.end(RobotTime(boot="b", seconds=9))) == [(1, 9, INVALID, "")]
 
 
 def test_of_many_runs_the_newest_are_kept() -> None:
     spans = Spans()
     for second in range(MOST + 10):
-        spans.see(tree(second, RUNNING))
-        spans.see(tree(second, SUCCESS))
+        see(spans, second, RUNNING)
+        see(spans, second, SUCCESS)
     assert [len(spans.all()), spans.all()[0].begin.seconds] == [MOST, 10]
 
 

@@ -1,10 +1,12 @@
-"""A tree looked at again and again: equal to a fresh snapshot, and the same object while nothing changes."""
+"""A tree looked at again and again: written as a fresh snapshot is, and only what changes is told."""
 
+import pytest
 from py_trees.behaviours import StatusQueue
 from py_trees.common import Status
 from py_trees.composites import Selector, Sequence
 
-from tandem.executive.service.running.tree_view import TreeView
+from tandem.executive.service.running.tree_view import Change, TreeView
+from tandem.skills.ports.tasks import TreeNode
 from tandem.trees.snapshot import snapshot
 
 
@@ -18,44 +20,71 @@ def tree() -> Sequence:
     return Sequence("root", memory=True, children=[first, second])
 
 
-def test_a_view_equals_a_snapshot_after_each_tick() -> None:
+def look(view: TreeView) -> TreeNode:
+    return TreeNode.model_validate_json(view.written())
+
+
+def test_a_view_is_written_as_a_snapshot_after_each_tick() -> None:
     root = tree()
     view = TreeView(root)
     for _ in range(3):
-        assert view.look() == snapshot(root)
+        assert view.written() == snapshot(root).model_dump_json()
         root.tick_once()
-    assert view.look() == snapshot(root)
+    assert view.written() == snapshot(root).model_dump_json()
 
 
-def test_what_has_not_changed_is_the_same_object() -> None:
+def test_what_has_changed_is_told_once() -> None:
     root = tree()
     view = TreeView(root)
-    root.tick_once()
-    seen = view.look()
-    root.tick_once()
-    assert view.look() is seen
-    root.tick_once()
-    changed = view.look()
-    assert changed is not seen
-    assert changed.children[0] is seen.children[0]
+    view.written()
+    assert [node.path for node in view.take_changed()] == [
+        "root",
+        "root/first",
+        "root/first/a",
+        "root/first/b",
+        "root/c",
+    ]
+    root.children[1].feedback_message = "half way"
+    view.written()
+    view.written()
+    assert [(node.path, node.message) for node in view.take_changed()] == [("root/c", "half way")]
+    assert view.take_changed() == ()
 
 
 def test_a_message_alone_is_a_change() -> None:
     root = tree()
     view = TreeView(root)
-    before = view.look()
+    view.written()
+    assert view.change() is Change.NONE
     root.children[1].feedback_message = "half way"
-    assert view.look() == snapshot(root) != before
+    assert view.change() is Change.MESSAGE
+    assert view.written() == snapshot(root).model_dump_json()
+
+
+@pytest.mark.parametrize("text", ['"quoted" and \\', "two\nlines\tand \x00\x1f\x7f", "größer → 🙂 \u2028"])
+def test_any_text_is_written_as_pydantic_writes_it(text: str) -> None:
+    root = Sequence(text, memory=True, children=[leaf(text, Status.SUCCESS)])
+    root.children[0].feedback_message = text
+    assert TreeView(root).written() == snapshot(root).model_dump_json()
+
+
+def test_a_message_that_is_no_text_is_told_as_text() -> None:
+    root = tree()
+    root.children[1].feedback_message = 0.5  # type: ignore[assignment]
+    view = TreeView(root)
+    assert look(view).children[1].message == "0.5"
+    assert view.change() is Change.NONE
 
 
 def test_a_child_that_is_added_or_removed_is_seen() -> None:
     root = tree()
     view = TreeView(root)
-    view.look()
+    view.written()
     root.add_child(leaf("d", Status.SUCCESS))
-    assert view.look() == snapshot(root)
+    assert view.change() is Change.STATUS
+    assert view.written() == snapshot(root).model_dump_json()
     root.remove_child(root.children[0])
-    assert view.look() == snapshot(root)
+    assert view.written() == snapshot(root).model_dump_json()
 
 
 def test_a_leaf_that_failed_and_was_set_back_shows_how_it_ended() -> None:
@@ -63,7 +92,7 @@ def test_a_leaf_that_failed_and_was_set_back_shows_how_it_ended() -> None:
     view = TreeView(root)
     tuple(view.heed(root.tick()))
     root.children[0].stop(Status.INVALID)
-    failed, succeeded = view.look().children[0].children
+    failed, succeeded = look(view).children[0].children
     assert (failed.status, failed.last, failed.shown) == ("INVALID", "FAILURE", "FAILURE")
     assert (succeeded.status, succeeded.shown) == ("INVALID", "SUCCESS")
 
@@ -74,7 +103,7 @@ def test_a_leaf_that_was_set_back_within_its_tick_is_not_missed() -> None:
     for node in view.heed(root.tick()):
         if node.status is Status.FAILURE:
             node.stop(Status.INVALID)
-    assert view.look().children[0].children[0].shown == "FAILURE"
+    assert look(view).children[0].children[0].shown == "FAILURE"
 
 
 def test_a_leaf_that_is_interrupted_shows_no_end() -> None:
@@ -83,4 +112,4 @@ def test_a_leaf_that_is_interrupted_shows_no_end() -> None:
     for _ in range(2):
         tuple(view.heed(root.tick()))
     root.stop(Status.INVALID)
-    assert view.look().children[0].shown == "INVALID"
+    assert look(view).children[0].shown == "INVALID"
