@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
@@ -26,6 +25,7 @@ from tandem.executive.cli.run_ending import complain, ended
 from tandem.executive.cli.sending import describe_problems
 from tandem.executive.cli.shapes import Ran, print_json
 from tandem.executive.cli.task_lines import TaskLines
+from tandem.executive.config.data_folder import DataFolderError, require_writable
 from tandem.executive.config.fault_file import check_faults
 from tandem.executive.config.run_options import DEFAULT_ROBOT, RunOptions
 from tandem.executive.ledger.port import LedgerError, LedgerLockedError
@@ -176,11 +176,14 @@ def _taken_up(options: RunOptions, robots: Sequence[str]) -> tuple[str, ...]:
         RefusedError: when another process has the ledger.
         LedgerFailure: when it can't be read.
     """
-    if options.data is None or (options.only and "executive" not in options.only):
+    if options.data is None:
         return ()
-    _require_writable(options.data)
     try:
         ledgers = [(data_of(options, robot), f"{options.bus.site}/{robot}") for robot in robots]
+        for folder in dict.fromkeys((options.data, *(each for each, _ in ledgers if each is not None))):
+            require_writable(folder)
+        if options.only and "executive" not in options.only:
+            return ()
         return tuple(
             line
             for folder, robot in ledgers or [(options.data, options.bus.prefix)]
@@ -189,21 +192,8 @@ def _taken_up(options: RunOptions, robots: Sequence[str]) -> tuple[str, ...]:
         )
     except LedgerLockedError as error:
         raise RefusedError(str(error)) from error
-    except LedgerError as error:
+    except (LedgerError, DataFolderError) as error:
         raise LedgerFailure(str(error)) from error
-
-
-def _require_writable(folder: Path) -> None:
-    """Raise LedgerFailure, before any process fails over it, when nothing can be kept in a folder."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            pass
-    except OSError as error:
-        wanted = "the ledger needs a writable folder"
-        raise LedgerFailure(
-            f"{folder}: {wanted}: {error.strerror}; choose another one with --data"
-        ) from error
 
 
 def _checked(options: RunOptions) -> tuple[Scenario, Site, BusFaults | None]:
