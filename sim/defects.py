@@ -14,6 +14,7 @@ from tandem.sim.faults import (
     GripperWeak,
     HandOpens,
     HardwareSilent,
+    JointsSilent,
     JointStall,
     LaserSilent,
     OdometryJump,
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
 CUTS: Final[dict[type[Fault], str]] = {
     HardwareSilent: "hw/",
     CameraSilent: "hw/camera/",
+    JointsSilent: "hw/joints/",
 }
 """The keys that a fault cuts, by how they begin."""
 

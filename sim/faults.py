@@ -127,6 +127,12 @@ class LaserSilent(_Lasting):
     kind: Literal["laser_silent"] = "laser_silent"
 
 
+class JointsSilent(_Lasting):
+    """The joints' states are not told, though all joints go on as they are told."""
+
+    kind: Literal["joints_silent"] = "joints_silent"
+
+
 class RangeSilent(_Lasting):
     """A range or a cliff sensor tells nothing; without a name: all of them."""
 
@@ -304,6 +310,7 @@ Fault = Annotated[
     | CameraFrozen
     | CameraSilent
     | LaserSilent
+    | JointsSilent
     | RangeSilent
     | RangeStuck
     | OdometryJump
