@@ -76,6 +76,10 @@ class TreeContext:
         """What was known beforehand."""
         return self.knowledge.site
 
+    def called(self, item: int) -> str:
+        """Return what people are told of an item: "item 29 (tea)"."""
+        return f"item {self.site.called(item)}"
+
     def poll(self) -> bool:
         """Take in what has arrived; return whether the tree has a reason to be ticked."""
         believed = self.knowledge.refresh()

@@ -83,10 +83,12 @@ class HandBoard(HandTask):
         """
         fact = self.fact(context)
         if fact is None or fact.held is not None:
-            return Failure(kind=FailureKind.ITEM_GONE, message=f"item {self.item} is not known to stand")
+            return Failure(
+                kind=FailureKind.ITEM_GONE, message=f"{context.called(self.item)} is not known to stand"
+            )
         frame = standing_in_map(fact.tag_in_map, fact)
         if frame is None:
-            return lies(fact)
+            return lies(context, fact)
         return frame if self.frame is None else turned_like(frame, self.frame)
 
     def offer(self, context: TreeContext) -> Failure | None:

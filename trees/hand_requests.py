@@ -34,5 +34,5 @@ def hand_problems(site: Site, path: str, number: int, side: HandName) -> tuple[P
     item = site.item(number)
     if item is None or item.needs_two or item.is_for(side):
         return ()
-    expected = f"an item for the {side} hand; item {number} is for: {', '.join(item.hands)}"
+    expected = f"an item for the {side} hand; item {item.words} is for: {', '.join(item.hands)}"
     return (Problem(path=path, expected=expected, found=str(number)),)

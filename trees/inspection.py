@@ -108,7 +108,7 @@ class Inspection:
                 update={"done": (*notes.done, self.spot), "seen": {**notes.seen, self.spot: numbers}}
             )
         )
-        return f"{self.spot}: {', '.join(map(str, numbers)) or 'no item'}"
+        return f"{self.spot}: {', '.join(map(self.context.site.called, numbers)) or 'no item'}"
 
     def miss_spot(self) -> str:
         """Note why the present spot could not be looked around at; return it in words."""

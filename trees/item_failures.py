@@ -31,29 +31,29 @@ def ambiguous(context: TreeContext, item: int, sightings: Iterable[Sighting] = (
     places = ", ".join(f"({tag.position[0]:.2f}, {tag.position[1]:.2f})" for tag in tags)
     return Failure(
         kind=FailureKind.ITEM_AMBIGUOUS,
-        message=f"{len(tags)} things carry number {item}, at {places}; `near` of a fetch says which",
+        message=f"{len(tags)} things are {context.called(item)}, at {places}; `near` of a fetch says which",
         evidence={"item": item, "things": len(tags)},
     )
 
 
-def fallen_over(fact: ItemFact) -> Failure | None:
+def fallen_over(context: TreeContext, fact: ItemFact) -> Failure | None:
     """Return the failure of an item that is not upright, or None for one that is."""
-    return None if upright_in_map(fact.tag_in_map, fact.size[0]) is not None else lies(fact)
+    return None if upright_in_map(fact.tag_in_map, fact.size[0]) is not None else lies(context, fact)
 
 
-def lies(fact: ItemFact) -> Failure:
+def lies(context: TreeContext, fact: ItemFact) -> Failure:
     """Return the failure of an item that has fallen over."""
     return Failure(
         kind=FailureKind.ITEM_UNREACHABLE,
-        message=f"item {fact.item} has fallen over: hands take hold of what stands upright",
+        message=f"{context.called(fact.item)} has fallen over: hands take hold of what stands upright",
         evidence={"item": fact.item},
     )
 
 
-def no_longer_held(item: int, side: HandName) -> Failure:
+def no_longer_held(context: TreeContext, item: int, side: HandName) -> Failure:
     """Return the failure of an item that was in a hand."""
     return Failure(
         kind=FailureKind.GRASP_LOST,
-        message=f"item {item} is no longer in the {side} hand",
+        message=f"{context.called(item)} is no longer in the {side} hand",
         evidence={"item": item, "side": side},
     )

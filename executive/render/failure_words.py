@@ -18,7 +18,7 @@ NEXT: Final = MappingProxyType(
         Helper.AGAIN: "Nothing needs to be done at the robot. Send the request again; if it fails again, "
         "look at the logs (`tandem --log FILE up`).",
         Helper.LOOK: "Things are not where the robot expected. Make sure that the item stands free and its "
-        "tag is visible, then send the request again: the robot looks again.",
+        "tag, or what else it is known by, is visible, then send the request again: the robot looks again.",
         Helper.BASE: "The robot lacks room. Clear the floor around it and in front of the item, then "
         "send the request again.",
         Helper.LET_GO: "A hand is full. Take the item out of it, or have it put down, then "
@@ -37,7 +37,8 @@ OPERATORS: Final = MappingProxyType(
             "Then run `tandem release` and send the request again."
         ),
         FailureKind.ITEM_NOT_FOUND: (
-            "Put the item in view of a search spot, with its tag uncovered. Then send the request again."
+            "Put the item in view of a search spot, with its tag, or what else it is known by, uncovered. "
+            "Then send the request again."
         ),
         FailureKind.ITEM_UNREACHABLE: (
             "Move the item towards the edge and turn a tagged side outwards. Then send the request again."

@@ -41,7 +41,7 @@ def judged(request: Mapping[str, JsonValue], truth: Truth, site: Site, robot: st
         return Judged(False, f"the site has no item {said}")
     if item is not None and isinstance(depot, str):
         there = lies_on(truth, site, item.item, depot)
-        words = f"item {item.item} {'is' if there else 'is not'} in {depot}"
+        words = f"item {item.words} {'is' if there else 'is not'} in {depot}"
         return Judged(there, words, {"item": item.item, "in_depot": there})
     place = _last_place(request)
     if place is None:

@@ -106,7 +106,7 @@ KINDS: Final = MappingProxyType(
         _K.LASER_SILENT: KindFacts("no scan arrived in time", True, Helper.AGAIN),
         _K.NOT_LOCALISED: KindFacts("the robot does not know where it is", True, Helper.AGAIN),
         _K.ITEM_UNKNOWN: KindFacts("the site file has no such item", False, Helper.CLIENT),
-        _K.ITEM_NOT_FOUND: KindFacts("the tag was not found from any search spot", False, Helper.OPERATOR),
+        _K.ITEM_NOT_FOUND: KindFacts("the item was not found from any search spot", False, Helper.OPERATOR),
         _K.ITEM_AMBIGUOUS: KindFacts(
             "several items have this number; choose one with `near`", False, Helper.CLIENT
         ),

@@ -251,6 +251,11 @@ class Site(Message):
         text = str(said)
         return next((each for each in self.items if text and text in {each.name, str(each.item)}), None)
 
+    def called(self, number: int) -> str:
+        """Return an item's number as people are told of it: with its name, if the site gives it one."""
+        known = self.item(number)
+        return str(number) if known is None else known.words
+
     def item_words(self) -> str:
         """Return all items as words, for who asked for another."""
         return ", ".join(each.words for each in self.items)

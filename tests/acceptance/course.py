@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
@@ -143,9 +143,15 @@ class Course:
 
 
 @contextmanager
-def course(scenario: Scenario, *, seed: int = 1, site: Site | None = None) -> Iterator[Course]:
-    """Start a system and end it; ``site`` stands in for the scenario's."""
-    system = LockstepSystem(scenario, seed, site=site)
+def course(
+    scenario: Scenario,
+    *,
+    seed: int = 1,
+    site: Site | None = None,
+    left_out: Mapping[str, str] | None = None,
+) -> Iterator[Course]:
+    """Start a system and end it; ``site`` stands in for the scenario's, ``left_out`` has plug-ins load."""
+    system = LockstepSystem(scenario, seed, site=site, left_out=left_out)
     try:
         yield Course(system, site or load(scenario.site))
     finally:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from tandem.executive.trials.exploration.tree_bench import TreeBench
 from tandem.skills.ports.actions.perception import LookResult
 from tandem.skills.ports.failure import FailureKind
+from tandem.skills.site import load
 from tandem.trees.leaves.look_closely import not_seen
 
 NOTHING = LookResult(found=False, sightings=())
@@ -21,7 +23,7 @@ NOTHING = LookResult(found=False, sightings=())
     ],
 )
 def test_only_what_was_in_view_is_gone(result: LookResult, kind: FailureKind, words: str) -> None:
-    failure = not_seen(29, result)
+    failure = not_seen(TreeBench(load("lab"), items={}).context, 29, result)
     assert failure.kind is kind
     assert words in failure.message
     assert failure.evidence.get("head_short_rad", 0.0) == result.head_short

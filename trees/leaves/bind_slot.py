@@ -23,7 +23,7 @@ def bind_slot(name: str, context: TreeContext, board: FetchBoard) -> Decide:
         mine = [p.slot for p in placed if p.item == board.item and p.depot == board.destination]
         if mine:
             board.slot = mine[0]
-            return f"item {board.item} lies in slot {board.slot} of {board.destination}"
+            return f"{context.called(board.item)} lies in slot {board.slot} of {board.destination}"
         free = free_slots(context, board, world)
         if not free:
             return Failure(

@@ -47,7 +47,7 @@ def choose_arm(
         if not free:
             return Failure(
                 kind=FailureKind.HAND_FULL,
-                message=f"no free hand for item {boards[0].item}: {' and '.join(may)} asked for",
+                message=f"no free hand for {context.called(boards[0].item)}: {' and '.join(may)} asked for",
             )
         return _nearest(context, free, choice)
 
@@ -61,10 +61,10 @@ def _nearest(context: TreeContext, free: list[HandBoard], choice: Choice) -> str
     zone = zone_at(context, point)
     able = [board for board in free if reaches(board.side, zone)]
     if not able:
-        return unreachable(free[0], zone, point)
+        return unreachable(context, free[0], zone, point)
     robot = context.knowledge.description
     if robot is not None:
         # In the base y is to the left: the hand on the item's own side has the least way and crosses nothing.
         able.sort(key=lambda board: abs(point[1] - robot.end_effector(board.side).work_point[1]))
     choice.side = able[0].side
-    return f"{choice.side} arm: item {free[0].item} is in {zone} at y = {point[1]:.2f} m"
+    return f"{choice.side} arm: {context.called(free[0].item)} is in {zone} at y = {point[1]:.2f} m"

@@ -16,10 +16,10 @@ def search_tilts(context: TreeContext) -> tuple[float, ...]:
     return LookGoal().tilts if description is None else description.search_tilts
 
 
-def _elsewhere(board: FetchBoard) -> Failure:
+def _elsewhere(context: TreeContext, board: FetchBoard) -> Failure:
     return Failure(
         kind=FailureKind.ITEM_NOT_FOUND,
-        message=f"item {board.item} is in view, but not within {NEAR} m of {board.near}",
+        message=f"{context.called(board.item)} is in view, but not within {NEAR} m of {board.near}",
         evidence={"item": board.item},
     )
 
@@ -34,11 +34,11 @@ def look(name: str, context: TreeContext, board: FetchBoard) -> Act[LookGoal, Lo
         if any(board.near is None or is_meant(each.tag_in_map, board.near) for each in there):
             return None
         if there:
-            return _elsewhere(board)
-        seen = ", ".join(str(sighting.item) for sighting in result.sightings) or "no item"
+            return _elsewhere(context, board)
+        seen = ", ".join(context.site.called(sighting.item) for sighting in result.sightings) or "no item"
         return Failure(
             kind=FailureKind.ITEM_NOT_FOUND,
-            message=f"item {board.item} is not in view; seen: {seen}",
+            message=f"{context.called(board.item)} is not in view; seen: {seen}",
             evidence=dict(evidence_of(board.item, result)),
         )
 

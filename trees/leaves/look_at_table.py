@@ -24,8 +24,8 @@ def look_at_table(
         missing = [item for item in items if item not in there and not _held(context, item)]
         if not missing:
             return next(filter(None, (ambiguous(context, item, result.sightings) for item in items)), None)
-        seen = ", ".join(map(str, there)) or "no item"
-        words = " and ".join(f"item {item}" for item in missing)
+        seen = ", ".join(map(context.site.called, there)) or "no item"
+        words = " and ".join(map(context.called, missing))
         return Failure(
             kind=FailureKind.ITEM_NOT_FOUND,
             message=f"{words} not in view on the table; seen: {seen}",

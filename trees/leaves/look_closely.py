@@ -19,24 +19,25 @@ REACH: Final = 1.15
 TIAGo++. The look itself goes no farther than the robot's own arms."""
 
 
-def not_seen(item: int, result: LookResult) -> Failure:
+def not_seen(context: TreeContext, item: int, result: LookResult) -> Failure:
     """Return why a look straight at the item's place has not seen it."""
+    called = context.called(item)
     if item in result.hidden:
         return Failure(
             kind=FailureKind.ITEM_HIDDEN,
-            message=f"item {item} can't be seen from here: something stands before it",
+            message=f"{called} can't be seen from here: something stands before it",
             evidence={"item": item},
         )
     if result.head_short:
         short = math.degrees(result.head_short)
         return Failure(
             kind=FailureKind.ITEM_HIDDEN,
-            message=f"item {item} can't be seen from here: the head stops {short:.0f} degrees short of it",
+            message=f"{called} can't be seen from here: the head stops {short:.0f} degrees short of it",
             evidence=dict(evidence_of(item, result)),
         )
     return Failure(
         kind=FailureKind.ITEM_GONE,
-        message=f"item {item} is not where it was seen before",
+        message=f"{called} is not where it was seen before",
         evidence={"item": item, "pictures": PICTURES},
     )
 
@@ -49,7 +50,9 @@ def look_closely(
     def goal() -> LookGoal | Failure:
         fact = board.fact(context)
         if fact is None:
-            return Failure(kind=FailureKind.ITEM_GONE, message=f"item {board.item} has not been seen")
+            return Failure(
+                kind=FailureKind.ITEM_GONE, message=f"{context.called(board.item)} has not been seen"
+            )
         return LookGoal(at=fact.tag_in_map.position, pictures=PICTURES, clutter=True, around=REACH)
 
     def judge(result: LookResult) -> Failure | None:
@@ -57,7 +60,7 @@ def look_closely(
             return several
         if any(sighting.item == board.item for sighting in result.sightings):
             return None
-        return not_seen(board.item, result)
+        return not_seen(context, board.item, result)
 
     return Act(
         name,

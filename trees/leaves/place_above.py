@@ -24,7 +24,9 @@ def ways_to_place(context: TreeContext, board: FetchBoard, side: HandName) -> tu
     world = context.knowledge.world
     held = None if world is None else world.in_hand(side)
     if held is None or held.item != board.item:
-        return Failure(kind=FailureKind.GRASP_LOST, message=f"item {board.item} is not in the {side} hand")
+        return Failure(
+            kind=FailureKind.GRASP_LOST, message=f"{context.called(board.item)} is not in the {side} hand"
+        )
     slot, height = board.chosen_slot(context), board.site_item(context).size[2]
     return tuple(place(slot.position, slot.facing + turn, held.item_in_tool, height) for turn in TURNS)
 

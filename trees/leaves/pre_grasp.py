@@ -55,8 +55,10 @@ def pre_grasp(context: TreeContext, board: FetchBoard) -> Act[MoveGoal, MoveFeed
     def goal() -> MoveGoal | Failure:
         fact = board.fact(context)
         if fact is None or fact.held is not None:
-            return Failure(kind=FailureKind.ITEM_GONE, message=f"item {board.item} is not known to stand")
-        lies = fallen_over(fact)
+            return Failure(
+                kind=FailureKind.ITEM_GONE, message=f"{context.called(board.item)} is not known to stand"
+            )
+        lies = fallen_over(context, fact)
         if lies is not None:
             return lies
         palm = board.palm(context)

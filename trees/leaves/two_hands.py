@@ -69,7 +69,7 @@ def lift_together(context: TreeContext, board: BothBoard) -> BothHands:
             return None
         return Failure(
             kind=FailureKind.TILTED,
-            message=f"item {board.left.item} is tilted by {result.tilt:.3f} rad between the hands",
+            message=f"{context.called(board.left.item)} is tilted by {result.tilt:.3f} rad between the hands",
             evidence={"tilt_rad": round(result.tilt, 4), "most_rad": LEVEL},
         )
 

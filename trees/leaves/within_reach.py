@@ -34,8 +34,8 @@ def within_reach(name: str, context: TreeContext, boards: tuple[HandBoard, ...])
                 return point
             zone = zone_at(context, point)
             if not reaches(board.side, zone):
-                return unreachable(board, zone, point)
-            zones.append(f"item {board.item} in {zone} for the {board.side} hand")
+                return unreachable(context, board, zone, point)
+            zones.append(f"{context.called(board.item)} in {zone} for the {board.side} hand")
         return ", ".join(zones) or "all is in the hands already"
 
     return Decide(name, context, decide)
@@ -77,11 +77,12 @@ def zone_at(context: TreeContext, point: Vector3) -> str:
     return "U" if zones is None else zones.at(point)
 
 
-def unreachable(board: HandBoard, zone: str, point: Vector3) -> Failure:
+def unreachable(context: TreeContext, board: HandBoard, zone: str, point: Vector3) -> Failure:
     """Return the failure of an item that stands where the hand can't go."""
     x, y, _ = point
+    where = f"{WORDS[zone]} at ({x:.2f}, {y:.2f}) m"
     return Failure(
         kind=FailureKind.ITEM_UNREACHABLE,
-        message=f"item {board.item} is for the {board.side} hand, but {WORDS[zone]} at ({x:.2f}, {y:.2f}) m",
+        message=f"{context.called(board.item)} is for the {board.side} hand, but {where}",
         evidence={"item": board.item, "zone": zone, "x_m": round(x, 3), "y_m": round(y, 3)},
     )

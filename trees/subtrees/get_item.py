@@ -84,7 +84,12 @@ def get_item(context: TreeContext, board: FetchBoard) -> Behaviour:
         ),
     )
     return Recovery(
-        "get item", context, main, steps, within=WITHIN, conclude=lambda failure: _unreachable(board, failure)
+        "get item",
+        context,
+        main,
+        steps,
+        within=WITHIN,
+        conclude=lambda failure: _unreachable(context, board, failure),
     )
 
 
@@ -164,14 +169,15 @@ def _from_home(context: TreeContext, board: FetchBoard) -> Behaviour:
     )
 
 
-def _unreachable(board: FetchBoard, failure: Failure) -> Failure:
+def _unreachable(context: TreeContext, board: FetchBoard, failure: Failure) -> Failure:
     """Return what is told when all that helps an arm has been tried."""
     told = {FailureKind.ITEM_UNREACHABLE, FailureKind.GRIPPER_STUCK}
     if failure.kind in told or not searching_again_helps(failure):
         return failure
+    tried = f"could not be picked up, whatever was tried; the last was {failure.kind}"
     return Failure(
         kind=FailureKind.ITEM_UNREACHABLE,
-        message=f"item {board.item} could not be picked up, whatever was tried; the last was {failure.kind}",
+        message=f"{context.called(board.item)} {tried}",
         where=failure.where,
         evidence=failure.evidence,
         causes=(failure,),

@@ -179,7 +179,7 @@ def seen_again(context: TreeContext, board: HandBoard) -> WaitFor:
             return known
         return Failure(
             kind=FailureKind.ITEM_GONE,
-            message=f"item {board.item} was not seen again within {SEEN_WITHIN:.0f} s",
+            message=f"{context.called(board.item)} was not seen again within {SEEN_WITHIN:.0f} s",
             evidence={"item": board.item, "waited_s": SEEN_WITHIN},
         )
 

@@ -74,8 +74,8 @@ def approach_item(context: TreeContext, board: FetchBoard) -> Behaviour:
     def reach(side: HandName, quarter_turns: int) -> Reach | Failure:
         fact, description = board.fact(context), context.knowledge.description
         if fact is None or fact.held is not None or description is None:
-            return unknown(board.item)
-        lies = fallen_over(fact)
+            return unknown(context, board.item)
+        lies = fallen_over(context, fact)
         if lies is not None:
             return lies
         tag, hand = face(fact.tag_in_map, fact.size[0], quarter_turns), description.end_effector(side)
@@ -91,7 +91,7 @@ def approach_item(context: TreeContext, board: FetchBoard) -> Behaviour:
 
     def sight() -> Vector3 | Failure:
         fact = board.fact(context)
-        return unknown(board.item) if fact is None else fact.tag_in_map.position
+        return unknown(context, board.item) if fact is None else fact.tag_in_map.position
 
     return stand_near(
         "item",
@@ -110,7 +110,7 @@ def _verify(context: TreeContext, board: FetchBoard, width: float) -> Behaviour:
             return None
         return Failure(
             kind=FailureKind.GRASP_LOST,
-            message=f"item {board.item} was attached, and the hand is empty",
+            message=f"{context.called(board.item)} was attached, and the hand is empty",
             evidence={"width_m": result.width, "force_n": result.force},
         )
 

@@ -73,7 +73,7 @@ def place(context: TreeContext, board: FetchBoard) -> Behaviour:
             ],
         ),
         holds=lambda: _in_hand(context, board),
-        otherwise=lambda: no_longer_held(board.item, board.chosen_side()),
+        otherwise=lambda: no_longer_held(context, board.item, board.chosen_side()),
     )
     others = len(board.depot(context).slots) - 1
     steps = (
@@ -92,7 +92,7 @@ def place(context: TreeContext, board: FetchBoard) -> Behaviour:
         main,
         steps,
         within=WITHIN,
-        conclude=lambda failure: _unreachable(board, failure),
+        conclude=lambda failure: _unreachable(context, board, failure),
     )
 
 
@@ -102,7 +102,7 @@ def approach_slot(context: TreeContext, board: FetchBoard) -> Behaviour:
     def reach(side: HandName, _: int) -> Reach | Failure:
         ways, description = ways_to_place(context, board, side), context.knowledge.description
         if isinstance(ways, Failure) or description is None:
-            return ways if isinstance(ways, Failure) else unknown(board.item)
+            return ways if isinstance(ways, Failure) else unknown(context, board.item)
         slot, hand = board.chosen_slot(context), description.end_effector(side)
         bases = proximity_poses(slot.position, slot.facing, hand.work_point, hand.work_heading)
         return Reach(bases=bases, candidates=place_candidates(ways), turn=to_place(slot.position))
@@ -220,10 +220,10 @@ def _in_hand(context: TreeContext, board: FetchBoard) -> bool:
     return world is None or (held is not None and held.item == board.item)
 
 
-def _unreachable(board: FetchBoard, failure: Failure) -> Failure:
+def _unreachable(context: TreeContext, board: FetchBoard, failure: Failure) -> Failure:
     """Return what is told when all that helps with the item in the hand has been tried."""
     if failure.kind is FailureKind.SLOT_TAKEN:
-        full = f"no slot of {board.destination} is free for item {board.item}"
+        full = f"no slot of {board.destination} is free for {context.called(board.item)}"
         return Failure(
             kind=FailureKind.DESTINATION_FULL, message=full, where=failure.where, causes=(failure,)
         )
@@ -231,7 +231,7 @@ def _unreachable(board: FetchBoard, failure: Failure) -> Failure:
         return failure
     return Failure(
         kind=FailureKind.DESTINATION_UNREACHABLE,
-        message=f"item {board.item} could not be put down; the last was {failure.kind}",
+        message=f"{context.called(board.item)} could not be put down; the last was {failure.kind}",
         where=failure.where,
         evidence=failure.evidence,
         causes=(failure,),

@@ -97,13 +97,15 @@ def _bind_arm(context: TreeContext, board: FetchBoard) -> Decide:
         holding = next((hand.side for hand in world.held if hand.item == board.item), None)
         if holding is not None:
             board.side, board.sides, board.allowed = holding, (holding,), wanted
-            return f"the {holding} hand holds item {board.item} already"
+            return f"the {holding} hand holds {context.called(board.item)} already"
         free = tuple(side for side in wanted if world.in_hand(side) is None)
         if not free:
-            held = ", ".join(f"{hand.side}: item {hand.item}" for hand in world.held)
-            return Failure(kind=FailureKind.HAND_FULL, message=f"no free hand for item {board.item} ({held})")
+            held = ", ".join(f"{hand.side}: {context.called(hand.item)}" for hand in world.held)
+            return Failure(
+                kind=FailureKind.HAND_FULL, message=f"no free hand for {context.called(board.item)} ({held})"
+            )
         board.side, board.sides, board.allowed = free[0], free, free
-        return f"{' or '.join(free)} arm for item {board.item}"
+        return f"{' or '.join(free)} arm for {context.called(board.item)}"
 
     return Decide("bind arm", context, decide)
 

@@ -67,7 +67,7 @@ def search(context: TreeContext, board: FetchBoard) -> Behaviour:
 
 def _only_one(context: TreeContext, board: FetchBoard) -> Decide:
     def decide() -> str | Failure:
-        return ambiguous(context, board.item) or f"the only {board.item}"
+        return ambiguous(context, board.item) or f"the only {context.site.called(board.item)}"
 
     return Decide("which one is meant?", context, decide)
 
@@ -125,7 +125,7 @@ def _not_found(context: TreeContext, board: FetchBoard) -> GiveUp:
             return last
         return Failure(
             kind=FailureKind.ITEM_NOT_FOUND,
-            message=f"item {board.item} was seen neither here nor from any of the {spots} spots",
+            message=f"{context.called(board.item)} was seen neither here nor from any of the {spots} spots",
             evidence={"item": board.item, "spots": spots, "turns": ALL_AROUND},
         )
 

@@ -153,6 +153,6 @@ def _may_use(board: FetchBoard, side: HandName) -> bool:
     return side in board.sides
 
 
-def unknown(item: int) -> Failure:
+def unknown(context: TreeContext, item: int) -> Failure:
     """Return the failure of a tree that was sent to an item nobody has seen."""
-    return Failure(kind=FailureKind.ITEM_GONE, message=f"item {item} has not been seen")
+    return Failure(kind=FailureKind.ITEM_GONE, message=f"{context.called(item)} has not been seen")

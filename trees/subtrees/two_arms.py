@@ -77,13 +77,16 @@ def hands_free(context: TreeContext, boards: tuple[HandBoard, ...]) -> Decide:
         for board in boards:
             held = None if world is None else world.in_hand(board.side)
             if held is not None and held.item != board.item:
-                message = f"the {board.side} hand holds item {held.item}, and is asked for {board.item}"
+                holds = context.called(held.item)
+                message = (
+                    f"the {board.side} hand holds {holds}, and is asked for {context.called(board.item)}"
+                )
                 return Failure(
                     kind=FailureKind.HAND_FULL,
                     message=message,
                     evidence={"holds": held.item},
                 )
-        return ", ".join(f"the {board.side} hand for item {board.item}" for board in boards)
+        return ", ".join(f"the {board.side} hand for {context.called(board.item)}" for board in boards)
 
     return Decide("hands are free", context, decide)
 
@@ -145,7 +148,7 @@ def where_hands_are(context: TreeContext, boards: tuple[HandBoard, ...]) -> dict
     items = dict.fromkeys(board.item for board in boards)
     return {
         "robot_is": f"at the table{arms}",
-        "item_is": "; ".join(f"{item}: {_where(context, item)}" for item in items),
+        "item_is": "; ".join(f"{context.site.called(item)}: {_where(context, item)}" for item in items),
     }
 
 

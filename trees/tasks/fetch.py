@@ -77,7 +77,7 @@ def problems(asked: FetchRequest, site: Site) -> tuple[Problem, ...]:
     elif asked.arm is not None and not item.is_for(asked.arm):
         found.append(
             Problem(
-                path="arm", expected=f"a hand for item {item.item}: {', '.join(item.hands)}", found=asked.arm
+                path="arm", expected=f"a hand for item {item.words}: {', '.join(item.hands)}", found=asked.arm
             )
         )
     if site.depot(asked.to) is None:

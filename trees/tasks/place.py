@@ -136,7 +136,7 @@ def _bind_hand(context: TreeContext, board: FetchBoard) -> str | Failure:
     board.item, board.side = found.item, found.side
     board.sides = board.allowed = (found.side,)
     context.notes.keep(NAME, PlaceNotes(item=found.item, side=found.side))
-    return f"item {found.item} of the {found.side} hand"
+    return f"{context.called(found.item)} of the {found.side} hand"
 
 
 def _chosen(

@@ -48,7 +48,7 @@ def test_an_item_is_judged_whatever_it_is_called(said: JsonValue) -> None:
     lies = TrueBody(name="item_29", item=29, pose=Pose(position=(0.0, 0.0, 0.03), orientation=FLAT))
     found = judged({"task": "fetch", "item": said, "to": "depot"}, with_body(lies), load("lab"), "")
     assert not found.good
-    assert found.words == "item 29 is not in depot"
+    assert found.words == "item 29 (tea) is not in depot"
 
 
 @pytest.mark.parametrize("said", [30, "coffee"])

@@ -122,7 +122,7 @@ def test_why_a_task_failed_and_what_to_do_are_told(page: TestClient, rig: Rig) -
     rig.here.step(5)
     told = page.get(f"/api/task/{task}").json()
     assert told["status"]["state"] == TaskState.FAILED
-    assert (told["helper"], "tag is visible" in told["next"]) == ("look", True)
+    assert (told["helper"], "is visible" in told["next"]) == ("look", True)
 
 
 def test_the_stop_says_who_set_it(page: TestClient) -> None:

@@ -34,7 +34,7 @@ def hand_is_full(context: TreeContext, board: HandBoard) -> Gripping:
             return None
         return Failure(
             kind=FailureKind.GRASP_LOST,
-            message=f"item {board.item} was attached, and the {board.side} hand is empty",
+            message=f"{context.called(board.item)} was attached, and the {board.side} hand is empty",
             evidence={"width_m": result.width, "force_n": result.force},
         )
 

@@ -14,7 +14,7 @@ def still_held(what: str, context: TreeContext, board: HandBoard) -> Decide:
 
     def decide() -> str | Failure:
         if board.held(context):
-            return f"item {board.item} is in the {board.side} hand"
-        return no_longer_held(board.item, board.side)
+            return f"{context.called(board.item)} is in the {board.side} hand"
+        return no_longer_held(context, board.item, board.side)
 
     return Decide(f"{board.who}: {what}", context, decide)
