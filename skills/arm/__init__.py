@@ -2,6 +2,6 @@
 
 Skills: move, survey, process.
 From a goal to a motion: plan_move, problem, scene, finger_space, far_path, curve, timing,
-trajectory, retreat, turned.
+trajectory, retreat, turned, slices.
 While it moves: motion, motion_watch, doubt, followed, pushed, right_of_way, silence, status, hand_way.
 """

@@ -23,6 +23,7 @@ from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm, Moment, Plan
 from tandem.skills.arm.pushed import PushedBase
 from tandem.skills.arm.right_of_way import Gate
+from tandem.skills.arm.slices import BREATH, UNIT_COST, due
 from tandem.skills.arm.status import ArmStatusBoard
 from tandem.skills.geometry.poses import distance
 from tandem.skills.ports.actions.arm import ArmState, MoveFeedback, MoveGoal, MovePhase, MoveResult, move
@@ -36,10 +37,6 @@ from tandem.skills.ports.message import Vector3
 from tandem.skills.ports.skill import ActionType, Command, Outcome, Run, Slice, canceled, failed, succeeded
 from tandem.skills.ports.world import ROBOT_POSE, SCENE, PlanningScene
 
-UNIT_COST: Final = 25e-6
-"""Robot seconds that lockstep charges for one collision check or iteration."""
-SLICE_UNITS: Final = 80
-"""Units of work between two chances to be stopped: about 2 ms."""
 HEARD_WITHIN: Final = 2.0
 """Robot seconds for which a move waits for joint states, the scene and the robot's pose."""
 POSE_TOLERANCE: Final = 0.015
@@ -210,9 +207,11 @@ class Move:
                 command = yield self._feedback(MovePhase.PLANNING)
                 if command in {Command.CANCEL, Command.PAUSE}:
                     return None, slices, command
-            if units >= SLICE_UNITS:
-                command = yield Slice(units * UNIT_COST)
-                units, slices = 0, slices + 1
+            slice_ = due(units, units - before)
+            if slice_ is not None:
+                command = yield slice_
+                if slice_ is not BREATH:
+                    units, slices = 0, slices + 1
                 if command in {Command.CANCEL, Command.PAUSE}:
                     return None, slices, command
 

@@ -16,6 +16,7 @@ import numpy as np
 from tandem.skills.arm.plan_move import MovePlanner
 from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm, Moment
+from tandem.skills.arm.slices import BREATH, UNIT_COST, due
 from tandem.skills.ports.actions.arm import MoveGoal, SurveyFeedback, SurveyGoal, SurveyResult, survey
 from tandem.skills.ports.bus import Bus
 from tandem.skills.ports.clocks import Clocks, robot_seconds
@@ -26,10 +27,6 @@ from tandem.skills.ports.world import SCENE
 
 HEARD_WITHIN: Final = 2.0
 """Robot seconds in which joint states and scene must have come."""
-UNIT_COST: Final = 25e-6
-"""Robot seconds that lockstep charges for a unit of work: about a collision check."""
-SLICE_UNITS: Final = 80
-"""Units of work between two chances to be stopped: about 2 ms, as in ``move``."""
 
 
 class Survey:
@@ -106,14 +103,17 @@ class Survey:
         """Run one trial in slices; None when it is cancelled."""
         units, reached = 0, None
         while reached is None:
+            before = units
             try:
                 units += next(steps)
+                slice_ = due(units, units - before)
             except StopIteration as stop:
                 reached = bool(stop.value)
-            if reached is None and units < SLICE_UNITS:
+                slice_ = Slice(units * UNIT_COST)
+            if slice_ is None:
                 continue
-            command = yield Slice(units * UNIT_COST)
-            units = 0
+            command = yield slice_
+            units = units if slice_ is BREATH else 0
             while command is Command.PAUSE:
                 command = yield feedback
                 command = Command.PAUSE if command is Command.GO_ON else command

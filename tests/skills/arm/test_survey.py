@@ -7,6 +7,7 @@ import pytest
 
 from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import Arm
+from tandem.skills.arm.slices import BREATH
 from tandem.skills.arm.survey import Survey
 from tandem.skills.geometry.poses import from_rpy
 from tandem.skills.kinematics.described import load_hulls
@@ -66,3 +67,18 @@ def test_what_stands_in_the_way_counts(hulls: RobotHulls) -> None:
 def test_a_cancel_is_obeyed_between_two_slices(hulls: RobotHulls) -> None:
     outcome = survey(hulls, SurveyGoal(bases=(FAR,) * 50, candidates=(TARGET,)), cancel_after=2)
     assert outcome.canceled
+
+
+def test_a_cancel_is_obeyed_as_soon_as_a_checker_is_made(hulls: RobotHulls) -> None:
+    rig = ArmRig(panda(), "arm", hulls=hulls)
+    skill = Survey(rig.bus, rig.clocks, Arm(hulls, panda(), "arm"), PlannerSettings())
+    rig.set_scene()
+    rig.rounds(1)
+    run = skill.run(SurveyGoal(bases=(HERE,), candidates=(TARGET,)), "t/survey/1")
+    yielded = next(run)
+    while not isinstance(yielded, Slice):
+        yielded = run.send(Command.GO_ON)
+    assert yielded == BREATH
+    with pytest.raises(StopIteration) as stop:
+        run.send(Command.CANCEL)
+    assert stop.value.value.canceled
