@@ -265,7 +265,7 @@ def test_an_item_that_has_fallen_over_is_told() -> None:
     failure = run.failure()
     assert failure is not None
     assert failure.kind is FailureKind.ITEM_UNREACHABLE
-    assert "item 29 has fallen over" in failure.message
+    assert "item 29 (tea) has fallen over" in failure.message
 
 
 OTHER_PLACE = Pose(position=(0.9, 0.9, 0.74), orientation=TAG.orientation)
