@@ -1,4 +1,4 @@
-// What a camera sees, with the tags that perception has found. Asked for only while it is open and in view.
+// What a camera sees, with the items that perception has found. Asked for only while it is open and in view.
 import type { ComponentChildren } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { picture } from "./api";
@@ -10,7 +10,8 @@ import { named } from "./words";
 
 const EVERY = 1000;
 const NEAREST = 0.01; // m before the camera; what is behind it is not in its picture
-const FRESH = 3; // robot seconds for which a tag is drawn where it was seen
+const FRESH = 3; // robot seconds for which an item is drawn where it was seen
+const FACE = 0.8; // share of the edge of an untagged item that is outlined: what a tag would take, as the site has it
 
 // Where a tag that one camera has seen is for another one, both of them where the robot has them now; null: not known.
 export type Carry = (from: CameraSensor, to: CameraSensor, point: readonly [number, number, number]) => readonly [number, number, number] | null;
@@ -81,11 +82,12 @@ function useTags(): { tags: Tags | null; age: number | null } {
 
 function Seen({ by }: { by: string }) {
   const { tags, age } = useTags();
-  if (!tags?.seen.length || age === null) return <span class="quiet"> · no tag read yet</span>;
-  return <span class="quiet"> · {tags.seen.length > 1 ? "tags" : "tag"} {tags.seen.map((each) => each.item).join(", ")} read {by && `by ${by} `}{age < 1 ? "now" : `${age.toFixed(0)} s ago`}</span>;
+  const site = useSite().value;
+  if (!tags?.seen.length || age === null) return <span class="quiet"> · no item seen yet</span>;
+  return <span class="quiet"> · {tags.seen.length > 1 ? "items" : "item"} {tags.seen.map((each) => named(site, each.item)).join(", ")} seen {by && `by ${by} `}{age < 1 ? "now" : `${age.toFixed(0)} s ago`}</span>;
 }
 
-// The outlines of tags by a pinhole camera, in its optical frame: z forward, x to the right, y down. In the picture of
+// The outlines of tags, or of faces as large, by a pinhole camera, in its optical frame: z forward, x to the right, y down. In the picture of
 // another camera than that which perception looks with they are dashed: something may stand before them.
 function Found({ sensor, looks, carry }: Given) {
   const { tags, age } = useTags();
@@ -95,7 +97,8 @@ function Found({ sensor, looks, carry }: Given) {
   return (
     <svg viewBox={`0 0 ${sensor.width} ${sensor.height}`} aria-hidden="true">
       {tags.seen.map((each, i) => {
-        const half = (site?.items.find((one) => one.item === each.item)?.tag_size ?? 0.05) / 2;
+        const item = site?.items.find((one) => one.item === each.item);
+        const half = (item?.tag_size ?? FACE * Math.min(...(item?.size ?? [0.06]))) / 2;
         const corners = [[-half, -half], [half, -half], [half, half], [-half, half]].map(([x, y]) => {
           const [px, py, pz] = turned(each.tag.orientation, [x!, y!, 0]);
           const [tx, ty, tz] = each.tag.position;

@@ -118,5 +118,5 @@ function where(fact: WorldState["items"][number], { boot, now }: Beliefs) {
   if (fact.held) return `in the ${fact.held} hand`;
   const place = fact.tag_in_map.position.map((each) => each.toFixed(2)).join(", ");
   const age = now !== null && fact.seen.boot === boot ? `seen ${words(Math.max(0, now - fact.seen.seconds))} before` : "seen before the last start";
-  return `tag at ${place}, ${age}`;
+  return `its face at ${place}, ${age}`;
 }

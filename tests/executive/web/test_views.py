@@ -122,7 +122,7 @@ def test_the_camera_is_shown_with_the_tags_that_were_found(page: Page, robot: Fa
     page.get_by_role("button", name="Camera").click()
     expect(page).to_have_url("/?camera")
     expect(page.locator(".camera svg text")).to_have_text("tea")
-    expect(page.locator(".camera figcaption")).to_contain_text("now · tag 29 read now")
+    expect(page.locator(".camera figcaption")).to_contain_text("now · item tea seen now")
     page.get_by_role("button", name="Camera").click()
     expect(page.locator(".camera")).to_have_count(0)
 
@@ -139,7 +139,7 @@ def test_of_several_cameras_one_is_chosen(page: Page, robot: FakeRobot) -> None:
     expect(page.locator(".canvas")).to_have_attribute("data-robot", "loaded")
     tell(robot)
     expect(page.locator(".camera .guessed text")).to_have_text("tea")
-    expect(page.locator(".camera figcaption")).to_contain_text(f"tag 29 read by {head.name} now")
+    expect(page.locator(".camera figcaption")).to_contain_text(f"item tea seen by {head.name} now")
     picture(page, "page-cameras")
 
 
