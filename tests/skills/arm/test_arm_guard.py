@@ -2,30 +2,16 @@
 
 from __future__ import annotations
 
-import pytest
-
 from tandem.skills.arm.silence import SILENT_AFTER
-from tandem.skills.kinematics.described import load_hulls
-from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.actions.arm import MoveGoal
 from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.keys import Latest
 from tandem.skills.ports.reflex import ReflexSwitch, reflex_state, reflex_switch
-from tests.fakes.arm_rig import PANDA_HOME, ArmRig, panda
+from tests.fakes.arm_rig import PANDA_HOME, ArmRig
 
 FAR = tuple(q + d for q, d in zip(PANDA_HOME, (1.8, 0.4, 0, 0, 0, 0, 0), strict=True))
 NAME = "arm_guard_right"
-
-
-@pytest.fixture(scope="module")
-def hulls() -> RobotHulls:
-    return load_hulls(panda())
-
-
-@pytest.fixture
-def rig(hulls: RobotHulls) -> ArmRig:
-    return ArmRig(panda(), "arm", hulls=hulls)
 
 
 def moving(rig: ArmRig, *, then: int = 1) -> None:

@@ -7,7 +7,6 @@ import pytest
 
 from tandem.skills.arm.doubt import STEP, Doubt, small_steps
 from tandem.skills.arm.problem import Arm
-from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.action import GoalCommand, GoalState, command_service
 from tandem.skills.ports.actions.arm import MoveGoal
@@ -19,11 +18,6 @@ from tests.fakes.arm_rig import PANDA_HOME, ArmRig, panda
 ELBOW = "panda_joint4"
 COLUMN = 3
 SIDE = tuple(q + d for q, d in zip(PANDA_HOME, (0.6, 0.2, 0.0, 0.4, 0.0, 0.0, 0.0), strict=True))
-
-
-@pytest.fixture(scope="module")
-def hulls() -> RobotHulls:
-    return load_hulls(panda())
 
 
 @pytest.fixture

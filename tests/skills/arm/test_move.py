@@ -13,7 +13,6 @@ from tandem.skills.arm.planning.settings import PlannerSettings
 from tandem.skills.arm.problem import LIMIT_MARGIN, Arm, Plan
 from tandem.skills.arm.status import ArmStatusBoard
 from tandem.skills.geometry.poses import from_rpy
-from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.action import GoalCommand, GoalState, GoalStatus, command_service, status_topic
 from tandem.skills.ports.actions.arm import (
@@ -42,16 +41,6 @@ SIDE = tuple(q + d for q, d in zip(PANDA_HOME, (0.6, 0.2, 0, 0, 0, 0, 0), strict
 
 def pose(x: float, y: float, z: float) -> Candidate:
     return Candidate(pose=Pose(position=(x, y, z), orientation=DOWN))
-
-
-@pytest.fixture(scope="module")
-def hulls() -> RobotHulls:
-    return load_hulls(panda())
-
-
-@pytest.fixture
-def rig(hulls: RobotHulls) -> ArmRig:
-    return ArmRig(panda(), "arm", hulls=hulls)
 
 
 def test_it_moves_to_joints_and_tells_its_states(rig: ArmRig) -> None:

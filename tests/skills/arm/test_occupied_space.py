@@ -9,7 +9,6 @@ from tandem.skills.arm.scene import OCCUPIED, obstacles
 from tandem.skills.geometry.poses import transform
 from tandem.skills.kinematics.bodies import CellsShape
 from tandem.skills.kinematics.collision import CollisionChecker
-from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.actions.arm import MoveGoal
@@ -17,23 +16,13 @@ from tandem.skills.ports.failure import FailureKind
 from tandem.skills.ports.message import RobotTime
 from tandem.skills.ports.pose import FloorPose, Pose
 from tandem.skills.ports.world import SCENE, Box, PlanningScene
-from tests.fakes.arm_rig import PANDA_HOME, ArmRig, panda
+from tests.fakes.arm_rig import PANDA_HOME, ArmRig
 from tests.fakes.occupied import occupied
 
 START = tuple(np.array(PANDA_HOME) + np.array([-0.9, 0.6, 0, 0, 0, 0, 0]))
 END = tuple(np.array(PANDA_HOME) + np.array([0.9, 0.6, 0, 0, 0, 0, 0]))
 WALL = Box(size=(0.5, 0.05, 0.6), pose=Pose(position=(0.6, 0.0, 0.3)))
 STAMP = RobotTime(boot="b", seconds=1.0)
-
-
-@pytest.fixture(scope="module")
-def hulls() -> RobotHulls:
-    return load_hulls(panda())
-
-
-@pytest.fixture
-def rig(hulls: RobotHulls) -> ArmRig:
-    return ArmRig(panda(), "arm", hulls=hulls)
 
 
 def scene(rig: ArmRig, *boxes: Box, version: int = 2) -> PlanningScene:

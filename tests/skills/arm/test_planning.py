@@ -18,7 +18,6 @@ from tandem.skills.arm.planning.straight import Broken, Hand, follow
 from tandem.skills.arm.problem import Arm, Plan
 from tandem.skills.kinematics.bodies import BoxShape, Obstacle
 from tandem.skills.kinematics.collision import CollisionChecker
-from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.kinematics.ik import IkAnswer, Solver
 from tandem.skills.kinematics.model import Chain
@@ -35,11 +34,6 @@ HOME = dict(zip(JOINTS, PANDA_HOME, strict=True))
 START = np.array(PANDA_HOME) + np.array([-0.9, 0.6, 0, 0, 0, 0, 0])
 END = np.array(PANDA_HOME) + np.array([0.9, 0.6, 0, 0, 0, 0, 0])
 WALL = Obstacle("wall", BoxShape((0.5, 0.05, 0.6)), Pose(position=(0.6, 0.0, 0.3)))
-
-
-@pytest.fixture(scope="module")
-def hulls() -> RobotHulls:
-    return load_hulls(panda())
 
 
 def motions(hulls: RobotHulls, step: float = 0.025) -> Motions:

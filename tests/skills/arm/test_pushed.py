@@ -9,7 +9,6 @@ import pytest
 
 from tandem.skills.arm.pushed import PushedBase
 from tandem.skills.geometry.poses import from_rpy
-from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.action import GoalState
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal
@@ -76,11 +75,6 @@ def test_the_motion_goes_on(pose: FloorPose, *, localised: bool, frame: Literal[
     told = Told(frame)
     told.tell(pose, localised=localised)
     assert told.base.moved() is None
-
-
-@pytest.fixture(scope="module")
-def hulls() -> RobotHulls:
-    return load_hulls(panda())
 
 
 @pytest.mark.parametrize("rounds", [2, 60], ids=["while it is planned", "while it moves"])

@@ -6,7 +6,6 @@ import pytest
 from pydantic import ValidationError
 
 from tandem.skills.geometry.poses import compose, distance, from_rpy, invert
-from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.action import GoalState, GoalStatus
 from tandem.skills.ports.actions.arm import Candidate, MoveGoal, MoveResult
@@ -18,11 +17,6 @@ from tests.fakes.arm_rig import ArmRig, box, panda
 AT = (0.45, 0.2, 0.4)
 BACK = ((0.0, 0.0, -0.10), (0.0, 0.0, -0.06), (0.0, 0.0, 0.1))
 """The tool's z points out of this hand."""
-
-
-@pytest.fixture(scope="module")
-def hulls() -> RobotHulls:
-    return load_hulls(panda())
 
 
 @pytest.fixture

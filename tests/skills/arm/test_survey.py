@@ -10,7 +10,6 @@ from tandem.skills.arm.problem import Arm
 from tandem.skills.arm.slices import BREATH
 from tandem.skills.arm.survey import Survey
 from tandem.skills.geometry.poses import from_rpy
-from tandem.skills.kinematics.described import load_hulls
 from tandem.skills.kinematics.hulls import RobotHulls
 from tandem.skills.ports.actions.arm import Candidate, SurveyGoal, SurveyResult
 from tandem.skills.ports.pose import FloorPose, Pose
@@ -21,11 +20,6 @@ TARGET = Candidate(pose=Pose(position=(0.45, 0.0, 0.4), orientation=from_rpy(np.
 HERE = FloorPose(x=0.0, y=0.0, yaw=0.0)
 FAR = FloorPose(x=-3.0, y=0.0, yaw=0.0)
 BESIDE = FloorPose(x=0.45, y=-0.45, yaw=np.pi / 2)
-
-
-@pytest.fixture(scope="module")
-def hulls() -> RobotHulls:
-    return load_hulls(panda())
 
 
 def survey(

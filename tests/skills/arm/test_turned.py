@@ -44,11 +44,6 @@ def cart() -> Arm:
     return Arm(load_hulls(description), description, "arm_single")
 
 
-@pytest.fixture(scope="module")
-def hulls() -> RobotHulls:
-    return load_hulls(panda())
-
-
 def moment(arm: Arm, q: np.ndarray | None = None) -> Moment:
     positions = dict(home_positions(arm.description))
     if q is not None:
