@@ -249,10 +249,8 @@ class ArmRig:
         self.description, self.group = description, description.group(group)
         self.hardware = JointsOnly(self.bus, self.clocks, self.group, home)
         self.hulls = load_hulls(description) if hulls is None else hulls
-        (side,) = [hand.side for hand in description.end_effectors if hand.group == group]
-        choice = OWNER.chosen_for(OWNER.types(None), description, load("lab"), "lab", part=side)
-        self.limb = Limb(arm(self.bus, self.clocks, description, side), choice)
-        pipelines = {group: self.limb.pipeline(ARM)}
+        limbs = [self._limb(hand.side) for hand in description.end_effectors if hand.group == group]
+        pipelines = {group: limbs[0].pipeline(ARM)} if limbs else {}
         servers = nodes(
             self.bus,
             self.clocks,
@@ -263,13 +261,17 @@ class ArmRig:
             charge=True,
             pipelines=pipelines,
         )
-        self._nodes = [self.hardware, self.limb, *servers]
+        self._nodes = [self.hardware, *limbs, *servers]
         self._status = Latest(self.bus, status_topic(f"{group}/move"))
         self._states = Latest(self.bus, arm_status(group))
         self.states: list[ArmState] = []
         self.set_scene()
         self.tell_pose()
         self.rounds(2)
+
+    def _limb(self, side: str) -> Limb:
+        choice = OWNER.chosen_for(OWNER.types(None), self.description, load("lab"), "lab", part=side)
+        return Limb(arm(self.bus, self.clocks, self.description, side), choice)
 
     def set_scene(self, *objects: SceneObject, version: int = 1) -> None:
         """Tell a scene."""
