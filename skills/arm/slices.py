@@ -13,8 +13,8 @@ SLICE_UNITS: Final = 80
 BREATH_UNITS: Final = 20
 """Units of one step of a computation after which a command is heard, though the slice goes on.
 
-Steps of so many take up to 5 ms, whatever they cost (making a checker, the first check of a motion), and two
-or three of them in one slice took 12 ms. Smaller ones stay below 1 ms as a rule.
+Steps of so many (making a checker, the first check of a motion) take several times what they are charged, and
+two or three of them fell into one slice.
 """
 BREATH: Final = Slice(0.0)
 """Costs no robot time: its work is charged with the slice that it is a part of. Lockstep runs as without."""
