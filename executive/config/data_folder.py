@@ -33,9 +33,12 @@ def require_writable(folder: Path) -> None:
     except DataFolderError:
         raise
     except OSError as error:
-        raise DataFolderError(
-            f"{folder}: the ledger needs a writable folder: {error.strerror}; choose another one with --data"
-        ) from error
+        raise DataFolderError(not_writable(folder, error)) from error
+
+
+def not_writable(where: Path, error: OSError) -> str:
+    """Return in words that nothing can be kept in a folder, given what bars it: itself, or a file there."""
+    return f"{where}: the ledger needs a writable folder: {error.strerror}; choose another one with --data"
 
 
 def _require_ours(each: Path, folder: Path) -> None:

@@ -17,6 +17,7 @@ from typing import Concatenate, Final, ParamSpec, TypeVar
 
 from pydantic import ValidationError
 
+from tandem.executive.config.data_folder import not_writable
 from tandem.executive.config.on_restart import OnRestart
 from tandem.executive.ledger.memory import PAST, split
 from tandem.executive.ledger.port import Entry, LedgerError, LedgerLockedError, Reading, SentGoal, Transition
@@ -380,9 +381,7 @@ def _lock(folder: Path) -> int:
         folder.mkdir(parents=True, exist_ok=True)
         lock = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
     except OSError as error:
-        raise LedgerError(
-            f"{folder}: the ledger needs a writable folder: {error.strerror}; choose another one with --data"
-        ) from error
+        raise LedgerError(not_writable(Path(error.filename or folder), error)) from error
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError as error:

@@ -127,6 +127,28 @@ def test_the_camera_is_shown_with_the_tags_that_were_found(page: Page, robot: Fa
     expect(page.locator(".camera")).to_have_count(0)
 
 
+def test_of_an_untagged_item_as_much_is_outlined_as_a_tag_would_take(page: Page, robot: FakeRobot) -> None:
+    def site(route: Route) -> None:
+        told = route.fetch().json()
+        for item in told["items"]:
+            item.update({"tag_size": None, "size": [0.24, 0.12, 0.12]} if item["item"] == 29 else {})
+        route.fulfill(json=told)
+
+    def width() -> float:
+        expect(page.locator(".camera polygon")).to_have_count(1)
+        points = (page.locator(".camera polygon").get_attribute("points") or "").split()
+        across = [float(point.split(",")[0]) for point in points]
+        return max(across) - min(across)
+
+    page.goto("/?camera")
+    expect(page.locator(".link")).to_contain_text("nothing heard")
+    tell(robot)
+    tagged = width()  # 0.048 m
+    page.route("**/api/site", site)
+    page.reload()
+    assert width() == pytest.approx(tagged * 0.8 * 0.12 / 0.048, rel=1e-3)
+
+
 def test_of_several_cameras_one_is_chosen(page: Page, robot: FakeRobot) -> None:
     (head,) = robot.description.cameras
     wrist = head.model_copy(update={"name": "wrist"})
